@@ -1,5 +1,11 @@
 using System;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
@@ -28,5 +34,61 @@ namespace FastPoints.Evaluation
             m_cellsOf128th.Dispose();
             m_pointsOfBlock.Dispose();
         }
+    }
+
+    /// <summary>Counts a decoded block's points into the cells of a grid.</summary>
+    [BurstCompile]
+    public struct CountOccupancyJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Block;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+        internal PositionColumns Positions;
+        public PositionTransform Transform;
+        public ErrorGrid Grid;
+
+        public NativeArray<ulong> CellsOf128th;
+        public NativeArray<long> PointsOfBlock;
+
+        public unsafe void Execute() => Count((byte*)Block.GetUnsafeReadOnlyPtr(), Positions, Transform, 0,
+            Result.Value.Points, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
+
+        /// <summary>Counts points <paramref name="first"/> and on of a batch's memory.</summary>
+        internal static unsafe void Count(byte* bytes, in PositionColumns positions, in PositionTransform transform, int first,
+            int count, in ErrorGrid grid, ulong* cellsOf128th, long* pointsOfBlock)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                positions.LoadGeo(bytes, transform, first + done, run, x, y, z);
+                for (int i = 0; i < run; i++)
+                {
+                    if (!grid.TryCell(x[i], y[i], z[i], out uint cell))
+                        continue;
+                    cellsOf128th[cell >> 6] |= 1UL << (int)(cell & 63);
+                    pointsOfBlock[cell >> 9]++;
+                }
+            }
+        }
+    }
+
+    /// <summary>Counts a slice of a sample into the cells of a grid.</summary>
+    [BurstCompile]
+    public struct CountSampledCellsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Sample;
+        internal PositionColumns Positions;
+        public PositionTransform Transform;
+        public int First;
+        public int Count;
+        public ErrorGrid Grid;
+
+        public NativeArray<ulong> CellsOf128th;
+        public NativeArray<long> PointsOfBlock;
+
+        public unsafe void Execute() => CountOccupancyJob.Count((byte*)Sample.GetUnsafeReadOnlyPtr(), Positions, Transform,
+            First, Count, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
     }
 }

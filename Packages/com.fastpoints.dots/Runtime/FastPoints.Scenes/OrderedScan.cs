@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
@@ -70,5 +72,84 @@ namespace FastPoints.Scenes
         /// <param name="returns">All returns.</param>
         /// <param name="returnOfPlace">Indices of the returns that come next, in this order.</param>
         void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace);
+    }
+
+    /// <summary>Finds the order in which returns are to be written: a stable counting sort by tile or class, or a
+    /// shuffle.</summary>
+    [BurstCompile]
+    internal struct OrderReturnsJob : IJob
+    {
+        const int TileGrid = 50_000;
+        const int TilesPerRow = 10;
+        const int Keys = 256;
+
+        [ReadOnly] public NativeArray<ScanReturn> Returns;
+        public ScanOrder Order;
+        public uint Seed;
+
+        /// <summary>Index of the return that comes at each place.</summary>
+        [WriteOnly] public NativeArray<int> ReturnOfPlace;
+
+        public unsafe void Execute()
+        {
+            if (Order == ScanOrder.Random)
+            {
+                for (int i = 0; i < Returns.Length; i++)
+                    ReturnOfPlace[i] = (int)Shuffled((uint)i, (uint)Returns.Length);
+                return;
+            }
+            int* next = stackalloc int[Keys + 1];
+            for (int i = 0; i <= Keys; i++)
+                next[i] = 0;
+            for (int i = 0; i < Returns.Length; i++)
+                next[Key(Returns[i]) + 1]++;
+            for (int i = 1; i <= Keys; i++)
+                next[i] += next[i - 1];
+            for (int i = 0; i < Returns.Length; i++)
+                ReturnOfPlace[next[Key(Returns[i])]++] = i;
+        }
+
+        int Key(in ScanReturn r)
+        {
+            if (Order == ScanOrder.Class)
+                return r.Classification;
+            // The scene reaches 230 m from its middle: five tiles of 50 m each way.
+            int2 tile = math.clamp(((new int2(r.X, r.Y) + TilesPerRow / 2 * TileGrid) / TileGrid), 0, TilesPerRow - 1);
+            return tile.y * TilesPerRow + tile.x;
+        }
+
+        /// <summary>A permutation of 0 to count - 1: a Feistel network of four rounds over the next even number of bits, walked
+        /// until it falls within the count.</summary>
+        uint Shuffled(uint index, uint count)
+        {
+            int halfBits = math.max(1, (33 - math.lzcnt(count)) / 2);
+            uint mask = (1u << halfBits) - 1;
+            do
+            {
+                uint left = index >> halfBits, right = index & mask;
+                for (uint round = 0; round < 4; round++)
+                {
+                    uint mixed = left ^ (SceneHash.Of(right, round, Seed) & mask);
+                    left = right;
+                    right = mixed;
+                }
+                index = left << halfBits | right;
+            }
+            while (index >= count);
+            return index;
+        }
+    }
+
+    /// <summary>The order of a generated cloud's points in its file.</summary>
+    public enum ScanOrder
+    {
+        /// <summary>As acquired: station after station, scan line after scan line.</summary>
+        Strip,
+        /// <summary>By tiles of 50 m, row by row; as acquired within a tile.</summary>
+        Tile,
+        /// <summary>By class; as acquired within a class.</summary>
+        Class,
+        /// <summary>Shuffled: no two neighbours in the file are neighbours in space.</summary>
+        Random,
     }
 }

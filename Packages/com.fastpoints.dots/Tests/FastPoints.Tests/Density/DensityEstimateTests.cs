@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Density
 {
     /// <summary>Estimates against all points of clouds of very uneven density, in orders good and bad.</summary>
     [Category("Smoke")]
-    public class DensityEstimateTests
+    public class DensityEstimateTests : FolderTests
     {
         const int Points = 200_000;
         const int Lines = 800, PatchPoints = 250;
@@ -56,23 +56,16 @@ namespace FastPoints.Tests.Density
             return points;
         }
 
-        string m_path;
-
-        [SetUp]
-        public void NamePath() => m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void DeleteFile() => File.Delete(m_path);
-
         PointReader Reader(double3[] points)
         {
-            using (var file = File.Create(m_path))
+            string path = Folder.File("cloud.ply");
+            using (var file = File.Create(path))
             {
                 file.Write(Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex " + points.Length
                     + "\nproperty double x\nproperty double y\nproperty double z\nend_header\n"));
                 file.Write(MemoryMarshal.AsBytes(points.AsSpan()));
             }
-            return PointReaders.Open(m_path);
+            return PointReaders.Open(path);
         }
 
         static DensityEstimate Estimate(PreviewSample sample)

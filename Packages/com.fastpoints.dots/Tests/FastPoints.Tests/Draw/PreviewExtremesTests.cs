@@ -15,17 +15,11 @@ namespace FastPoints.Tests.Draw
 {
     /// <summary>Files that are far from what is usual, or change under the reader's feet: something to draw, or a clear
     /// reason.</summary>
-    public class PreviewExtremesTests
+    public class PreviewExtremesTests : FolderTests
     {
         const int LasRecordBytes = 20;
 
-        string m_path;
-
-        [SetUp]
-        public void Name() => m_path = Path.Combine(Path.GetTempPath(), Guid.NewGuid() + ".laz");
-
-        [TearDown]
-        public void Delete() => File.Delete(m_path);
+        string FilePath => Folder.File("cloud.laz");
 
         static PreviewCloud Take(PointReader reader, PreviewOptions options)
         {
@@ -44,7 +38,7 @@ namespace FastPoints.Tests.Draw
         /// <param name="written">Those for which this holds: the others are a hole.</param>
         void WriteLas(long points, int stride, Func<long, bool> written)
         {
-            using var file = new FileStream(m_path, FileMode.Create, FileAccess.Write, FileShare.ReadWrite);
+            using var file = new FileStream(FilePath, FileMode.Create, FileAccess.Write, FileShare.ReadWrite);
             var header = new LasHeader
             {
                 VersionMinor = 4,
@@ -78,8 +72,8 @@ namespace FastPoints.Tests.Draw
         public void Preview_OneChunkOf100MillionPointsThatBreaksOff_ShowsWhatIsThere()
         {
             var writer = new LazFileWriter { PointFormat = 3, ChunkPoints = new int[0], Claims = 100_000_000 };
-            File.WriteAllBytes(m_path, writer.Write(LazRecords.Make(3, 0, 5000, 5)));
-            using var reader = PointReaders.Open(m_path);
+            File.WriteAllBytes(FilePath, writer.Write(LazRecords.Make(3, 0, 5000, 5)));
+            using var reader = PointReaders.Open(FilePath);
             using var preview = Take(reader, new PreviewOptions { Points = 2000 });
             Assert.That(preview.Sample.Count, Is.InRange(1, 2000));
             Assert.That(preview.Image, Is.Not.Null);
@@ -90,10 +84,10 @@ namespace FastPoints.Tests.Draw
         public void Preview_ChunksOfOneOrTwoPoints_EndsWithTheFullScansPoints(int chunkPoints, int points)
         {
             var writer = new LazFileWriter { PointFormat = 0, ChunkPoints = new[] { chunkPoints } };
-            File.WriteAllBytes(m_path, writer.Write(LazRecords.Make(0, 0, points, 5)));
-            using var exactReader = PointReaders.Open(m_path);
+            File.WriteAllBytes(FilePath, writer.Write(LazRecords.Make(0, 0, points, 5)));
+            using var exactReader = PointReaders.Open(FilePath);
             using var exact = Take(exactReader, new PreviewOptions { Points = 1000, Exact = true });
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             Assert.That(reader.BlockCount, Is.EqualTo(points / chunkPoints));
             using var preview = Take(reader, new PreviewOptions { Points = 1000 });
             Assert.That(Xs(preview.Sample), Is.EqualTo(Xs(exact.Sample)));
@@ -105,7 +99,7 @@ namespace FastPoints.Tests.Draw
         {
             // 400 MB, of which every tenth stretch of 50,000 records has points: the others read as zeros.
             WriteLas(20_000_000, 100, i => i / 50_000 % 10 == 3);
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             long bytes = long.MaxValue;
             // How much is read along depends on how quick reads seem: on a busy machine the quickest of a few tries counts.
             for (int i = 0; i < 6 && bytes >= 40_000_000; i++)
@@ -123,9 +117,9 @@ namespace FastPoints.Tests.Draw
         public void Preview_FileThatGrows_IsOfThePointsThatWereClaimedAndSaysSo()
         {
             WriteLas(100_000, 1, i => true);
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
-            using (var file = new FileStream(m_path, FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
+            using (var file = new FileStream(FilePath, FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
                 file.Write(new byte[5000], 0, 5000);
             WorkPump.RunToEnd(preview.Run(new StageProgress()));
             Assert.That(preview.Sample.Count, Is.EqualTo(1000));
@@ -138,7 +132,7 @@ namespace FastPoints.Tests.Draw
         public void Preview_FileThatIsReplaced_SaysSo()
         {
             WriteLas(100_000, 1, i => true);
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
             WriteLas(200_000, 1, i => false);
             WorkPump.RunToEnd(preview.Run(new StageProgress()));
@@ -149,13 +143,11 @@ namespace FastPoints.Tests.Draw
         public void Preview_FileThatIsCutOff_FailsWithTheReason()
         {
             WriteLas(100_000, 1, i => true);
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
-            using (var file = new FileStream(m_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
+            using (var file = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 file.SetLength(50_000);
-            var e = Assert.Throws<PointCloudException>(() => WorkPump.RunToEnd(preview.Run(new StageProgress())));
-            Assert.That(e.Code, Is.EqualTo(FailureCode.Truncated));
-            Assert.That(e.Message, Does.Contain(m_path));
+            Failures.Of(() => WorkPump.RunToEnd(preview.Run(new StageProgress())), FailureCode.Truncated, FilePath);
         }
 
         [Test]
@@ -166,7 +158,7 @@ namespace FastPoints.Tests.Draw
             {
                 // 10 GB for the large one, all of it a hole but for 20 records.
                 WriteLas(points, 25_000_000, i => true);
-                using var reader = PointReaders.Open(m_path);
+                using var reader = PointReaders.Open(FilePath);
                 using var preview = new PreviewCloud(reader, new PreviewOptions());
                 preview.WaveReady += (sample, wave) => bytes.Add(wave.BytesRead);
                 WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));

@@ -6,13 +6,14 @@ using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Preview;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Draw
 {
     /// <summary>Text whose lines are found by jumping: long enough for that, the first half of the lines short and the other
     /// long.</summary>
-    public class PreviewStretchTests
+    public class PreviewStretchTests : FolderTests
     {
         const int Lines = 800_000;
         const int ShortLine = 20, LongLine = 160;
@@ -22,7 +23,7 @@ namespace FastPoints.Tests.Draw
         /// <summary>x counts the lines.</summary>
         void Write(string name, string header)
         {
-            m_path = Path.Combine(Path.GetTempPath(), Guid.NewGuid() + name);
+            m_path = Folder.File("cloud" + name);
             using var writer = new StreamWriter(m_path);
             writer.Write(header);
             for (int i = 0; i < Lines; i++)
@@ -32,9 +33,6 @@ namespace FastPoints.Tests.Draw
                 writer.Write('\n');
             }
         }
-
-        [TearDown]
-        public void Delete() => File.Delete(m_path);
 
         static double[] Xs(PreviewSample sample)
         {

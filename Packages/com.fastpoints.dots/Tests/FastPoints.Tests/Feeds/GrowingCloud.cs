@@ -8,6 +8,7 @@ using FastPoints.SourceFeeds;
 using FastPoints.Store;
 using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
+using FastPoints.Tests.Support;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Feeds
@@ -19,7 +20,7 @@ namespace FastPoints.Tests.Feeds
         public const int Points = 150_000;
         public const int PreviewPoints = 50_000;
 
-        readonly string m_scratch;
+        readonly TemporaryFolder m_scratch = new TemporaryFolder();
         readonly int3[] m_places = new int3[Points];
         WorkSteps m_build;
 
@@ -28,10 +29,8 @@ namespace FastPoints.Tests.Feeds
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < Points; i++)
                 m_places[i] = new int3(random.NextInt2(20000), random.NextInt(100));
-            m_scratch = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(m_scratch);
-            Folder = Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
-            Source = Path.Combine(m_scratch, "scan");
+            Folder = m_scratch.File("cloud" + StoreFormat.FolderExtension);
+            Source = m_scratch.File("scan");
             CloudFeeds.Register(paths => new SourceFeed(Open(), PreviewPoints));
         }
 
@@ -80,7 +79,7 @@ namespace FastPoints.Tests.Feeds
         {
             m_build?.Dispose();
             CloudFeeds.Register(null);
-            Directory.Delete(m_scratch, true);
+            m_scratch.Dispose();
         }
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Threading;
 using System.Threading.Tasks;
 using FastPoints.Base;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Feeds
@@ -29,8 +30,7 @@ namespace FastPoints.Tests.Feeds
         public void Take_OfWorkThatThrowsWhatNobodyForesaw_NamesTheFileAndSaysWhere()
         {
             var work = PoolWork.Begin<int>("cloud", () => throw new InvalidOperationException("planted"));
-            var failure = Assert.Throws<PointCloudException>(() => work.Take());
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.Unexpected));
+            var failure = Failures.Of(() => work.Take(), FailureCode.Unexpected);
             Assert.That(failure.Message, Is.EqualTo("cloud: InvalidOperationException: planted"));
             Assert.That(failure.Story, Does.StartWith(failure.Message).And.Contains(nameof(PoolWorkTests)));
         }

@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Files
     /// <remarks>The stress command, a million damaged clouds over all formats: <c>FASTPOINTS_MUTATIONS=1000000 ./test --only
     /// FormatMutationTests.Mutate_ManyTimes</c>. Without the variable: 20,000. FASTPOINTS_MUTATIONS_SEED takes other cases than
     /// those of seed 7.</remarks>
-    public class FormatMutationTests
+    public class FormatMutationTests : FolderTests
     {
         const int Cases = 40;
         const int SampleCases = 8;
@@ -25,26 +25,7 @@ namespace FastPoints.Tests.Files
         const int MostPoints = 3000;
         const int MostBlocks = 6;
 
-        static readonly string[] s_words =
-        {
-            "0", "-1", "4", "99999999999999999999", "18446744073709551615", "4294967296", "nan", "inf", "1e308", "1e-400",
-            "x", "z", ",", ";", "\t", "\r", "\n", " ", "\"", "#", ".", "-", "{", "}", "[", "]", "<", ">", "vertex", "property",
-            "element", "",
-        };
-
         static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
-
-        string m_folder;
-
-        [SetUp]
-        public void MakeFolder()
-        {
-            m_folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(m_folder);
-        }
-
-        [TearDown]
-        public void Delete() => Directory.Delete(m_folder, true);
 
         [TestCaseSource(nameof(Fixtures))]
         public void Mutate(FormatFixture fixture) => Mutate(fixture, fixture.IsSample ? SampleCases : Cases, 1, 1);
@@ -67,10 +48,10 @@ namespace FastPoints.Tests.Files
         /// <returns>Clouds that could be read.</returns>
         int Mutate(FormatFixture fixture, int cases, int seed, int leastReadable)
         {
-            Directory.Delete(m_folder, true);
-            Directory.CreateDirectory(m_folder);
-            string main = fixture.Write(m_folder);
-            var sound = Directory.GetFiles(m_folder, "*", SearchOption.AllDirectories).OrderBy(p => p, StringComparer.Ordinal)
+            Directory.Delete(Folder.Path, true);
+            Directory.CreateDirectory(Folder.Path);
+            string main = fixture.Write(Folder.Path);
+            var sound = Directory.GetFiles(Folder.Path, "*", SearchOption.AllDirectories).OrderBy(p => p, StringComparer.Ordinal)
                 .Select(p => (Path: p, Bytes: File.ReadAllBytes(p))).ToList();
             var indexes = sound.Where(f => f.Path == main || IsIndex(f.Path)).ToList();
             var telling = sound.ToDictionary(f => f.Path, f => TellingPlaces.Of(f.Bytes));
@@ -83,7 +64,7 @@ namespace FastPoints.Tests.Files
                 int choice = random.Next(3);
                 var (path, bytes) = choice == 0 ? sound.First(f => f.Path == main)
                     : choice == 1 ? indexes[random.Next(indexes.Count)] : sound[random.Next(sound.Count)];
-                var damaged = random.Next(3) == 0 ? DamageTelling(bytes, telling[path], random) : Damage(bytes, random);
+                var damaged = random.Next(3) == 0 ? DamageTelling(bytes, telling[path], random) : Damage.Of(bytes, random);
                 if (fixture.Seal != null && random.Next(2) == 0 && damaged.Length >= 1024)
                 {
                     Array.Resize(ref damaged, damaged.Length / 1024 * 1024);
@@ -148,60 +129,6 @@ namespace FastPoints.Tests.Files
             int kind = random.Next(4);
             for (int i = at; i < bytes.Length && char.IsDigit((char)bytes[i]); i++)
                 bytes[i] = (byte)(kind == 0 ? '9' : kind == 1 ? '0' : i == at && kind == 2 ? '-' : '0' + random.Next(10));
-        }
-
-        static byte[] Damage(byte[] sound, Random random)
-        {
-            var bytes = new List<byte>(sound);
-            // Half of it near the start, where most of what says what the rest is lies.
-            for (int change = random.Next(1, 4); change > 0 && bytes.Count > 0; change--)
-            {
-                int at = random.Next(2) == 0 ? random.Next(Math.Min(bytes.Count, 600)) : random.Next(bytes.Count);
-                int length = Math.Min(random.Next(1, 40), bytes.Count - at);
-                switch (random.Next(9))
-                {
-                    case 0:
-                        bytes[at] ^= (byte)(1 << random.Next(8));
-                        break;
-                    case 1:
-                        bytes[at] = (byte)random.Next(256);
-                        break;
-                    case 2:
-                        if (random.Next(3) == 0)
-                            bytes.RemoveRange(at, bytes.Count - at);
-                        break;
-                    case 3:
-                        bytes.RemoveRange(at, length);
-                        break;
-                    case 4:
-                        bytes.InsertRange(at, bytes.GetRange(at, length));
-                        break;
-                    case 5:
-                        bytes.InsertRange(at, Encoding.ASCII.GetBytes(s_words[random.Next(s_words.Length)]));
-                        break;
-                    case 6:
-                        ReplaceWord(bytes, at, s_words[random.Next(s_words.Length)]);
-                        break;
-                    default:
-                        byte extreme = (byte)(random.Next(2) * 255);
-                        int width = 1 << random.Next(4);
-                        for (int b = at; b < at + width && b < bytes.Count; b++)
-                            bytes[b] = b == at + width - 1 && random.Next(2) == 0 ? (byte)127 : extreme;
-                        break;
-                }
-            }
-            return bytes.ToArray();
-        }
-
-        static void ReplaceWord(List<byte> bytes, int at, string word)
-        {
-            int start = at, end = at;
-            while (start > 0 && bytes[start - 1] > ' ' && at - start < 20)
-                start--;
-            while (end < bytes.Count && bytes[end] > ' ' && end - at < 20)
-                end++;
-            bytes.RemoveRange(start, end - start);
-            bytes.InsertRange(start, Encoding.ASCII.GetBytes(word));
         }
 
         /// <returns>Whether there is a cloud; false for a failure that says what is wrong.</returns>

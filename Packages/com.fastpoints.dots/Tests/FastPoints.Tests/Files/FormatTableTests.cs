@@ -11,7 +11,7 @@ using NUnit.Framework;
 namespace FastPoints.Tests.Files
 {
     /// <summary>The manual's table "format, what is read, what is not, tested by" is true: what it names is there.</summary>
-    public class FormatTableTests
+    public class FormatTableTests : FolderTests
     {
         /// <summary>The cells of each row of the first table of formats.md; the test is skipped where the package lies without
         /// its manual.</summary>
@@ -63,20 +63,11 @@ namespace FastPoints.Tests.Files
         [TestCaseSource(nameof(Fixtures))]
         public void EachCloud_OpensAsItsFormat(FormatFixture fixture)
         {
-            string folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(folder);
-            try
-            {
-                using var reader = PointReaders.Open(fixture.Write(folder));
-                Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));
-                if (!reader.BlocksAreKnown)
-                    WorkPump.RunToEnd(reader.FindBlocks());
-                Assert.That(reader.PointCount, Is.GreaterThan(0));
-            }
-            finally
-            {
-                Directory.Delete(folder, true);
-            }
+            using var reader = PointReaders.Open(fixture.Write(Folder.Path));
+            Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));
+            if (!reader.BlocksAreKnown)
+                WorkPump.RunToEnd(reader.FindBlocks());
+            Assert.That(reader.PointCount, Is.GreaterThan(0));
         }
     }
 }

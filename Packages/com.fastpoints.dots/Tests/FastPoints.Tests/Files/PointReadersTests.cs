@@ -11,15 +11,9 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
 {
-    public class PointReadersTests
+    public class PointReadersTests : FolderTests
     {
-        string m_path;
-
-        [SetUp]
-        public void NamePath() => m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void Delete() => File.Delete(m_path);
+        string FilePath => Folder.File("cloud");
 
         [TestCase("# .PCD v.7 - Point Cloud Data", "PCD")]
         [TestCase("PK\u0003\u0004rest", "zip")]
@@ -28,7 +22,7 @@ namespace FastPoints.Tests.Files
         [TestCase("LAS", "text \"LAS\"")]
         public void Open_ForeignFile_NamesWhatItIs(string content, string name)
         {
-            File.WriteAllBytes(m_path, Encoding.ASCII.GetBytes(content));
+            File.WriteAllBytes(FilePath, Encoding.ASCII.GetBytes(content));
             CheckFailure(FailureCode.Unsupported, name);
         }
 
@@ -38,16 +32,8 @@ namespace FastPoints.Tests.Files
         [TestCaseSource(nameof(Fixtures))]
         public void Open_OnAThreadOfThePool_CanBeGivenUpThere(FormatFixture fixture)
         {
-            Directory.CreateDirectory(m_path + "-folder");
-            try
-            {
-                string path = fixture.Write(m_path + "-folder");
-                Task.Run(() => PointReaders.Open(path).DisposeUnread()).GetAwaiter().GetResult();
-            }
-            finally
-            {
-                Directory.Delete(m_path + "-folder", true);
-            }
+            string path = fixture.Write(Folder.Path);
+            Task.Run(() => PointReaders.Open(path).DisposeUnread()).GetAwaiter().GetResult();
         }
 
         [Test]
@@ -56,70 +42,57 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Open_EmptyFolder_IsUnsupported()
         {
-            Directory.CreateDirectory(m_path);
+            Directory.CreateDirectory(FilePath);
             CheckFailure(FailureCode.Unsupported, "has no point cloud");
-            Directory.Delete(m_path);
         }
 
         [TestCase("cloud.json", "{\"format\":\"fastpoints\",\"version\":1}", "converted cloud already")]
         public void Open_FolderOrIndexOfAnotherKind_NamesWhatItIs(string name, string content, string story)
         {
-            string folder = m_path + "-folder";
-            string index = Path.Combine(folder, name);
-            Directory.CreateDirectory(folder);
-            try
+            string index = Folder.Write(name, content);
+            foreach (string path in new[] { Folder.Path, index, Folder.Path + Path.DirectorySeparatorChar })
             {
-                File.WriteAllText(index, content, Encoding.UTF8);
-                foreach (string path in new[] { folder, index, folder + Path.DirectorySeparatorChar })
-                {
-                    var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(path));
-                    Assert.That(failure.Code, Is.EqualTo(FailureCode.Unsupported));
-                    Assert.That(failure.Path, Is.EqualTo(index));
-                    Assert.That(failure.Message, Does.Contain(story));
-                }
-            }
-            finally
-            {
-                Directory.Delete(folder, true);
+                var failure = Failures.Of(() => PointReaders.Open(path), FailureCode.Unsupported, story);
+                Assert.That(failure.Path, Is.EqualTo(index));
             }
         }
 
         [Test]
         public void Open_JsonOfSomethingElse_IsNoCloud()
         {
-            File.WriteAllText(m_path, " { \"name\": \"x\", }");
+            File.WriteAllText(FilePath, " { \"name\": \"x\", }");
             CheckFailure(FailureCode.Unsupported, "got the members name");
         }
 
         [TestCase("{\"a\":", "no JSON"), TestCase("{[", "no JSON")]
         public void Open_BrokenJson_SaysWhere(string content, string story)
         {
-            File.WriteAllText(m_path, content);
+            File.WriteAllText(FilePath, content);
             CheckFailure(FailureCode.BadInput, story);
         }
 
         [Test]
         public void Open_EmptyFile_IsTruncated()
         {
-            File.WriteAllBytes(m_path, new byte[0]);
+            File.WriteAllBytes(FilePath, new byte[0]);
             CheckFailure(FailureCode.Truncated, "0 bytes");
         }
 
         [Test]
         public void Open_Pipe_DoesNotWaitForAWriter()
         {
-            Unix("mkfifo", m_path);
+            Unix("mkfifo", FilePath);
             CheckFailure(FailureCode.Truncated, "0 bytes");
         }
 
         [Test]
         public void Open_NoPermission_IsAccessDenied()
         {
-            File.WriteAllText(m_path, "LASF");
-            Unix("chmod", "000 " + m_path);
+            File.WriteAllText(FilePath, "LASF");
+            Unix("chmod", "000 " + FilePath);
             try
             {
-                File.ReadAllBytes(m_path);
+                File.ReadAllBytes(FilePath);
             }
             catch (UnauthorizedAccessException)
             {
@@ -135,10 +108,8 @@ namespace FastPoints.Tests.Files
 
         void CheckFailure(FailureCode code, string story)
         {
-            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(m_path).Dispose());
-            Assert.That(failure.Code, Is.EqualTo(code));
-            Assert.That(failure.Path, Is.EqualTo(m_path));
-            Assert.That(failure.Message, Does.Contain(story).And.Not.Contain("\n"));
+            var failure = Failures.Of(() => PointReaders.Open(FilePath).Dispose(), code, story);
+            Assert.That(failure.Path, Is.EqualTo(FilePath));
         }
 
         static void Unix(string command, string arguments)

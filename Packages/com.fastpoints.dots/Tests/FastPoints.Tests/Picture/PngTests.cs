@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Picture;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture
@@ -113,24 +114,15 @@ namespace FastPoints.Tests.Picture
         [Test]
         public void Write_ThenRead_LeavesOneWholeFile()
         {
-            string folder = Path.Combine(Path.GetTempPath(), "fastpoints-png-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(folder);
-            try
-            {
-                string path = Path.Combine(folder, "p.png");
-                Png.Write(path, Noise(3, 3, true, 1));
-                var image = Noise(5, 4, false, 2);
-                Png.Write(path, image);
-                Assert.That(Png.Read(path).Rgba, Is.EqualTo(image.Rgba));
-                Assert.That(Directory.GetFileSystemEntries(folder), Is.EqualTo(new[] { path }));
-                Assert.That(() => Png.Read(Path.Combine(folder, "none.png")),
-                    Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
-                Assert.That(() => Png.Write(Path.Combine(folder, "none", "p.png"), image), Throws.TypeOf<PointCloudException>());
-            }
-            finally
-            {
-                Directory.Delete(folder, true);
-            }
+            using var folder = new TemporaryFolder();
+            string path = folder.File("p.png");
+            Png.Write(path, Noise(3, 3, true, 1));
+            var image = Noise(5, 4, false, 2);
+            Png.Write(path, image);
+            Assert.That(Png.Read(path).Rgba, Is.EqualTo(image.Rgba));
+            Assert.That(Directory.GetFileSystemEntries(folder.Path), Is.EqualTo(new[] { path }));
+            Failures.Of(() => Png.Read(folder.File("none.png")), FailureCode.NotFound);
+            Assert.That(() => Png.Write(folder.File("none/p.png"), image), Throws.TypeOf<PointCloudException>());
         }
     }
 }

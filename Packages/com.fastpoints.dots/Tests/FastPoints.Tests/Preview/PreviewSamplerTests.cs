@@ -13,15 +13,9 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Preview
 {
     [Category("Smoke")]
-    public class PreviewSamplerTests
+    public class PreviewSamplerTests : FolderTests
     {
-        string m_path;
-
-        [SetUp]
-        public void NamePath() => m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void DeleteFile() => File.Delete(m_path);
+        string FilePath => Folder.File("cloud");
 
         /// <summary>Points whose x is their index, with an intensity of it.</summary>
         PointReader Numbered(int count, bool isBigEndian = false)
@@ -38,8 +32,8 @@ namespace FastPoints.Tests.Preview
                 Add(7, 1);
                 Add(i % 60_000, 2);
             }
-            File.WriteAllBytes(m_path, bytes.ToArray());
-            return PointReaders.Open(m_path);
+            File.WriteAllBytes(FilePath, bytes.ToArray());
+            return PointReaders.Open(FilePath);
 
             void Add(int value, int size)
             {
@@ -208,8 +202,8 @@ namespace FastPoints.Tests.Preview
                 for (int axis = 0; axis < 3; axis++)
                     bytes.AddRange(BitConverter.GetBytes(position[axis]));
             }
-            File.WriteAllBytes(m_path, bytes.ToArray());
-            using var reader = PointReaders.Open(m_path);
+            File.WriteAllBytes(FilePath, bytes.ToArray());
+            using var reader = PointReaders.Open(FilePath);
             var waves = new List<SampleWave>();
             using var sample = Take(reader, 5000, 2, 1, waves);
             Assert.That(sample.NonFinite, Is.EqualTo(bad));
@@ -227,7 +221,7 @@ namespace FastPoints.Tests.Preview
         public void Sample_FileThatBecameShorter_IsAnErrorThatSaysSo()
         {
             using var reader = Numbered(200_000);
-            using (var stream = new FileStream(m_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
+            using (var stream = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 stream.SetLength(stream.Length / 2);
             using var sampler = PreviewSampler.Create(reader, 10_000, 1);
             Assert.That(() => WorkPump.RunToEnd(sampler.Run(3, null)),

@@ -108,9 +108,7 @@ namespace FastPoints.Tests.Samplers
                 {
                     var work = ConvertCloud.Run(new[] { reader }, Path.Combine(folder, "cloud.fastpoints"), new ConvertSettings(),
                         r => { }, null);
-                    var failure = Assert.Throws<PointCloudException>(() => WorkPump.RunToEnd(work));
-                    Assert.That(failure.Code, Is.EqualTo(FailureCode.DiskFull));
-                    Assert.That(failure.Message, Does.Contain("too little room"));
+                    Failures.Of(() => WorkPump.RunToEnd(work), FailureCode.DiskFull, "too little room");
                 }
                 Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
             }

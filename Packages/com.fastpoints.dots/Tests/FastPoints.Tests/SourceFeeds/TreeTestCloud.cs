@@ -38,9 +38,9 @@ namespace FastPoints.Tests.SourceFeeds
                     Decompressors.Zstandard = () => new StoredZstandard();
                     break;
                 default:
-                    var folder = new PotreeTestFolder();
+                    var folder = new TemporaryFolder();
                     m_files = folder;
-                    Path = folder.Folder;
+                    Path = folder.Path;
                     var cloud = new PotreeTestCloud(points, 7, 11);
                     if (kind == Potree1)
                         new Potree1Writer().Write(folder, cloud);

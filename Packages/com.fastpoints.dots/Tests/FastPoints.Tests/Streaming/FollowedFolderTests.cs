@@ -13,22 +13,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    public class FollowedFolderTests
+    public class FollowedFolderTests : FolderTests
     {
         const int Points = 120_000;
         const int MostFrames = 1_000_000;
-
-        string m_scratch;
-
-        [SetUp]
-        public void MakeFolder()
-        {
-            m_scratch = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(m_scratch);
-        }
-
-        [TearDown]
-        public void DeleteFolder() => Directory.Delete(m_scratch, true);
 
         /// <summary>A cloud that grows while it is looked at: all of it is shown in the end.</summary>
         [Test]
@@ -43,7 +31,7 @@ namespace FastPoints.Tests.Streaming
                 Scale = new double3(0.01, 0.01, 0.01),
                 Offset = StreamedTestCloud.OriginGeo,
             };
-            string path = Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
+            string path = Folder.File("cloud" + StoreFormat.FolderExtension);
             var settings = new ConvertSettings
             {
                 PointsPerChunk = 8000,

@@ -9,6 +9,7 @@ using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using FastPoints.Tests.Samplers;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -25,16 +26,14 @@ namespace FastPoints.Tests.Streaming
         public const int HeightPx = 360;
         public static readonly double3 OriginGeo = new double3(690_000, 5_330_000, 500);
 
-        readonly string m_scratch;
+        readonly TemporaryFolder m_scratch = new TemporaryFolder();
 
         public StreamedTestCloud(int points = 120_000, long pointsPerChunk = 6000, uint seed = 7)
             : this(pointsPerChunk, Hills(points, seed)) { }
 
         public StreamedTestCloud(long pointsPerChunk, params PointReader[] readers)
         {
-            m_scratch = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(m_scratch);
-            Path = System.IO.Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
+            Path = m_scratch.File("cloud" + StoreFormat.FolderExtension);
             WorkPump.RunToEnd(ConvertCloud.Run(readers, Path,
                 new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, MaxPointsPerLeaf = 500 }, r => { }, null));
         }
@@ -126,6 +125,6 @@ namespace FastPoints.Tests.Streaming
             return default;
         }
 
-        public void Dispose() => Directory.Delete(m_scratch, true);
+        public void Dispose() => m_scratch.Dispose();
     }
 }

@@ -165,16 +165,16 @@ namespace FastPoints.Tests.Support
 
         static void Potree1(string folder, string version)
         {
-            using var tree = new PotreeTestFolder();
+            using var tree = new TemporaryFolder();
             new Potree1Writer { Version = version, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 4));
-            Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
+            Copy(tree.Path, Directory.GetFiles(tree.Path, "*", SearchOption.AllDirectories), folder);
         }
 
         static void Potree2(string folder, bool isBrotli)
         {
-            using var tree = new PotreeTestFolder();
+            using var tree = new TemporaryFolder();
             new Potree2Writer { IsBrotli = isBrotli, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 5));
-            Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
+            Copy(tree.Path, Directory.GetFiles(tree.Path, "*", SearchOption.AllDirectories), folder);
         }
 
         static byte[] E57()

@@ -4,26 +4,15 @@ using System.Threading;
 using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Writing;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Writing
 {
     [Category("Smoke")]
-    public sealed class StreamSpoolTests
+    public sealed class StreamSpoolTests : FolderTests
     {
         const int Length = (3 << 20) + 17;
-
-        string m_folder;
-
-        [SetUp]
-        public void MakeFolder()
-        {
-            m_folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
-            Directory.CreateDirectory(m_folder);
-        }
-
-        [TearDown]
-        public void DeleteFolder() => Directory.Delete(m_folder, true);
 
         static byte[] Bytes()
         {
@@ -58,47 +47,44 @@ namespace FastPoints.Tests.Writing
         [TestCase(-1), TestCase(Length)]
         public void Work_Stream_IsTheFile(long length)
         {
-            string path = Path.Combine(m_folder, "scan.las");
+            string path = Folder.File("scan.las");
             File.WriteAllText(path, "what was there before");
             var stream = new Trickle(Bytes());
             using var spool = new StreamSpool(() => stream, path, length);
             spool.Work.GetAwaiter().GetResult();
             Assert.That(File.ReadAllBytes(path), Is.EqualTo(Bytes()));
             Assert.That((spool.Share, spool.Bytes, stream.IsDisposed), Is.EqualTo((1.0, (long)Length, true)));
-            Assert.That(Directory.GetFiles(m_folder), Is.EqualTo(new[] { path }));
+            Assert.That(Directory.GetFiles(Folder.Path), Is.EqualTo(new[] { path }));
         }
 
         [Test]
         public void Work_StreamThatEndsEarly_SaysSoAndLeavesNothing()
         {
-            string path = Path.Combine(m_folder, "scan.las");
+            string path = Folder.File("scan.las");
             using var spool = new StreamSpool(() => new Trickle(Bytes()), path, Length + 1);
-            var failure = Assert.Throws<PointCloudException>(() => spool.Work.GetAwaiter().GetResult());
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
-            Assert.That(failure.Message, Does.Contain("scan.las").And.Contains((Length + 1).ToString()));
-            Assert.That(Directory.GetFiles(m_folder), Is.Empty);
+            Failures.Of(() => spool.Work.GetAwaiter().GetResult(), FailureCode.Truncated, "scan.las", (Length + 1).ToString());
+            Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);
         }
 
         [Test]
         public void Work_FolderThatIsNotThere_SaysSo()
         {
-            string path = Path.Combine(m_folder, "none", "scan.las");
+            string path = Folder.File("none/scan.las");
             using var spool = new StreamSpool(() => new Trickle(Bytes()), path);
-            var failure = Assert.Throws<PointCloudException>(() => spool.Work.GetAwaiter().GetResult());
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
+            Failures.Of(() => spool.Work.GetAwaiter().GetResult(), FailureCode.NotFound);
         }
 
         [Test]
         public void Dispose_Meanwhile_LeavesNothing()
         {
             using var goesOn = new ManualResetEventSlim();
-            string path = Path.Combine(m_folder, "scan.las");
+            string path = Folder.File("scan.las");
             var spool = new StreamSpool(() => new Trickle(Bytes()) { WaitsFor = goesOn }, path);
             spool.Dispose();
             goesOn.Set();
             Assert.Throws(Is.InstanceOf<OperationCanceledException>(), () => spool.Work.GetAwaiter().GetResult());
             Assert.That(spool.Work.Status, Is.Not.EqualTo(TaskStatus.RanToCompletion));
-            Assert.That(Directory.GetFiles(m_folder), Is.Empty);
+            Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);
         }
     }
 }

@@ -19,13 +19,13 @@ namespace FastPoints.Tests.Files
 
         static PointCloudException Failure(byte[] file)
         {
-            var failure = Assert.Throws<PointCloudException>(() => E57Contents.Read(file));
+            var failure = Assert.Throws<PointCloudException>(() => FileContents.OfE57(file));
             Assert.That(failure.IsBadInput, Is.True, failure.Message);
             Assert.That(failure.Message.IndexOf('\n'), Is.EqualTo(-1));
             return failure;
         }
 
-        static void CheckPrefix(E57Contents contents, int first, int count)
+        static void CheckPrefix(FileContents contents, int first, int count)
         {
             Assert.That(contents.Points, Is.EqualTo(count));
             Assert.That(contents.Column<float>("X"), Is.EqualTo(Enumerable.Range(first, count).Select(i => (float)i)));
@@ -46,14 +46,14 @@ namespace FastPoints.Tests.Files
             byte[] file = new E57FileWriter(Scan()).ToArray();
             // Within the first packet: 80 bytes in front, 14 of header, 4,000 of x, then y.
             file[2 * 1024 + 100] ^= 4;
-            var contents = E57Contents.Read(file);
+            var contents = FileContents.OfE57(file);
             int first = (2 * 1020 - 94) / 4, end = (3 * 1020 - 94 + 3) / 4;
             Assert.That(contents.Points, Is.EqualTo(Count - (end - first)));
             Assert.That(contents.Column<float>("X"),
                 Is.EqualTo(Enumerable.Range(0, Count).Where(i => i < first || i >= end).Select(i => (float)i)));
             Assert.That(contents.HasWarning("the checksum of page 2 is wrong"));
             Assert.That(contents.HasWarning("(" + (end - first) + " so far)"));
-            Assert.That(E57Contents.Read(file, "Y").Points, Is.EqualTo(Count), "y lies in other pages");
+            Assert.That(FileContents.OfE57(file, "Y").Points, Is.EqualTo(Count), "y lies in other pages");
         }
 
         [Test]
@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Files
         {
             byte[] file = new E57FileWriter(Scan()).ToArray();
             file[1023] ^= 1;
-            var contents = E57Contents.Read(file, "Y");
+            var contents = FileContents.OfE57(file, "Y");
             Assert.That(contents.HasWarning("which holds the section's header"));
             Assert.That(contents.HasWarning("which holds a packet's header"));
             Assert.That(contents.Points, Is.EqualTo(Count));
@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Files
         public void Read_OtherVersionOrLength_IsAWarning()
         {
             byte[] file = With(With(new E57FileWriter(Scan(3)).ToArray(), 8, 2), 16, 99, 99);
-            var contents = E57Contents.Read(file);
+            var contents = FileContents.OfE57(file);
             Assert.That(contents.Points, Is.EqualTo(3));
             Assert.That(contents.HasWarning("major version: wanted 1, got 2"));
             Assert.That(contents.HasWarning("length of the file"));
@@ -122,7 +122,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Scan();
             scan.RecordCount = claimed;
-            var contents = E57Contents.Read(new E57FileWriter(scan).ToArray());
+            var contents = FileContents.OfE57(new E57FileWriter(scan).ToArray());
             // The last byte of the 11-bit stream is full: 20,000 * 11 bits are 27,500 bytes.
             CheckPrefix(contents, 0, Count);
             Assert.That(contents.HasWarning("wanted " + claimed + " points, got 20000"));
@@ -134,7 +134,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Scan();
             scan.RecordCount = "17";
-            CheckPrefix(E57Contents.Read(new E57FileWriter(scan).ToArray()), 0, 17);
+            CheckPrefix(FileContents.OfE57(new E57FileWriter(scan).ToArray()), 0, 17);
         }
 
         [TestCase("-1"), TestCase("x"), TestCase("99999999999999999999")]
@@ -151,7 +151,7 @@ namespace FastPoints.Tests.Files
         {
             var lost = Scan(3000);
             lost.FileOffset = offset;
-            var contents = E57Contents.Read(new E57FileWriter(Scan(50), lost).ToArray());
+            var contents = FileContents.OfE57(new E57FileWriter(Scan(50), lost).ToArray());
             CheckPrefix(contents, 0, 50);
             Assert.That(contents.HasWarning("scan 2 is left out"));
             Assert.That(Failure(new E57FileWriter(lost).ToArray()).Message, Does.Contain("scan 1"));
@@ -172,7 +172,7 @@ namespace FastPoints.Tests.Files
             int packet = 80;
             for (int i = 0; i < 2; i++)
                 packet += BitConverter.ToUInt16(content, packet + 2) + 1;
-            var contents = E57Contents.Read(With(file, packet + at, bytes));
+            var contents = FileContents.OfE57(With(file, packet + at, bytes));
             CheckPrefix(contents, 0, 2000);
             Assert.That(contents.HasWarning(story), string.Join(" | ", contents.Info.Warnings.Select(w => w.Text)));
         }
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Files
             byte[] file = new E57FileWriter(scan).ToArray();
             byte[] content = file.Where((v, i) => i % 1024 < 1020).ToArray();
             int packet = 80 + BitConverter.ToUInt16(content, 82) + 1;
-            var contents = E57Contents.Read(With(file, packet + 1, 1));
+            var contents = FileContents.OfE57(With(file, packet + 1, 1));
             CheckPrefix(contents, 0, 1000);
             Assert.That(contents.HasWarning("restarts its bytestreams within a value"));
         }
@@ -195,7 +195,7 @@ namespace FastPoints.Tests.Files
         {
             byte[] file = With(new E57FileWriter(Scan()).ToArray(), 48 + 8, BitConverter.GetBytes(length));
             if (length == ulong.MaxValue)
-                Assert.That(E57Contents.Read(file).HasWarning("the file ends before its binary section"));
+                Assert.That(FileContents.OfE57(file).HasWarning("the file ends before its binary section"));
             else
                 Assert.That(Failure(file).Message, Does.Contain("points: wanted 20000, got 0"));
         }
@@ -230,7 +230,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Scan(3);
             scan.Fields[3] = E57TestField.Integer("intensity", -4, 95, -4, 100, 123);
-            var contents = E57Contents.Read(new E57FileWriter(scan).ToArray());
+            var contents = FileContents.OfE57(new E57FileWriter(scan).ToArray());
             Assert.That(contents.Column<sbyte>("Intensity"), Is.EqualTo(new sbyte[] { -4, 95, 95 }));
             Assert.That(contents.HasWarning("the maximum was taken (2 so far)"));
         }
@@ -240,10 +240,10 @@ namespace FastPoints.Tests.Files
         {
             var fields = new[] { "cartesianX", "cartesianY", "cartesianZ" }
                 .Select(name => E57TestField.Scaled(name, 5, 5, 0.5, 1, 5, 5, 5)).ToArray();
-            var few = E57Contents.Read(new E57FileWriter(new E57TestScan(fields)).ToArray());
+            var few = FileContents.OfE57(new E57FileWriter(new E57TestScan(fields)).ToArray());
             Assert.That(few.Column<int>("Y"), Is.EqualTo(new[] { 5, 5, 5 }));
             var many = new E57TestScan(fields) { RecordCount = "1000000000000000000" };
-            var contents = E57Contents.Read(new E57FileWriter(many).ToArray());
+            var contents = FileContents.OfE57(new E57FileWriter(many).ToArray());
             Assert.That(contents.Points, Is.EqualTo(65536));
             Assert.That(contents.HasWarning("its records take no bytes"));
         }
@@ -253,7 +253,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Scan(3);
             scan.Xml = E57TestScan.Pose(0, 0, 0, 0, 0, double.NaN, 0);
-            var contents = E57Contents.Read(new E57FileWriter(scan).ToArray());
+            var contents = FileContents.OfE57(new E57FileWriter(scan).ToArray());
             CheckPrefix(contents, 0, 3);
             Assert.That(contents.HasWarning("the pose's rotation is no quaternion"));
         }
@@ -287,7 +287,7 @@ namespace FastPoints.Tests.Files
             {
                 byte[] file = new E57FileWriter(Scan(3)) { EditXml = edit }.ToArray();
                 var watch = System.Diagnostics.Stopwatch.StartNew();
-                Assert.Throws<PointCloudException>(() => E57Contents.Read(file), edit.Method.Name);
+                Assert.Throws<PointCloudException>(() => FileContents.OfE57(file), edit.Method.Name);
                 Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(10), edit.Method.Name);
             }
         }
@@ -297,7 +297,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Scan(3);
             scan.Fields.Add(E57TestField.Integer("own:thing", 0, 7, 1, 2, 7));
-            var contents = E57Contents.Read(new E57FileWriter(scan).ToArray());
+            var contents = FileContents.OfE57(new E57FileWriter(scan).ToArray());
             Assert.That(contents.Column<byte>("own:thing"), Is.EqualTo(new byte[] { 1, 2, 7 }));
         }
     }

@@ -15,7 +15,7 @@ namespace FastPoints.Tests.Files
             var moved = Grid(100, 0.001, 0.25, 8);
             moved.Xml = E57TestScan.Pose(1, 0, 0, 0, 1000, -2, 0.5);
             var first = Grid(50);
-            var contents = E57Contents.Read(File(first, moved));
+            var contents = FileContents.OfE57(File(first, moved));
             Assert.That(contents.HasFact("whole numbers, as stored"));
             int[] x = contents.Column<int>("X");
             for (int i = 0; i < 50; i++)
@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Files
         public void Read_ManyScansSomeEmpty_GivesEachItsPoints()
         {
             var scans = Enumerable.Range(0, 60).Select(i => Floats(i % 3 == 1 ? 0 : 5 + i, i * 1000)).ToArray();
-            var contents = E57Contents.Read(File(scans));
+            var contents = FileContents.OfE57(File(scans));
             Assert.That(contents.Blocks, Is.EqualTo(40));
             Assert.That(contents.Column<float>("X"),
                 Is.EqualTo(scans.SelectMany(scan => scan.Fields[0].Reals).Select(v => (float)v)));
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Read_ScansOfDifferentKinds_AreDoubles()
         {
-            var contents = E57Contents.Read(File(Grid(20, 0.001), Floats(10), Grid(20, 0.01)));
+            var contents = FileContents.OfE57(File(Grid(20, 0.001), Floats(10), Grid(20, 0.01)));
             Assert.That(contents.TypeOf("X"), Is.EqualTo(AttributeType.Float64));
             double[] x = contents.Column<double>("X");
             Assert.That(x[0], Is.EqualTo(Grid(20).Fields[0].Integers[0] * 0.001));
@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Files
             var moved = Grid(40, second, 12, 2);
             moved.Xml = E57TestScan.Pose(1, 0, 0, 0, 1000, -2, 0.5);
             var scans = new[] { Grid(300, first, -3), moved };
-            var contents = E57Contents.Read(File(scans));
+            var contents = FileContents.OfE57(File(scans));
             Assert.That(contents.HasFact("on one grid that holds all exactly"));
             string[] names = { "X", "Y", "Z" };
             double[] pose = { 1000, -2, 0.5 };
@@ -69,7 +69,7 @@ namespace FastPoints.Tests.Files
                     scans[0].Fields[axis].Integers.Select(v => v * factorOfFirst + shiftOfFirst).Concat(
                     scans[1].Fields[axis].Integers.Select(v => v * factor + shift))));
             }
-            var alone = E57Contents.Read(File(scans), "Y");
+            var alone = FileContents.OfE57(File(scans), "Y");
             Assert.That(alone.Bytes("Y"), Is.EqualTo(contents.Bytes("Y")));
         }
 
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Files
         public void Read_ScansWithoutACommonStep_AreDoubles(double first, double second, double offset)
         {
             var scans = new[] { Grid(20, first), Grid(30, second, offset, 2) };
-            var contents = E57Contents.Read(File(scans));
+            var contents = FileContents.OfE57(File(scans));
             Assert.That(contents.TypeOf("X"), Is.EqualTo(AttributeType.Float64));
             Assert.That(contents.Column<double>("X"), Is.EqualTo(scans[0].Fields[0].Integers.Select(v => v * first).Concat(
                 scans[1].Fields[0].Integers.Select(v => v * second + offset))));
@@ -90,7 +90,7 @@ namespace FastPoints.Tests.Files
             with.Fields.Add(E57TestField.Integer("intensity", 10, 4000, 10, 20, 4000));
             var wider = Floats(2);
             wider.Fields.Add(E57TestField.Integer("intensity", -5, 70000, -5, 70000));
-            var contents = E57Contents.Read(File(with, Floats(2), wider));
+            var contents = FileContents.OfE57(File(with, Floats(2), wider));
             Assert.That(contents.Column<int>("Intensity"), Is.EqualTo(new[] { 10, 20, 4000, 0, 0, -5, 70000 }));
             Assert.That(contents.HasWarning("Intensity is there in 2 of 3 scans"));
         }

@@ -1,8 +1,7 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
-using System.Text;
 using FastPoints.Base;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
@@ -49,43 +48,9 @@ namespace FastPoints.Tests.Files
 
         static byte[] Mutate(byte[] seed, int xmlStart, Random random)
         {
-            var bytes = new List<byte>(seed);
-            int changes = random.Next(1, 4);
             bool isInXml = random.Next(3) == 0;
-            for (int i = 0; i < changes && bytes.Count > 0; i++)
-            {
-                int at = isInXml && bytes.Count > xmlStart ? random.Next(xmlStart, bytes.Count)
-                    : random.Next(4) == 0 ? random.Next(Math.Min(bytes.Count, 120)) : random.Next(bytes.Count);
-                switch (random.Next(7))
-                {
-                    case 0:
-                        bytes[at] ^= (byte)(1 << random.Next(8));
-                        break;
-                    case 1:
-                        bytes[at] = (byte)random.Next(256);
-                        break;
-                    case 2:
-                        bytes.RemoveRange(at, bytes.Count - at);
-                        break;
-                    case 3:
-                        bytes.RemoveRange(at, Math.Min(random.Next(1, 20), bytes.Count - at));
-                        break;
-                    case 4:
-                        bytes.InsertRange(at, Encoding.ASCII.GetBytes(s_words[random.Next(s_words.Length)]));
-                        break;
-                    case 5:
-                        for (int b = at & ~3; b < (at & ~3) + 4 && b < bytes.Count; b++)
-                            bytes[b] = (byte)(random.Next(2) * 255);
-                        break;
-                    default:
-                        // The length stays, so that what follows keeps its place.
-                        byte[] word = Encoding.ASCII.GetBytes(s_words[random.Next(s_words.Length)]);
-                        for (int b = 0; b < word.Length && at + b < bytes.Count; b++)
-                            bytes[at + b] = word[b];
-                        break;
-                }
-            }
-            byte[] mutated = bytes.ToArray();
+            byte[] mutated = Damage.Of(seed, random, count => isInXml && count > xmlStart ? random.Next(xmlStart, count)
+                : random.Next(4) == 0 ? random.Next(Math.Min(count, 120)) : random.Next(count), s_words);
             if (random.Next(8) != 0)
                 E57FileWriter.Seal(mutated);
             return mutated;
@@ -103,7 +68,7 @@ namespace FastPoints.Tests.Files
                 byte[] bytes = Mutate(seed, XmlStart(seed), random);
                 try
                 {
-                    var contents = E57Contents.Read(bytes);
+                    var contents = FileContents.OfE57(bytes);
                     Assert.That(contents.Points, Is.LessThanOrEqualTo(8L * bytes.Length + 65536));
                     Assert.That(contents.Info.Warnings.Count, Is.LessThan(20));
                     whole += contents.Points == Count * 2 - Count / 100 ? 1 : 0;

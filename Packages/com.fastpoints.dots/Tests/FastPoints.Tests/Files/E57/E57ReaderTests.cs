@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using static FastPoints.Tests.Files.E57TestScans;
@@ -21,7 +22,7 @@ namespace FastPoints.Tests.Files
             scan.Packing = packing;
             scan.RecordsPerPacket = packing == E57Packing.OneByOne ? piece * 4 : piece;
             scan.HasIgnored = true;
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
 
             Assert.That(contents.Points, Is.EqualTo(Count));
             Assert.That(contents.Blocks, Is.EqualTo(3));
@@ -46,7 +47,7 @@ namespace FastPoints.Tests.Files
                 scan.Fields.Add(E57TestField.Integer("w" + bits, minimum, maximum, RandomLongs(Count, minimum, maximum, bits)));
             }
             scan.RecordsPerPacket = 37;
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             for (int bits = 1; bits <= 64; bits++)
             {
                 var field = scan.Fields[2 + bits];
@@ -62,7 +63,7 @@ namespace FastPoints.Tests.Files
             scan.Fields[0].Reals[17] = double.NaN;
             scan.Fields[0].Reals[18] = double.PositiveInfinity;
             scan.Fields.Add(E57TestField.Double("ext:quality", Reals(5000, 0.1, 1e-9)));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Column<float>("X"), Is.EqualTo(scan.Fields[0].Reals.Select(v => (float)v)));
             Assert.That(contents.Column<double>("ext:quality"), Is.EqualTo(scan.Fields[3].Reals));
             Assert.That(contents.HasFact("floats, as stored"));
@@ -77,13 +78,13 @@ namespace FastPoints.Tests.Files
             scan.Fields.Add(E57TestField.Single("intensity", Reals(Count, 0, 0.5)));
             scan.RecordsPerPacket = 3001;
             byte[] file = File(scan);
-            var whole = E57Contents.Read(file);
+            var whole = FileContents.OfE57(file);
             foreach (string name in new[] { "X", "Red", "Intensity" })
-                Assert.That(E57Contents.Read(file, name).Bytes(name), Is.EqualTo(whole.Bytes(name)));
+                Assert.That(FileContents.OfE57(file, name).Bytes(name), Is.EqualTo(whole.Bytes(name)));
 
             int[] x = whole.Column<int>("X");
             var random = new Random(4);
-            using var path = new E57TestFile(file);
+            using var path = new TemporaryFile(file, ".e57");
             using var reader = E57Reader.Open(path.Path);
             WorkPump.RunToEnd(reader.FindBlocks());
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Red"), 5000, Allocator.Persistent);
@@ -104,8 +105,8 @@ namespace FastPoints.Tests.Files
         public void Read_ManyBlocksAtOnce_GivesTheSame()
         {
             byte[] file = File(Grid(200000), Grid(50000, seed: 40));
-            var whole = E57Contents.Read(file);
-            using var path = new E57TestFile(file);
+            var whole = FileContents.OfE57(file);
+            using var path = new TemporaryFile(file, ".e57");
             using var reader = E57Reader.Open(path.Path);
             WorkPump.RunToEnd(reader.FindBlocks());
             int[] x = whole.Column<int>("X");
@@ -134,7 +135,7 @@ namespace FastPoints.Tests.Files
             scan.Fields.Add(E57TestField.Single("nor:normalX", Reals(100, 1, 0)));
             scan.Fields.Add(E57TestField.Single("nor:normalY", Reals(100, 0, 0)));
             scan.Fields.Add(E57TestField.Single("nor:normalZ", Reals(100, 0, 0)));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             double[] x = contents.Column<double>("X"), y = contents.Column<double>("Y"), z = contents.Column<double>("Z");
             for (int i = 0; i < 100; i++)
             {
@@ -144,8 +145,8 @@ namespace FastPoints.Tests.Files
             }
             Assert.That(contents.Column<float>("NormalX"), Is.All.EqualTo(0).Within(1e-6));
             Assert.That(contents.Column<float>("NormalY"), Is.All.EqualTo(1).Within(1e-6));
-            Assert.That(E57Contents.Read(File(scan), "NormalY").Column<float>("NormalY"), Is.All.EqualTo(1).Within(1e-6));
-            Assert.That(E57Contents.Read(File(scan), "Z").Column<double>("Z"), Is.EqualTo(z));
+            Assert.That(FileContents.OfE57(File(scan), "NormalY").Column<float>("NormalY"), Is.All.EqualTo(1).Within(1e-6));
+            Assert.That(FileContents.OfE57(File(scan), "Z").Column<double>("Z"), Is.EqualTo(z));
         }
 
         [Test]
@@ -156,7 +157,7 @@ namespace FastPoints.Tests.Files
                 E57TestField.Double("sphericalAzimuth", 0, Math.PI / 2, 0, 0.5),
                 E57TestField.Scaled("sphericalElevation", -10, 10, Math.PI / 20, 0, 0, 0, 10, 2),
                 E57TestField.Integer("sphericalInvalidState", 0, 2, 0, 0, 0, 2));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Points, Is.EqualTo(3));
             Assert.That(contents.Column<double>("X"), Is.EqualTo(new[] { 2, 0, 0.0 }).Within(1e-12));
             Assert.That(contents.Column<double>("Y"), Is.EqualTo(new[] { 0, 2, 0.0 }).Within(1e-12));
@@ -170,7 +171,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Floats(3);
             scan.Fields.Add(E57TestField.Double("sphericalRange", 1, 2, 3));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Column<double>("sphericalRange"), Is.EqualTo(new[] { 1.0, 2, 3 }));
         }
 
@@ -182,7 +183,7 @@ namespace FastPoints.Tests.Files
             long[] states = Longs(Count, i => i % 5 == 3 ? i % 2 + 1 : 0);
             scan.Fields.Insert(0, E57TestField.Integer("cartesianInvalidState", 0, 2, states));
             scan.Fields.Add(E57TestField.Double("timeStamp", Reals(Count, 0, 1)));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Points, Is.EqualTo(Count - Count / 5));
             Assert.That(contents.PointsInBlocks, Is.EqualTo(Count));
             Assert.That(contents.HasWarning("(" + Count / 5 + " so far)"));
@@ -197,7 +198,7 @@ namespace FastPoints.Tests.Files
             var scans = Enumerable.Range(0, 4).Select(s => Floats(2)).ToArray();
             for (int i = 0; i < 400; i++)
                 scans[i / 100].Fields.Add(E57TestField.Integer("f" + i, 0, 9, i % 10, 1));
-            var contents = E57Contents.Read(File(scans));
+            var contents = FileContents.OfE57(File(scans));
             Assert.That(contents.Info.Schema.Count, Is.EqualTo(3 + 250 + 1));
             Assert.That(contents.HasWarning("150 fields are left out"));
             Assert.That(contents.Info.Schema.Has("f249"));
@@ -209,7 +210,7 @@ namespace FastPoints.Tests.Files
             long high = 3_000_000_000;
             var scan = Grid(4);
             scan.Fields[0] = E57TestField.Scaled("cartesianX", high, high + 100, 0.01, 0, high, high + 1, high + 99, high + 100);
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             int[] x = contents.Column<int>("X");
             Assert.That(x.Select(v => v - x[0]), Is.EqualTo(new[] { 0, 1, 99, 100 }));
             Assert.That(x[0] * contents.Info.Transform.Scale.x + contents.Info.Transform.Offset.x, Is.EqualTo(3e7).Within(1e-8));
@@ -225,7 +226,7 @@ namespace FastPoints.Tests.Files
             scan.Fields[1] = E57TestField.Scaled("cartesianY", -5000000000, 5000000000, 1e-4, 0,
                 -5000000000, 1, 2, 3, 5000000000);
             scan.Fields[2] = E57TestField.Integer("cartesianZ", 0, 3, 0, 1, 2, 3, 3);
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Column<long>("X"), Is.EqualTo(values));
             Assert.That(contents.Column<long>("Y"), Is.EqualTo(scan.Fields[1].Integers));
             Assert.That(contents.Column<int>("Z"), Is.EqualTo(new[] { 0, 1, 2, 3, 3 }));
@@ -238,7 +239,7 @@ namespace FastPoints.Tests.Files
             var scan = Floats(3);
             scan.Fields.Add(E57TestField.Integer("returnIndex", 0, 2, 0, 1, 2));
             scan.Fields.Add(E57TestField.Integer("returnCount", 1, 3, 3, 3, 3));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Column<byte>("ReturnNumber"), Is.EqualTo(new byte[] { 1, 2, 3 }));
             Assert.That(contents.Column<byte>("NumberOfReturns"), Is.EqualTo(new byte[] { 3, 3, 3 }));
         }
@@ -270,14 +271,14 @@ namespace FastPoints.Tests.Files
         public void Read_BytesAsColors_AreBytes([Values("", "0 255", "17 203")] string limits)
         {
             string xml = limits == "" ? "" : ColorLimits(double.Parse(limits.Split(' ')[0]), double.Parse(limits.Split(' ')[1]));
-            var contents = E57Contents.Read(File(Colored(xml, IntegerColors(255, 17, 100, 203))));
+            var contents = FileContents.OfE57(File(Colored(xml, IntegerColors(255, 17, 100, 203))));
             Assert.That(contents.Column<byte>("Red"), Is.EqualTo(new byte[] { 17, 100, 203 }));
         }
 
         [Test]
         public void Read_TwelveBitColors_AreScaledTo16()
         {
-            var contents = E57Contents.Read(File(Colored("", IntegerColors(4095, 0, 2048, 4095))));
+            var contents = FileContents.OfE57(File(Colored("", IntegerColors(4095, 0, 2048, 4095))));
             Assert.That(contents.Column<ushort>("Red"), Is.EqualTo(new ushort[] { 0, 32776, 65535 }));
             Assert.That(contents.HasFact("scaled to 0 to 65,535"));
         }
@@ -290,9 +291,9 @@ namespace FastPoints.Tests.Files
                 E57TestField.Single("colorRed", values), E57TestField.Single("colorGreen", values),
                 E57TestField.Single("colorBlue", values),
             };
-            var shares = E57Contents.Read(File(Colored(ColorLimits(0, 1), Of(0, 0.5, 1))));
+            var shares = FileContents.OfE57(File(Colored(ColorLimits(0, 1), Of(0, 0.5, 1))));
             Assert.That(shares.Column<float>("Red"), Is.EqualTo(new[] { 0, 0.5f, 1 }));
-            var bytes = E57Contents.Read(File(Colored(ColorLimits(0, 255), Of(0, double.NaN, 255))));
+            var bytes = FileContents.OfE57(File(Colored(ColorLimits(0, 255), Of(0, double.NaN, 255))));
             Assert.That(bytes.Column<ushort>("Blue"), Is.EqualTo(new ushort[] { 0, 0, 65535 }));
         }
 
@@ -301,7 +302,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Floats(40);
             scan.Fields.Insert(1, new E57TestField { Name = "label", Type = "String", Integers = new long[40] });
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Column<float>("Z"), Is.EqualTo(scan.Fields[3].Reals.Select(v => (float)v)));
             Assert.That(contents.HasFact("label: String (left out)"));
         }
@@ -313,7 +314,7 @@ namespace FastPoints.Tests.Files
             scan.Fields.Add(E57TestField.Integer("X", 0, 9, 1, 2));
             scan.Fields.Add(E57TestField.Integer("intensity", 0, 9, 1, 2));
             scan.Fields.Add(E57TestField.Integer("Intensity", 0, 9, 3, 4));
-            var contents = E57Contents.Read(File(scan));
+            var contents = FileContents.OfE57(File(scan));
             Assert.That(contents.Column<byte>("Intensity"), Is.EqualTo(new byte[] { 1, 2 }));
             Assert.That(contents.HasWarning("field Intensity is left out"));
             Assert.That(contents.HasWarning("field X is left out"));
@@ -324,7 +325,7 @@ namespace FastPoints.Tests.Files
         {
             var scan = Grid(5000);
             scan.HasRestartFlag = true;
-            Assert.That(E57Contents.Read(File(scan)).Points, Is.EqualTo(5000));
+            Assert.That(FileContents.OfE57(File(scan)).Points, Is.EqualTo(5000));
         }
 
         [Test]
@@ -332,8 +333,8 @@ namespace FastPoints.Tests.Files
         {
             var empty = Floats(0);
             empty.FileOffset = "0";
-            Assert.That(E57Contents.Read(File(empty)).Points, Is.EqualTo(0));
-            Assert.That(E57Contents.Read(File()).Points, Is.EqualTo(0));
+            Assert.That(FileContents.OfE57(File(empty)).Points, Is.EqualTo(0));
+            Assert.That(FileContents.OfE57(File()).Points, Is.EqualTo(0));
         }
 
         [Test]
@@ -353,7 +354,7 @@ namespace FastPoints.Tests.Files
                     "AUTHORITY[\"EPSG\",\"25832\"]]]]></coordinateMetadata><images2D type=\"Vector\">" +
                     "<vectorChild type=\"Structure\"><name type=\"String\">panorama</name></vectorChild></images2D>",
             };
-            var contents = E57Contents.Read(writer.ToArray());
+            var contents = FileContents.OfE57(writer.ToArray());
             foreach (string part in new[]
             {
                 "scan 1: hall & yard, 7 points", "sensorVendor: Maker", "acquisitionStart: 2011-09-14 01:46:40 GPS time",
@@ -370,7 +371,7 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Read_FileByLibE57Format_HasItsPoints()
         {
-            var contents = E57Contents.Read(TestData.SampleOrIgnore("broken/A4.e57"));
+            var contents = FileContents.OfE57(TestData.SampleOrIgnore("broken/A4.e57"));
             Assert.That(contents.Column<float>("X"),
                 Is.EqualTo(new[] { -44.300098f, -44.506901f, -44.4487f, -44.9522f }).Within(1e-5));
             Assert.That(contents.Column<float>("Y").Take(2), Is.EqualTo(new[] { -1.1321f, -0.886f }).Within(1e-6));

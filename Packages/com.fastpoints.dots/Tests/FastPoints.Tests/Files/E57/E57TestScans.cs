@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Files
 
         public static byte[] File(params E57TestScan[] scans) => new E57FileWriter(scans).ToArray();
 
-        public static long[] Integers(E57Contents contents, string name) => contents.TypeOf(name) switch
+        public static long[] Integers(FileContents contents, string name) => contents.TypeOf(name) switch
         {
             AttributeType.UInt8 => contents.Column<byte>(name).Select(v => (long)v).ToArray(),
             AttributeType.Int8 => contents.Column<sbyte>(name).Select(v => (long)v).ToArray(),

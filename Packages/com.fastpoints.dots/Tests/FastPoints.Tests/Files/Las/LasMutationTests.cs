@@ -4,6 +4,7 @@ using System.IO;
 using System.Text;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
@@ -100,43 +101,12 @@ namespace FastPoints.Tests.Files
         }
 
         /// <summary>Most of the damage goes where the header and its records are: that is what is believed or not.</summary>
-        static byte[] Damaged(byte[] sound, int pointsOffset, Random random)
+        static byte[] Damaged(byte[] sound, int pointsOffset, Random random) => Damage.Of(sound, random, count =>
         {
-            var bytes = (byte[])sound.Clone();
-            int head = Math.Max(1, Math.Min(bytes.Length, pointsOffset));
-            int hits = random.Next(1, 5);
-            for (int i = 0; i < hits; i++)
-            {
-                int range = random.Next(4) == 0 ? bytes.Length : random.Next(2) == 0 ? Math.Min(head, 393) : head;
-                int at = random.Next(Math.Min(range, bytes.Length));
-                switch (random.Next(6))
-                {
-                    case 0:
-                        bytes[at] ^= (byte)(1 << random.Next(8));
-                        break;
-                    case 1:
-                        bytes[at] = (byte)random.Next(256);
-                        break;
-                    case 2:
-                        for (int b = at; b < Math.Min(at + (1 << random.Next(4)), bytes.Length); b++)
-                            bytes[b] = 255;
-                        break;
-                    case 3:
-                        for (int b = at; b < Math.Min(at + (1 << random.Next(4)), bytes.Length); b++)
-                            bytes[b] = 0;
-                        break;
-                    case 4:
-                        Array.Resize(ref bytes, Math.Max(1, random.Next(2) == 0 ? random.Next(bytes.Length) : at));
-                        break;
-                    default:
-                        var longer = new List<byte>(bytes);
-                        longer.InsertRange(at, new byte[random.Next(1, 70)]);
-                        bytes = longer.ToArray();
-                        break;
-                }
-            }
-            return bytes;
-        }
+            int head = Math.Max(1, Math.Min(count, pointsOffset));
+            int range = random.Next(4) == 0 ? count : random.Next(2) == 0 ? Math.Min(head, 393) : head;
+            return random.Next(Math.Min(range, count));
+        });
 
         static byte[] Shorts(params int[] values)
         {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -173,9 +174,7 @@ namespace FastPoints.Tests.Files
                 System.IO.FileShare.ReadWrite))
                 stream.SetLength(file.PointsOffset + 40 * 20 + 7);
             slot.Begin(new BlockRange(0, 0, 100));
-            var failure = Assert.Throws<PointCloudException>(() => slot.Complete());
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
-            Assert.That(failure.Message, Does.Contain("wanted 100 points").And.Contain("got 40"));
+            Failures.Of(() => slot.Complete(), FailureCode.Truncated, "wanted 100 points", "got 40");
             Assert.That(slot.Points.Count, Is.Zero);
         }
 

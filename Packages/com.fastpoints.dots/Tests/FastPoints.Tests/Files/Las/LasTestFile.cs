@@ -2,11 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Files
 {
     /// <summary>A LAS file put together byte by byte from the specification, without the package's own tables.</summary>
-    sealed class LasTestFile : IDisposable
+    sealed class LasTestFile : TemporaryFile
     {
         public static readonly int[] HeaderBytesOfMinor = { 227, 227, 227, 235, 375, 393 };
         public static readonly int[] RecordBytesOfFormat = { 20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67 };
@@ -31,12 +32,7 @@ namespace FastPoints.Tests.Files
         public double[] Max = { 1000, 1000, 1000 };
         public int Padding;
 
-        public LasTestFile()
-        {
-            Path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".las");
-        }
-
-        public string Path { get; }
+        public LasTestFile() : base(".las") { }
 
         public int RecordBytes => RecordBytesOfFormat[Format] + ExtraBytes;
         public int Count => Points.Length / RecordBytes;
@@ -143,12 +139,6 @@ namespace FastPoints.Tests.Files
             var bytes = ToBytes();
             field.CopyTo(bytes, at);
             return Save(bytes);
-        }
-
-        public void Dispose()
-        {
-            if (File.Exists(Path))
-                File.Delete(Path);
         }
 
         static void Put(Stream file, Record record, byte[] length)

@@ -3,25 +3,22 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Files
 {
-    public class LasWriterTests
+    public class LasWriterTests : FolderTests
     {
-        string m_path;
-
-        [SetUp]
-        public void NamePath() =>
-            m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".las");
+        string FilePath => Folder.File("cloud.las");
 
         [TearDown]
-        public void DeleteFile()
+        public void NothingIsLeftBesideTheFile()
         {
-            File.Delete(m_path);
-            Assert.That(Directory.GetFiles(Path.GetTempPath(), Path.GetFileName(m_path) + "*"), Is.Empty);
+            File.Delete(FilePath);
+            Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);
         }
 
         [Test]
@@ -34,18 +31,18 @@ namespace FastPoints.Tests.Files
             var settings = new LasWriterSettings { PointFormat = format, ExtraBytes = extra, Wkt = "LOCAL_CS[\"here\"]" };
             using var source = new LasTestFile { Minor = 4, Format = format, ExtraBytes = 6 }.RandomPoints(3000).Save();
             using (var batch = Batch(settings, source, out var schema))
-            using (var writer = LasWriter.Create(m_path, settings))
+            using (var writer = LasWriter.Create(FilePath, settings))
             {
                 Assert.That(writer.Schema, Is.EqualTo(schema));
                 writer.Append(batch);
                 writer.AppendRecords(source.Points, 2);
                 writer.Complete();
             }
-            using var reader = (LasReader)PointReaders.Open(m_path);
+            using var reader = (LasReader)PointReaders.Open(FilePath);
             Assert.That(reader.Info.Warnings, Is.Empty);
             Assert.That(reader.PointCount, Is.EqualTo(3002));
             Assert.That(reader.Info.Crs.Name, Is.EqualTo("here"));
-            var records = File.ReadAllBytes(m_path).AsSpan((int)reader.Header.PointsOffset, 3000 * source.RecordBytes);
+            var records = File.ReadAllBytes(FilePath).AsSpan((int)reader.Header.PointsOffset, 3000 * source.RecordBytes);
             Assert.That(records.SequenceEqual(source.Points));
         }
 
@@ -66,7 +63,7 @@ namespace FastPoints.Tests.Files
                 new PointAttribute(AttributeNames.ReturnNumber, AttributeType.UInt8),
             });
             using (var batch = new PointBatch(schema, 3, Allocator.Persistent))
-            using (var writer = LasWriter.Create(m_path, settings))
+            using (var writer = LasWriter.Create(FilePath, settings))
             {
                 for (int axis = 0; axis < 3; axis++)
                 {
@@ -86,7 +83,7 @@ namespace FastPoints.Tests.Files
                 writer.Dispose();
                 Assert.That(() => writer.AppendRecords(new byte[100], 1), Throws.InvalidOperationException);
             }
-            using var reader = (LasReader)PointReaders.Open(m_path);
+            using var reader = (LasReader)PointReaders.Open(FilePath);
             Assert.That(reader.Header.PointsClaimed, Is.EqualTo(6));
             Assert.That(reader.Header.LegacyCount, Is.EqualTo(format == 1 ? 6 : 0));
             Assert.That(reader.Header.ByReturn[0], Is.EqualTo(4));
@@ -100,27 +97,26 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Dispose_BeforeComplete_LeavesNothingAndTheOldFile()
         {
-            File.WriteAllText(m_path, "old");
-            using (var writer = LasWriter.Create(m_path, new LasWriterSettings()))
+            File.WriteAllText(FilePath, "old");
+            using (var writer = LasWriter.Create(FilePath, new LasWriterSettings()))
                 writer.AppendRecords(new byte[36 * 10], 10);
-            Assert.That(File.ReadAllText(m_path), Is.EqualTo("old"));
-            Assert.That(Directory.GetFiles(Path.GetTempPath(), Path.GetFileName(m_path) + "*").Length, Is.EqualTo(1));
+            Assert.That(File.ReadAllText(FilePath), Is.EqualTo("old"));
+            Assert.That(Directory.GetFiles(Folder.Path).Length, Is.EqualTo(1));
 
-            using (var writer = LasWriter.Create(m_path, new LasWriterSettings()))
+            using (var writer = LasWriter.Create(FilePath, new LasWriterSettings()))
                 writer.Complete();
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             Assert.That(reader.PointCount, Is.Zero);
         }
 
         [Test]
         public void Create_NoSuchFolderOrSenselessSettings_IsRefused()
         {
-            var failure = Assert.Throws<PointCloudException>(() =>
-                LasWriter.Create(Path.Combine(m_path, "no", "folder.las"), new LasWriterSettings()));
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
-            Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { PointFormat = 11 }), Throws.ArgumentException);
-            Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { VersionMinor = 6 }), Throws.ArgumentException);
-            Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { Scale = new double3(1, 0, 1) }),
+            Failures.Of(() => LasWriter.Create(Path.Combine(FilePath, "no", "folder.las"), new LasWriterSettings()),
+                FailureCode.NotFound);
+            Assert.That(() => LasWriter.Create(FilePath, new LasWriterSettings { PointFormat = 11 }), Throws.ArgumentException);
+            Assert.That(() => LasWriter.Create(FilePath, new LasWriterSettings { VersionMinor = 6 }), Throws.ArgumentException);
+            Assert.That(() => LasWriter.Create(FilePath, new LasWriterSettings { Scale = new double3(1, 0, 1) }),
                 Throws.ArgumentException);
         }
 

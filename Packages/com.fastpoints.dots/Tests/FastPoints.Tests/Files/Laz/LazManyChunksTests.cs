@@ -9,17 +9,11 @@ using NUnit.Framework;
 namespace FastPoints.Tests.Files
 {
     /// <summary>Files of very many chunks: sparse ones, of which the disk has a header and a table.</summary>
-    public class LazManyChunksTests
+    public class LazManyChunksTests : FolderTests
     {
         const int Chunks = 300_000, PointsPerChunk = 10;
 
-        string m_path;
-
-        [SetUp]
-        public void Name() => m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".laz");
-
-        [TearDown]
-        public void Delete() => File.Delete(m_path);
+        string FilePath => Folder.File("cloud.laz");
 
         static List<int> Bytes(int chunks)
         {
@@ -44,7 +38,7 @@ namespace FastPoints.Tests.Files
             long offset = writer.Chunks[0].Offset, end = offset;
             foreach (int count in bytes)
                 end += count;
-            using (var file = new FileStream(m_path, FileMode.Create, FileAccess.Write))
+            using (var file = new FileStream(FilePath, FileMode.Create, FileAccess.Write))
             {
                 file.Write(head, 0, (int)offset - LazChunkTable.TableOffsetBytes);
                 file.Write(BitConverter.GetBytes(end), 0, LazChunkTable.TableOffsetBytes);
@@ -76,7 +70,7 @@ namespace FastPoints.Tests.Files
             PointReader reader = null;
             try
             {
-                long allocated = AllocatedBy(() => reader = PointReaders.Open(m_path));
+                long allocated = AllocatedBy(() => reader = PointReaders.Open(FilePath));
                 Assert.That(reader.BlockCount, Is.EqualTo(Chunks));
                 // Pages and pieces of the table come in full.
                 Assert.That(allocated, Is.LessThan(Chunks * bytesPerChunk + 1_000_000));
@@ -130,7 +124,7 @@ namespace FastPoints.Tests.Files
 
         SourceInfo Warnings()
         {
-            using var reader = PointReaders.Open(m_path);
+            using var reader = PointReaders.Open(FilePath);
             return reader.Info;
         }
     }

@@ -116,9 +116,7 @@ namespace FastPoints.Tests.Files
         public void Open_BrokenSample_SaysWhatIsWrong(string name, FailureCode code, string story)
         {
             string path = TestData.SampleOrIgnore("broken/" + name);
-            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(path).Dispose());
-            Assert.That(failure.Code, Is.EqualTo(code));
-            Assert.That(failure.Message, Does.Contain(story));
+            Failures.Of(() => PointReaders.Open(path).Dispose(), code, story);
         }
 
         [TestCase("laz/autzen_trim.laz", 110000)]

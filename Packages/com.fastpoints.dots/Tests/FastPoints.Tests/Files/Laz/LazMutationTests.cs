@@ -88,7 +88,7 @@ namespace FastPoints.Tests.Files
             var random = new Random(seed);
             for (int i = 0; i < cases; i++)
             {
-                var bytes = Damage(sound, random);
+                var bytes = Damage.Of(sound, random);
                 if (bytes.Length == 0)
                     continue;
                 using var file = new TemporaryFile(bytes, ".laz");
@@ -134,7 +134,7 @@ namespace FastPoints.Tests.Files
                 var items = writer.Items();
                 var sound = LazEncoder.Chunk(items, LazRecords.Make(format, 2, 20 + i % 50, seed + i));
                 for (int k = 0; k < 4; k++)
-                    DecodeWithinBounds(items, writer.RecordBytes, Damage(sound, random), 200, "seed " + seed + ", case " + i);
+                    DecodeWithinBounds(items, writer.RecordBytes, Damage.Of(sound, random), 200, "seed " + seed + ", case " + i);
             }
         }
 
@@ -190,46 +190,6 @@ namespace FastPoints.Tests.Files
                 if (bytes[i] != mark)
                     return false;
             return true;
-        }
-
-        static byte[] Damage(byte[] sound, Random random)
-        {
-            var bytes = (byte[])sound.Clone();
-            switch (random.Next(6))
-            {
-                case 0:
-                    Array.Resize(ref bytes, random.Next(bytes.Length));
-                    break;
-                case 1:
-                    for (int i = random.Next(1, 20); i > 0; i--)
-                        bytes[random.Next(bytes.Length)] ^= (byte)(1 << random.Next(8));
-                    break;
-                case 2:
-                    // A field of four bytes at an extreme, somewhere near the start (header, VLRs, chunk header) half of the
-                    // time.
-                    int at = random.Next(Math.Max(1, (random.Next(2) == 0 ? Math.Min(bytes.Length, 700) : bytes.Length) - 4));
-                    byte fill = (byte)(random.Next(3) == 0 ? 0 : random.Next(2) == 0 ? 255 : random.Next(256));
-                    for (int i = 0; i < 4 && at + i < bytes.Length; i++)
-                        bytes[at + i] = fill;
-                    break;
-                case 3:
-                    for (int i = Math.Max(0, bytes.Length - random.Next(1, 60)); i < bytes.Length; i++)
-                        bytes[i] = (byte)random.Next(256);
-                    break;
-                case 4:
-                    int from = random.Next(bytes.Length), count = Math.Min(random.Next(1, 200), bytes.Length - from);
-                    var grown = new byte[bytes.Length + count];
-                    Array.Copy(bytes, grown, from + count);
-                    Array.Copy(bytes, from, grown, from + count, bytes.Length - from);
-                    bytes = grown;
-                    break;
-                default:
-                    int start = random.Next(bytes.Length);
-                    for (int i = start; i < Math.Min(bytes.Length, start + 40); i++)
-                        bytes[i] = 255;
-                    break;
-            }
-            return bytes;
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Text;
 using FastPoints.Base;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
@@ -27,7 +28,7 @@ namespace FastPoints.Tests.Files
         public void Read_AnyLineEndsAndBlanks_GivesTheLines(string data)
         {
             using var file = Xyz(2, data);
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f, 4f }));
             Assert.That(contents.Column<float>("Z"), Is.EqualTo(new[] { 3f, 6f }));
             Assert.That(contents.Info.Warnings, Is.Empty);
@@ -37,7 +38,7 @@ namespace FastPoints.Tests.Files
         public void Read_NonFiniteCoordinates_PassThrough()
         {
             using var file = Xyz(2, "nan +inf -inf\n1.#QNAN 1e99 -1e-99\n");
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { float.NaN, float.NaN }));
             Assert.That(contents.Column<float>("Y"), Is.EqualTo(new[] { float.PositiveInfinity, float.PositiveInfinity }));
             Assert.That(contents.Column<float>("Z")[0], Is.EqualTo(float.NegativeInfinity));
@@ -48,13 +49,13 @@ namespace FastPoints.Tests.Files
         {
             const string Data = "0 0 0 300 -1 1.9 -5\n0 0 0 -7 40000 1e3 -2147483649\n0 0 0 256 -40000 nan 5.0\n";
             using var file = Xyz(3, Data, "property uchar a", "property short b", "property char c", "property int d");
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<byte>("a"), Is.EqualTo(new byte[] { 255, 0, 255 }));
             Assert.That(contents.Column<short>("b"), Is.EqualTo(new short[] { -1, 32767, -32768 }));
             Assert.That(contents.Column<sbyte>("c"), Is.EqualTo(new sbyte[] { 1, 127, 0 }));
             Assert.That(contents.Column<int>("d"), Is.EqualTo(new[] { -5, int.MinValue, 5 }));
             Assert.That(contents.Info.Warnings.Count, Is.EqualTo(1));
-            var warning = contents.WarningAt("cannot hold").Value;
+            var warning = contents.Warning("cannot hold");
             Assert.That(warning.Text, Does.Contain("(9 in this block"));
             Assert.That(warning.ByteOffset, Is.EqualTo(file.Length - Data.Length + 6));
         }
@@ -63,9 +64,9 @@ namespace FastPoints.Tests.Files
         public void Read_MoreValuesThanProperties_AreLeftOutWithOneWarning()
         {
             using var file = Xyz(2, "1 2 3 4\n5 6 7 x y\n");
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f, 5f }));
-            Assert.That(contents.WarningAt("2 lines").Value.ByteOffset, Is.EqualTo(file.Length - 18 + 6));
+            Assert.That(contents.Warning("2 lines").ByteOffset, Is.EqualTo(file.Length - 18 + 6));
         }
 
         [TestCase("1 2 3\n4 5\n6 7 8\n", 9, "before the vertex has all")]
@@ -74,10 +75,10 @@ namespace FastPoints.Tests.Files
         public void Read_BadLine_EndsTheBlockWithAWarningThere(string data, int at, string message)
         {
             using var file = Xyz(3, data);
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f }));
             Assert.That(contents.Info.Warnings.Count, Is.EqualTo(1));
-            Assert.That(contents.WarningAt(message).Value.ByteOffset, Is.EqualTo(file.Length - data.Length + at));
+            Assert.That(contents.Warning(message).ByteOffset, Is.EqualTo(file.Length - data.Length + at));
             Assert.That(contents.Info.Warnings[0].Text, Does.Contain("2 vertices in 1 blocks"));
         }
 
@@ -85,8 +86,7 @@ namespace FastPoints.Tests.Files
         public void Read_BadFirstLine_IsRefused()
         {
             using var file = Xyz(2, "a b c\n1 2 3\n");
-            var failure = Assert.Throws<PointCloudException>(() => PlyContents.Read(file.Path));
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.BadInput));
+            var failure = Failures.Of(() => FileContents.OfPly(file.Path), FailureCode.BadInput);
             Assert.That(failure.ByteOffset, Is.EqualTo(file.Length - 12));
         }
 
@@ -94,14 +94,14 @@ namespace FastPoints.Tests.Files
         public void Read_BadValueThatNobodyWants_IsSteppedOver()
         {
             using var file = Xyz(2, "1 2 3 what\n4 5 6 ever\n", "property int a");
-            Assert.That(PlyContents.Read(file.Path, "X", "Y", "Z").Points, Is.EqualTo(2));
+            Assert.That(FileContents.OfPly(file.Path, "X", "Y", "Z").Points, Is.EqualTo(2));
         }
 
         [TestCase("-1"), TestCase("1.5"), TestCase("x"), TestCase("4"), TestCase("99999999999999999999")]
         public void Read_BadListLength_EndsTheBlock(string length)
         {
             using var file = Xyz(2, "1 2 3 1 9\n4 5 6 " + length + " 8\n", "property list uchar int l");
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Points, Is.EqualTo(1));
             Assert.That(contents.Info.Warnings.Count, Is.EqualTo(1));
         }
@@ -119,7 +119,7 @@ namespace FastPoints.Tests.Files
                     .Append(lineEnd);
             using (var file = Xyz(Points - 5, text.ToString()))
             {
-                var contents = PlyContents.Read(file.Path);
+                var contents = FileContents.OfPly(file.Path);
                 Assert.That(contents.Blocks, Is.GreaterThanOrEqualTo(3));
                 Assert.That(contents.Points, Is.EqualTo(Points - 5));
                 Assert.That(contents.Info.Warnings, Is.Empty);
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Files
         {
             string fill = new string('\n', PlyAsciiReaderBlockBytes - 6 + shift);
             using var file = Xyz(3, fill + "1 2 3\n4 5 6\n7 8 9\n");
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f, 4f, 7f }));
             Assert.That(contents.Column<float>("Z"), Is.EqualTo(new[] { 3f, 6f, 9f }));
         }
@@ -149,12 +149,12 @@ namespace FastPoints.Tests.Files
             // The line starts one byte before the border and runs on as far as a line may, then one byte farther.
             string fill = new string('\n', PlyAsciiReaderBlockBytes - 1);
             using (var file = Xyz(3, "1 2 3" + fill.Substring(5) + "4 5 6" + new string(' ', 65530) + "\n7 8 9\n"))
-                Assert.That(PlyContents.Read(file.Path).Column<float>("X"), Is.EqualTo(new[] { 1f, 4f, 7f }));
+                Assert.That(FileContents.OfPly(file.Path).Column<float>("X"), Is.EqualTo(new[] { 1f, 4f, 7f }));
             using (var file = Xyz(3, "1 2 3" + fill.Substring(5) + "4 5 6" + new string(' ', 65540) + "\n7 8 9\n"))
             {
-                var contents = PlyContents.Read(file.Path);
+                var contents = FileContents.OfPly(file.Path);
                 Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f, 7f }));
-                Assert.That(contents.WarningAt("longer than").Value.ByteOffset, Is.EqualTo(file.Length - 6 - 65546));
+                Assert.That(contents.Warning("longer than").ByteOffset, Is.EqualTo(file.Length - 6 - 65546));
             }
         }
 
@@ -162,8 +162,7 @@ namespace FastPoints.Tests.Files
         public void Read_NoLineEndInSight_IsOneBrokenLine()
         {
             using var file = Xyz(5, new string('7', 3 << 20));
-            var failure = Assert.Throws<PointCloudException>(() => PlyContents.Read(file.Path));
-            Assert.That(failure.Message, Does.Contain("longer than"));
+            Failures.Of(() => FileContents.OfPly(file.Path), FailureCode.BadInput, "longer than");
         }
 
         [Test]
@@ -177,7 +176,7 @@ namespace FastPoints.Tests.Files
                 "element vertex 2",
                 "property float x", "property float y", "property float z", "element more 150000", "property list uchar int i");
             file.Text(faces).Text("1 2 3\n4 5 6\n").Text(faces).Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Blocks, Is.EqualTo(1));
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f, 4f }));
         }

@@ -1,7 +1,6 @@
 using System;
-using System.Collections.Generic;
-using System.Text;
 using FastPoints.Base;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
@@ -43,49 +42,6 @@ namespace FastPoints.Tests.Files
             return file.Values(isBig, 5).ToArray();
         }
 
-        static byte[] Mutate(byte[] seed, Random random)
-        {
-            var bytes = new List<byte>(seed);
-            int changes = random.Next(1, 4);
-            for (int i = 0; i < changes && bytes.Count > 0; i++)
-            {
-                int at = random.Next(bytes.Count);
-                switch (random.Next(6))
-                {
-                    case 0:
-                        bytes[at] ^= (byte)(1 << random.Next(8));
-                        break;
-                    case 1:
-                        bytes[at] = (byte)random.Next(256);
-                        break;
-                    case 2:
-                        bytes.RemoveRange(at, bytes.Count - at);
-                        break;
-                    case 3:
-                        bytes.RemoveRange(at, Math.Min(random.Next(1, 20), bytes.Count - at));
-                        break;
-                    case 4:
-                        bytes.InsertRange(at, Encoding.ASCII.GetBytes(s_words[random.Next(s_words.Length)]));
-                        break;
-                    default:
-                        ReplaceWord(bytes, at, s_words[random.Next(s_words.Length)]);
-                        break;
-                }
-            }
-            return bytes.ToArray();
-        }
-
-        static void ReplaceWord(List<byte> bytes, int at, string word)
-        {
-            int start = at, end = at;
-            while (start > 0 && bytes[start - 1] > ' ')
-                start--;
-            while (end < bytes.Count && bytes[end] > ' ')
-                end++;
-            bytes.RemoveRange(start, end - start);
-            bytes.InsertRange(start, Encoding.ASCII.GetBytes(word));
-        }
-
         [Test]
         public void Read_DamagedFile_GivesPointsOrAFailureThatNamesIt(
             [Values("ascii", "binary_little_endian", "binary_big_endian")] string format, [Values] bool hasLists)
@@ -96,11 +52,11 @@ namespace FastPoints.Tests.Files
             using (var file = new PlyTestFile())
                 for (int i = 0; i < 600; i++)
                 {
-                    byte[] bytes = Mutate(seed, random);
+                    byte[] bytes = Damage.Of(seed, random, random.Next, s_words);
                     System.IO.File.WriteAllBytes(file.Path, bytes);
                     try
                     {
-                        var contents = PlyContents.Read(file.Path);
+                        var contents = FileContents.OfPly(file.Path);
                         Assert.That(contents.Points, Is.LessThanOrEqualTo(bytes.Length));
                         Assert.That(contents.Info.Warnings.Count, Is.LessThan(10));
                         whole += contents.Points == 6 ? 1 : 0;

@@ -5,6 +5,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 
@@ -70,7 +71,7 @@ namespace FastPoints.Tests.Files
             Append(file, format, true, 1f, 2f, 3f, type[2], (byte)7);
             Append(file, format, true, 4f, 5f, 6f, type[3], (byte)8);
             file.Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Points, Is.EqualTo(2));
             Assert.That(contents.Info.Schema[3].Type, Is.EqualTo(type[1]));
             var wanted = new List<byte>(PlyTestFile.BytesOf(type[2]));
@@ -92,7 +93,7 @@ namespace FastPoints.Tests.Files
             Append(file, format, true, Cast(1), Cast(-2), Cast(3));
             Append(file, format, true, Cast(4), Cast(5), Cast(-600));
             file.Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             var wanted = new List<byte>(PlyTestFile.BytesOf(Cast(3)));
             wanted.AddRange(PlyTestFile.BytesOf(Cast(-600)));
             Assert.That(contents.Bytes("Z"), Is.EqualTo(wanted.ToArray()));
@@ -115,7 +116,7 @@ namespace FastPoints.Tests.Files
                     (ushort)(n + 700),
                     (ushort)(n + 800), (ushort)(n + 900), n + 0.125, n - 0.125, n * 3f, (sbyte)-n, n - 70000000000L);
             file.Save();
-            var all = PlyContents.Read(file.Path);
+            var all = FileContents.OfPly(file.Path);
             var random = new Random(5);
             for (int trial = 0; trial < 60; trial++)
             {
@@ -125,7 +126,7 @@ namespace FastPoints.Tests.Files
                         names.Add(attribute.Name);
                 if (names.Count == 0)
                     continue;
-                var some = PlyContents.Read(file.Path, names.ToArray());
+                var some = FileContents.OfPly(file.Path, names.ToArray());
                 foreach (string name in names)
                     Assert.That(some.Bytes(name), Is.EqualTo(all.Bytes(name)), name);
             }
@@ -149,13 +150,13 @@ namespace FastPoints.Tests.Files
             Append(file, format, true, (ushort)1, (short)1, 7f, 8f, (byte)2, (byte)1, (byte)2, 9f, (byte)30);
             Append(file, format, true, 5);
             file.Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Info.Schema.ToString(), Is.EqualTo("X:Float32, Y:Float32, Z:Float32, Red:UInt8"));
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f, 4f, 7f }));
             Assert.That(contents.Column<float>("Y"), Is.EqualTo(new[] { 2f, 5f, 8f }));
             Assert.That(contents.Column<float>("Z"), Is.EqualTo(new[] { 3f, 6f, 9f }));
             Assert.That(contents.Info.Warnings, Is.Empty);
-            Assert.That(PlyContents.Read(file.Path, "Z").Column<float>("Z"), Is.EqualTo(new[] { 3f, 6f, 9f }));
+            Assert.That(FileContents.OfPly(file.Path, "Z").Column<float>("Z"), Is.EqualTo(new[] { 3f, 6f, 9f }));
         }
 
         [Test]
@@ -174,7 +175,7 @@ namespace FastPoints.Tests.Files
                 Assert.That(reader.HasFixedStride, Is.True);
                 Assert.That(reader.PointCount, Is.EqualTo(2));
             }
-            Assert.That(PlyContents.Read(file.Path).Column<float>("X"), Is.EqualTo(new[] { 1f, 4f }));
+            Assert.That(FileContents.OfPly(file.Path).Column<float>("X"), Is.EqualTo(new[] { 1f, 4f }));
         }
 
         [Test]
@@ -248,7 +249,7 @@ namespace FastPoints.Tests.Files
         public void Read_NoVertices_IsAnEmptyCloud([ValueSource(nameof(s_formats))] string format, [Values] bool hasList)
         {
             using var file = Xyz(format, 0, hasList ? "property list uchar int l" : "property int l").Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Blocks, Is.EqualTo(0));
             Assert.That(contents.Info.PointsReadable, Is.EqualTo(0));
             Assert.That(contents.Info.Warnings, Is.Empty);
@@ -266,14 +267,13 @@ namespace FastPoints.Tests.Files
             if (format != "ascii")
                 file.Values(false, 1f);
             file.Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 0f, 1f, 2f }));
             Assert.That(contents.Info.PointsReadable, Is.EqualTo(3));
             Assert.That(contents.Info.Warnings.Count, Is.EqualTo(1));
-            var warning = contents.WarningAt("got 3");
-            Assert.That(warning.HasValue, Is.True);
+            var warning = contents.Warning("got 3");
             long wanted = format != "ascii" && hasList ? file.Length - 4 : file.Length;
-            Assert.That(warning.Value.ByteOffset, Is.EqualTo(wanted));
+            Assert.That(warning.ByteOffset, Is.EqualTo(wanted));
         }
 
         [Test]
@@ -281,8 +281,7 @@ namespace FastPoints.Tests.Files
             [Values] bool hasList)
         {
             using var file = Xyz(format, 5, hasList ? "property list uchar uchar l" : "property uchar l").Save();
-            var failure = Assert.Throws<PointCloudException>(() => PlyContents.Read(file.Path));
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
+            var failure = Failures.Of(() => FileContents.OfPly(file.Path), FailureCode.Truncated);
             Assert.That(failure.ByteOffset, Is.EqualTo(file.Length));
         }
 
@@ -290,9 +289,9 @@ namespace FastPoints.Tests.Files
         public void Read_BytesBehindTheLastElement_AreLeftOutWithAWarning()
         {
             using var file = Xyz("binary_little_endian", 1).Values(false, 1f, 2f, 3f).Text("tail").Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Points, Is.EqualTo(1));
-            Assert.That(contents.WarningAt("4 bytes behind").Value.ByteOffset, Is.EqualTo(file.Length - 4));
+            Assert.That(contents.Warning("4 bytes behind").ByteOffset, Is.EqualTo(file.Length - 4));
         }
 
         [Test]
@@ -301,7 +300,7 @@ namespace FastPoints.Tests.Files
             const string Header = "ply\rformat binary_little_endian 1.0\relement vertex 2\rproperty uchar x\r" +
                                   "property uchar y\rproperty uchar z\rend_header\r";
             using var file = new PlyTestFile(Header).Raw(new byte[] { 10, 13, 3, 4, 5, 6 }).Save();
-            Assert.That(PlyContents.Read(file.Path).Column<byte>("X"), Is.EqualTo(new byte[] { 10, 4 }));
+            Assert.That(FileContents.OfPly(file.Path).Column<byte>("X"), Is.EqualTo(new byte[] { 10, 4 }));
         }
 
         [Test]
@@ -322,9 +321,7 @@ namespace FastPoints.Tests.Files
         public void Open_NoPositions_IsRefused(string element, string property, string message)
         {
             using var file = PlyTestFile.WithHeader("ascii", element, property, "property float z").Text("1 2\n").Save();
-            var failure = Assert.Throws<PointCloudException>(() => PlyReader.Open(file.Path));
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.BadInput));
-            Assert.That(failure.Message, Does.Contain(message));
+            Failures.Of(() => PlyReader.Open(file.Path), FailureCode.BadInput, message);
         }
 
         [Test]
@@ -332,15 +329,14 @@ namespace FastPoints.Tests.Files
         {
             using var file = new PlyTestFile("ply\nformat ascii 1.0\ncomment ");
             file.Raw(new byte[2 << 20]).Save();
-            var failure = Assert.Throws<PointCloudException>(() => PlyReader.Open(file.Path));
-            Assert.That(failure.Message, Does.Contain("1048576"));
+            Failures.Of(() => PlyReader.Open(file.Path), FailureCode.BadInput, "1048576");
         }
 
         [Test]
         public void Open_LongHeader_IsRead()
         {
             using var file = Xyz("ascii", 1, "comment " + new string('c', 200000)).Text("1 2 3\n").Save();
-            Assert.That(PlyContents.Read(file.Path).Points, Is.EqualTo(1));
+            Assert.That(FileContents.OfPly(file.Path).Points, Is.EqualTo(1));
         }
 
         [Test]
@@ -368,7 +364,7 @@ namespace FastPoints.Tests.Files
                     file.Raw(new byte[n % 3 * 2]);
             }
             file.Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Points, Is.EqualTo(Points));
             Assert.That(contents.Blocks, Is.GreaterThan(1));
             var x = contents.Column<float>("X");
@@ -383,9 +379,9 @@ namespace FastPoints.Tests.Files
         {
             using var file = Xyz("binary_little_endian", 4, "property list char int l");
             file.Values(false, 1f, 2f, 3f, (sbyte)1, 5, 4f, 5f, 6f, (sbyte)-1, 7, 7f, 8f, 9f, (sbyte)0).Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f }));
-            Assert.That(contents.WarningAt("negative length").Value.ByteOffset, Is.EqualTo(file.Length - 13 - 4 - 1));
+            Assert.That(contents.Warning("negative length").ByteOffset, Is.EqualTo(file.Length - 13 - 4 - 1));
         }
 
         [Test]
@@ -393,9 +389,9 @@ namespace FastPoints.Tests.Files
         {
             using var file = Xyz("binary_big_endian", 2, "property list uint64 double l");
             file.Values(true, 1f, 2f, 3f, 0ul, 4f, 5f, 6f, ulong.MaxValue, 7.0).Save();
-            var contents = PlyContents.Read(file.Path);
+            var contents = FileContents.OfPly(file.Path);
             Assert.That(contents.Column<float>("X"), Is.EqualTo(new[] { 1f }));
-            Assert.That(contents.WarningAt("ends within").Value.ByteOffset, Is.EqualTo(file.Length - 28));
+            Assert.That(contents.Warning("ends within").ByteOffset, Is.EqualTo(file.Length - 28));
         }
 
         [Test]

@@ -1,21 +1,17 @@
 using System;
 using System.IO;
 using System.Text;
+using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Files
 {
     /// <summary>A PLY file built by hand in the temporary folder, gone when disposed.</summary>
-    sealed class PlyTestFile : IDisposable
+    sealed class PlyTestFile : TemporaryFile
     {
         readonly MemoryStream m_bytes = new MemoryStream();
 
-        public PlyTestFile(string text = "")
-        {
-            Path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".ply");
-            Text(text);
-        }
+        public PlyTestFile(string text = "") : base(".ply") => Text(text);
 
-        public string Path { get; }
         public long Length => m_bytes.Length;
 
         /// <summary>A header with these lines between format and end_header.</summary>
@@ -49,12 +45,6 @@ namespace FastPoints.Tests.Files
         {
             File.WriteAllBytes(Path, m_bytes.ToArray());
             return this;
-        }
-
-        public void Dispose()
-        {
-            if (File.Exists(Path))
-                File.Delete(Path);
         }
 
         public static byte[] BytesOf(object value) => value switch

@@ -13,27 +13,19 @@ using Random = System.Random;
 
 namespace FastPoints.Tests.Files
 {
-    public class Potree1ReaderTests
+    public class Potree1ReaderTests : FolderTests
     {
         const int Points = 1500, Depth = 5;
 
         static readonly PotreeTestCloud s_cloud = new PotreeTestCloud(Points, Depth, 11);
 
-        PotreeTestFolder m_folder;
-
-        [SetUp]
-        public void MakeFolder() => m_folder = new PotreeTestFolder();
-
-        [TearDown]
-        public void DeleteFolder() => m_folder.Dispose();
-
         PointReader Write(Potree1Writer writer)
         {
-            writer.Write(m_folder, s_cloud);
+            writer.Write(Folder, s_cloud);
             return Open();
         }
 
-        PointReader Open() => PotreeTwins.Open(m_folder.Folder);
+        PointReader Open() => PotreeTwins.Open(Folder.Path);
 
         /// <summary>What a column has for a point; null for normals.</summary>
         static ulong? Value(int point, string column)
@@ -134,8 +126,8 @@ namespace FastPoints.Tests.Files
         [Test]
         public void FindLevels_ReadsThePagesOfTheseLevelsOnly()
         {
-            new Potree1Writer().Write(m_folder, s_cloud);
-            using var reader = PointReaders.Open(m_folder.Folder);
+            new Potree1Writer().Write(Folder, s_cloud);
+            using var reader = PointReaders.Open(Folder.Path);
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(3));
             Assert.That(reader.BlocksAreKnown, Is.False);
             WorkPump.RunToEnd(reader.FindLevels(3));
@@ -152,11 +144,11 @@ namespace FastPoints.Tests.Files
         public void Open_MovedAndRenamed_FindsTheNodes()
         {
             var writer = new Potree1Writer { OctreeFolder = "nodes", ExtraMembers = "\"projection\": \"+proj=utm +zone=32\"," };
-            writer.Write(m_folder, s_cloud);
-            m_folder.Move();
+            writer.Write(Folder, s_cloud);
+            Folder.Move();
             using (var reader = Open())
                 Assert.That(reader.Info.Crs.Name, Is.EqualTo("+proj=utm +zone=32"));
-            Directory.Move(m_folder.File("nodes"), m_folder.File("other name"));
+            Directory.Move(Folder.File("nodes"), Folder.File("other name"));
             using (var reader = Open())
             {
                 Assert.That(reader.Info.Warnings.Select(w => w.Text), Is.EqualTo(new[]
@@ -165,23 +157,21 @@ namespace FastPoints.Tests.Files
                 }));
                 Assert.That(ReadAll(reader).Count, Is.EqualTo(Points));
             }
-            Directory.Move(m_folder.File("other name/r"), m_folder.File("r"));
+            Directory.Move(Folder.File("other name/r"), Folder.File("r"));
             using (var reader = Open())
                 Assert.That(ReadAll(reader).Count, Is.EqualTo(Points));
-            Directory.Delete(m_folder.File("r"), true);
-            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(m_folder.Folder));
-            Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
-            Assert.That(failure.Message, Does.Contain("the nodes are not there"));
+            Directory.Delete(Folder.File("r"), true);
+            Failures.Of(() => PointReaders.Open(Folder.Path), FailureCode.NotFound, "the nodes are not there");
         }
 
         [TestCase("1.4"), TestCase("1.7")]
         public void Read_MissingAndShortNodes_AreHolesAndWarnings(string version)
         {
             var writer = new Potree1Writer { Version = version };
-            writer.Write(m_folder, s_cloud);
+            writer.Write(Folder, s_cloud);
             var nodes = s_cloud.PointsOfNode.Where(n => n.Key.Length == 3 && n.Value.Count > 2).Take(2).ToList();
-            File.Delete(m_folder.File("data/" + writer.PathOf(nodes[0].Key) + ".bin"));
-            string cut = m_folder.File("data/" + writer.PathOf(nodes[1].Key) + ".bin");
+            File.Delete(Folder.File("data/" + writer.PathOf(nodes[0].Key) + ".bin"));
+            string cut = Folder.File("data/" + writer.PathOf(nodes[1].Key) + ".bin");
             File.WriteAllBytes(cut, File.ReadAllBytes(cut).Take(60).ToArray());
             using var reader = Open();
             var got = ReadAll(reader);
@@ -198,9 +188,9 @@ namespace FastPoints.Tests.Files
         public void Read_MissingHierarchyFile_LosesWhatLiesBelow()
         {
             var writer = new Potree1Writer();
-            writer.Write(m_folder, s_cloud);
+            writer.Write(Folder, s_cloud);
             string node = s_cloud.PointsOfNode.Keys.First(name => name.Length == 3 && s_cloud.ChildMask(name) != 0);
-            File.Delete(m_folder.File("data/" + writer.PathOf(node) + ".hrc"));
+            File.Delete(Folder.File("data/" + writer.PathOf(node) + ".hrc"));
             using var reader = Open();
             Assert.That(reader.Info.Warnings.Single().Text,
                 Does.StartWith("node " + node + ": the hierarchy below it is not there"));
@@ -212,8 +202,8 @@ namespace FastPoints.Tests.Files
         public void Open_HierarchyThatLies_IsHeldAgainstTheFiles()
         {
             var writer = new Potree1Writer();
-            writer.Write(m_folder, s_cloud);
-            string root = m_folder.File("data/r/r.hrc");
+            writer.Write(Folder, s_cloud);
+            string root = Folder.File("data/r/r.hrc");
             var bytes = File.ReadAllBytes(root);
             for (int at = 0; at < bytes.Length; at += 5)
             {
@@ -233,7 +223,7 @@ namespace FastPoints.Tests.Files
         {
             var writer = new Potree1Writer();
             writer.Attributes = writer.Attributes.Concat(new[] { new PotreeTestAttribute("WHATEVER", "uint8", 3) }).ToArray();
-            writer.Write(m_folder, s_cloud);
+            writer.Write(Folder, s_cloud);
             using var reader = Open();
             Assert.That(reader.Info.Warnings.Single().Text, Does.Contain("\"WHATEVER\" is not known: its 3 bytes"));
             var numbers = ReadPoints.Column<int>(reader, "INDICES");
@@ -275,13 +265,13 @@ namespace FastPoints.Tests.Files
         public void Read_LasNodes_MeetOnOneGrid([Values(0.0, 0.3)] double between)
         {
             var writer = new Potree1Writer { Version = "1.4" };
-            writer.Write(m_folder, s_cloud);
-            string text = File.ReadAllText(m_folder.File("cloud.js"));
+            writer.Write(Folder, s_cloud);
+            string text = File.ReadAllText(Folder.File("cloud.js"));
             int from = text.IndexOf("[", text.IndexOf("pointAttributes")), to = text.IndexOf("]", from) + 1;
-            m_folder.Write("cloud.js", text.Substring(0, from) + "\"LAS\"" + text.Substring(to));
+            Folder.Write("cloud.js", text.Substring(0, from) + "\"LAS\"" + text.Substring(to));
             foreach (var node in s_cloud.PointsOfNode)
             {
-                File.Delete(m_folder.File("data/" + node.Key + ".bin"));
+                File.Delete(Folder.File("data/" + node.Key + ".bin"));
                 if (node.Value.Count > 0)
                     WriteLas(node.Key, node.Value, writer, node.Key == "r" ? 0 : between);
             }
@@ -303,7 +293,7 @@ namespace FastPoints.Tests.Files
                 Assert.That(got.Count, Is.EqualTo(ranges.Sum(r => r.Count)));
 
                 var node = s_cloud.PointsOfNode.First(n => n.Key.Length == 4 && n.Value.Count > 3);
-                string path = m_folder.File("data/" + node.Key + ".las");
+                string path = Folder.File("data/" + node.Key + ".las");
                 var bytes = File.ReadAllBytes(path);
                 bytes[LasHeader.At.PointFormat] = 0;
                 File.WriteAllBytes(path, bytes);
@@ -328,7 +318,7 @@ namespace FastPoints.Tests.Files
                 Offset = tree.Min + (corner + between) * tree.Scale,
                 ExtraBytes = new[] { new PointAttribute("number", AttributeType.UInt32) },
             };
-            using var las = LasWriter.Create(m_folder.File("data/" + node + ".las"), settings);
+            using var las = LasWriter.Create(Folder.File("data/" + node + ".las"), settings);
             using var batch = new PointBatch(las.Schema, points.Count, Allocator.Persistent);
             var bytes = batch.Bytes;
             for (int i = 0; i < bytes.Length; i++)
@@ -355,13 +345,11 @@ namespace FastPoints.Tests.Files
         [TestCase("\"INTENSITY\"", "\"A\", \"B\"", FailureCode.Unsupported, "A and B")]
         public void Open_BrokenIndex_NamesTheMember(string from, string to, FailureCode code, string story)
         {
-            new Potree1Writer().Write(m_folder, new PotreeTestCloud(9, 0, 1));
-            string text = File.ReadAllText(m_folder.File("cloud.js"));
+            new Potree1Writer().Write(Folder, new PotreeTestCloud(9, 0, 1));
+            string text = File.ReadAllText(Folder.File("cloud.js"));
             Assert.That(text, Does.Contain(from));
-            m_folder.Write("cloud.js", text.Replace(from, to));
-            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(m_folder.Folder));
-            Assert.That(failure.Code, Is.EqualTo(code));
-            Assert.That(failure.Message, Does.Contain(story));
+            Folder.Write("cloud.js", text.Replace(from, to));
+            Failures.Of(() => PointReaders.Open(Folder.Path), code, story);
         }
     }
 }

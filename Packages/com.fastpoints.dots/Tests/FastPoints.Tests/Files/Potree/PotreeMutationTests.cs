@@ -33,13 +33,13 @@ namespace FastPoints.Tests.Files
         static void Mutate(string kind, int seed, int cases)
         {
             var random = new Random(seed);
-            using var folder = new PotreeTestFolder();
+            using var folder = new TemporaryFolder();
             var cloud = new PotreeTestCloud(120, 3, seed);
             if (kind.StartsWith("1."))
                 new Potree1Writer { Version = kind, StepSize = 1 }.Write(folder, cloud);
             else
                 new Potree2Writer { IsBrotli = kind == "BROTLI", StepSize = 1 }.Write(folder, cloud);
-            var files = Directory.GetFiles(folder.Folder, "*", SearchOption.AllDirectories).OrderBy(path => path,
+            var files = Directory.GetFiles(folder.Path, "*", SearchOption.AllDirectories).OrderBy(path => path,
                 StringComparer.Ordinal).ToList();
             // The index and the hierarchies are what most depends on, so they are hit most.
             var indexes = files.Where(path => !path.EndsWith(".bin") || path.EndsWith("hierarchy.bin")).ToList();
@@ -47,8 +47,8 @@ namespace FastPoints.Tests.Files
             {
                 string path = random.Next(4) == 0 ? files[random.Next(files.Count)] : indexes[random.Next(indexes.Count)];
                 var sound = File.ReadAllBytes(path);
-                File.WriteAllBytes(path, Damage(sound, random));
-                ReadWhatIsThere(folder.Folder, files, "seed " + seed + ", case " + i + ", " + Path.GetFileName(path));
+                File.WriteAllBytes(path, sound.Length == 0 ? new byte[random.Next(20)] : Damage.Of(sound, random));
+                ReadWhatIsThere(folder.Path, files, "seed " + seed + ", case " + i + ", " + Path.GetFileName(path));
                 File.WriteAllBytes(path, sound);
             }
         }
@@ -81,39 +81,6 @@ namespace FastPoints.Tests.Files
             {
                 Assert.That(failure.Message, Does.Not.Contain("\n"), story);
                 Assert.That(failure.IsBadInput || failure.Code == FailureCode.NotFound, Is.True, story + ": " + failure.Message);
-            }
-        }
-
-        static byte[] Damage(byte[] sound, Random random)
-        {
-            var bytes = (byte[])sound.Clone();
-            if (bytes.Length == 0)
-                return new byte[random.Next(20)];
-            int at = random.Next(bytes.Length);
-            switch (random.Next(5))
-            {
-                case 0:
-                    return bytes.Take(at).ToArray();
-                case 1:
-                    for (int i = random.Next(1, 8); i > 0; i--)
-                        bytes[random.Next(bytes.Length)] ^= (byte)(1 << random.Next(8));
-                    return bytes;
-                case 2:
-                    byte fill = (byte)(random.Next(2) == 0 ? 255 : random.Next(256));
-                    for (int i = at; i < Math.Min(bytes.Length, at + random.Next(1, 9)); i++)
-                        bytes[i] = fill;
-                    return bytes;
-                case 3:
-                    return bytes.Take(at).Concat(bytes.Skip(at).Take(random.Next(60))).Concat(bytes.Skip(at)).ToArray();
-                default:
-                    // A digit in a text, a byte elsewhere.
-                    for (int i = 0; i < bytes.Length; i++)
-                        if (bytes[(at + i) % bytes.Length] >= '0' && bytes[(at + i) % bytes.Length] <= '9')
-                        {
-                            bytes[(at + i) % bytes.Length] = (byte)"0123456789-e"[random.Next(12)];
-                            break;
-                        }
-                    return bytes;
             }
         }
     }

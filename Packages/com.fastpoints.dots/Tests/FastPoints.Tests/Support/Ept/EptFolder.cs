@@ -13,6 +13,7 @@ namespace FastPoints.Tests.Support
     {
         readonly CopcFileWriter m_tree;
         readonly int m_pointFormat;
+        readonly TemporaryFolder m_folder = new TemporaryFolder();
 
         /// <param name="extraDimensions">Behind X, Y, Z: name, type, size. Not for laszip.</param>
         /// <param name="pointFormat">Of laszip nodes.</param>
@@ -22,22 +23,17 @@ namespace FastPoints.Tests.Support
             DataType = dataType;
             m_pointFormat = pointFormat;
             RecordBytes = records[0].Length;
-            Path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(System.IO.Path.Combine(Path, "ept-data"));
-            Directory.CreateDirectory(System.IO.Path.Combine(Path, "ept-hierarchy"));
             m_tree = new CopcFileWriter { MaxNodePoints = maxNodePoints };
             var (min, edgeBits) = m_tree.Split(records);
             foreach (var node in m_tree.Nodes)
-                File.WriteAllBytes(DataPath(NameOf(node)), NodeFile(node.Records));
+                m_folder.Write(DataPath(NameOf(node)), NodeFile(node.Records));
             WritePages(m_tree.Nodes[0], levelsPerPage);
             Index = IndexText(records.Count, min, edgeBits, extraDimensions);
             File.WriteAllText(IndexPath, Index);
         }
 
-        public string Path { get; }
-
+        public string Path => m_folder.Path;
         public EptDataType DataType { get; }
-
         public int RecordBytes { get; }
 
         public IReadOnlyList<CopcFileWriter.Node> Nodes => m_tree.Nodes;
@@ -45,17 +41,17 @@ namespace FastPoints.Tests.Support
         /// <summary>ept.json as it was written.</summary>
         public string Index { get; }
 
-        public string IndexPath => System.IO.Path.Combine(Path, "ept.json");
+        public string IndexPath => m_folder.File("ept.json");
 
         /// <summary>Names of the nodes that pages of the hierarchy begin with.</summary>
         public List<string> Pages { get; } = new List<string>();
 
         public static string NameOf(CopcFileWriter.Node node) => EptEntry.NameOf(node.Level, node.Cell);
 
-        public string DataPath(string node) => System.IO.Path.Combine(Path, "ept-data", node
+        public string DataPath(string node) => m_folder.File("ept-data/" + node
             + (DataType == EptDataType.Binary ? ".bin" : DataType == EptDataType.Zstandard ? ".zst" : ".laz"));
 
-        public string PagePath(string node) => System.IO.Path.Combine(Path, "ept-hierarchy", node + ".json");
+        public string PagePath(string node) => m_folder.File("ept-hierarchy/" + node + ".json");
 
         /// <summary>Writes a laszip node anew, its positions as whole numbers on a grid of its own: factor times as coarse as the
         /// others' (negative: the other way round), its offset <paramref name="shift"/> of their steps beside theirs. The node's
@@ -129,7 +125,7 @@ namespace FastPoints.Tests.Support
                         open.Enqueue(child);
             }
             Pages.Add(NameOf(root));
-            File.WriteAllText(PagePath(NameOf(root)), "{\n\t" + string.Join(",\n\t", page) + "\n}\n");
+            m_folder.Write(PagePath(NameOf(root)), "{\n\t" + string.Join(",\n\t", page) + "\n}\n");
         }
 
         string IndexText(int points, long[] min, int edgeBits, (string Name, string Type, int Size)[] extraDimensions)
@@ -150,6 +146,6 @@ namespace FastPoints.Tests.Support
             return text.Append("] }\n").ToString();
         }
 
-        public void Dispose() => Directory.Delete(Path, true);
+        public void Dispose() => m_folder.Dispose();
     }
 }

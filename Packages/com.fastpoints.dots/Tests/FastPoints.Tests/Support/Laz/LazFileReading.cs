@@ -134,18 +134,4 @@ namespace FastPoints.Tests.Support
             return null;
         }
     }
-
-    /// <summary>Bytes as a file in the temporary folder, gone when disposed.</summary>
-    public sealed class TemporaryFile : IDisposable
-    {
-        public TemporaryFile(byte[] bytes, string extension)
-        {
-            Path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + extension);
-            File.WriteAllBytes(Path, bytes);
-        }
-
-        public string Path { get; }
-
-        public void Dispose() => File.Delete(Path);
-    }
 }

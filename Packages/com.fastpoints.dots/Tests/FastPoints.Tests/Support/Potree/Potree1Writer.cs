@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Support
 
         bool IsFlat => Version == "1.4";
 
-        public void Write(PotreeTestFolder folder, PotreeTestCloud cloud)
+        public void Write(TemporaryFolder folder, PotreeTestCloud cloud)
         {
             folder.Write("cloud.js", CloudJs(cloud));
             foreach (var node in cloud.PointsOfNode)

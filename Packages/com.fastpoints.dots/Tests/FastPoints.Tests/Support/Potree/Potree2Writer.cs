@@ -34,7 +34,7 @@ namespace FastPoints.Tests.Support
 
         public int RecordBytes => Attributes.Sum(attribute => attribute.Bytes);
 
-        public void Write(PotreeTestFolder folder, PotreeTestCloud cloud)
+        public void Write(TemporaryFolder folder, PotreeTestCloud cloud)
         {
             var octree = new MemoryStream();
             var places = new Dictionary<string, (long Offset, long Bytes)>();

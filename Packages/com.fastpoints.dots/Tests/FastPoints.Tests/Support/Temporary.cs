@@ -1,0 +1,66 @@
+using System;
+using System.IO;
+using System.Text;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>A name in the temporary folder; a file of that name is gone when disposed.</summary>
+    public class TemporaryFile : IDisposable
+    {
+        public TemporaryFile(string extension = "") => Path = TemporaryFolder.NewPath() + extension;
+
+        public TemporaryFile(byte[] bytes, string extension = "") : this(extension) => File.WriteAllBytes(Path, bytes);
+
+        public string Path { get; }
+
+        public void Dispose() => File.Delete(Path);
+    }
+
+    /// <summary>A folder in the temporary folder, gone when disposed.</summary>
+    public sealed class TemporaryFolder : IDisposable
+    {
+        public TemporaryFolder() => Directory.CreateDirectory(Path = NewPath());
+
+        public static string NewPath() =>
+            System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+
+        public string Path { get; private set; }
+
+        /// <summary>A path in it.</summary>
+        public string File(string relative) =>
+            System.IO.Path.Combine(Path, relative.Replace('/', System.IO.Path.DirectorySeparatorChar));
+
+        /// <returns>The file's path.</returns>
+        public string Write(string relative, byte[] bytes)
+        {
+            string path = File(relative);
+            Directory.CreateDirectory(System.IO.Path.GetDirectoryName(path));
+            System.IO.File.WriteAllBytes(path, bytes);
+            return path;
+        }
+
+        public string Write(string relative, string text) => Write(relative, Encoding.UTF8.GetBytes(text));
+
+        /// <summary>Renames the folder.</summary>
+        public void Move()
+        {
+            Directory.Move(Path, Path + " moved");
+            Path += " moved";
+        }
+
+        public void Dispose() => Directory.Delete(Path, true);
+    }
+
+    /// <summary>Tests of which each has a folder of its own.</summary>
+    public abstract class FolderTests
+    {
+        protected TemporaryFolder Folder { get; private set; }
+
+        [SetUp]
+        public void MakeFolder() => Folder = new TemporaryFolder();
+
+        [TearDown]
+        public void DeleteFolder() => Folder.Dispose();
+    }
+}
