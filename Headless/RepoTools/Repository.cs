@@ -3,17 +3,12 @@ using System.Diagnostics;
 namespace FastPoints.RepoTools
 {
     /// <summary>Where things lie in a checkout.</summary>
-    public sealed class Repository
+    public sealed class Repository(string root)
     {
         /// <summary>Unity's generations that the package is built for, oldest first.</summary>
         public static readonly string[] Generations = { "6000.0", "6000.3", "6000.5" };
 
-        public Repository(string root)
-        {
-            Root = Path.GetFullPath(root);
-        }
-
-        public string Root { get; }
+        public string Root { get; } = Path.GetFullPath(root);
 
         public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
 

@@ -1,10 +1,7 @@
 namespace FastPoints.RepoTools
 {
     /// <summary>A tool cannot do its work; the message says what to do about it.</summary>
-    public sealed class ToolException : Exception
+    public sealed class ToolException(string message) : Exception(message)
     {
-        public ToolException(string message) : base(message)
-        {
-        }
     }
 }

@@ -2,14 +2,9 @@ namespace FastPoints.HostTests.Conformance
 {
     /// <summary>The package as each generation of Unity compiles it, against what that generation has.</summary>
     [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
-    public sealed class PackageConformanceTests
+    public sealed class PackageConformanceTests(string generation)
     {
-        private readonly string m_generation;
-
-        public PackageConformanceTests(string generation)
-        {
-            m_generation = generation;
-        }
+        private readonly string m_generation = generation;
 
         [Test]
         public void Package_AgainstTheFullList_NamesOnlyWhatUnityHas() => Assert.That(Problems(FullList()), Is.Empty);

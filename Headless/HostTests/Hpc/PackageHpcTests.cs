@@ -3,14 +3,9 @@ using FastPoints.RepoTools.Hpc;
 namespace FastPoints.HostTests.Hpc
 {
     [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
-    public sealed class PackageHpcTests
+    public sealed class PackageHpcTests(string generation)
     {
-        private readonly string m_generation;
-
-        public PackageHpcTests(string generation)
-        {
-            m_generation = generation;
-        }
+        private readonly string m_generation = generation;
 
         [Test]
         public void Jobs_OfThePackage_AreWhatBurstCompiles()

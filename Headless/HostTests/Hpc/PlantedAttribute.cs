@@ -4,14 +4,9 @@ namespace FastPoints.HostTests.Hpc
 {
     /// <summary>A job or a class that a verifier must report with that text, or, without one, let pass.</summary>
     [AttributeUsage(AttributeTargets.Struct | AttributeTargets.Class)]
-    internal sealed class PlantedAttribute : Attribute
+    internal sealed class PlantedAttribute(string reported = null) : Attribute
     {
-        public PlantedAttribute(string reported = null)
-        {
-            Reported = reported;
-        }
-
-        public string Reported { get; }
+        public string Reported { get; } = reported;
 
         /// <summary>All that is planted in a class.</summary>
         internal static IEnumerable<(Type Type, string Reported)> In(Type type) => type.GetNestedTypes(BindingFlags.NonPublic)

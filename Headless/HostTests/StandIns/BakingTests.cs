@@ -63,11 +63,9 @@ namespace FastPoints.HostTests.StandIns
             }
         }
 
-        sealed class StrangerBaker : Baker<Authoring>
+        sealed class StrangerBaker(Entity stranger) : Baker<Authoring>
         {
-            readonly Entity m_stranger;
-
-            public StrangerBaker(Entity stranger) => m_stranger = stranger;
+            readonly Entity m_stranger = stranger;
 
             public override void Bake(Authoring authoring)
             {

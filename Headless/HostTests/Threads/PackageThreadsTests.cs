@@ -1,14 +1,9 @@
 namespace FastPoints.HostTests.Threads
 {
     [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
-    public sealed class PackageThreadsTests
+    public sealed class PackageThreadsTests(string generation)
     {
-        private readonly string m_generation;
-
-        public PackageThreadsTests(string generation)
-        {
-            m_generation = generation;
-        }
+        private readonly string m_generation = generation;
 
         /// <summary>Tests are left out: they do on purpose what is not to be done.</summary>
         [Test]

@@ -5,25 +5,17 @@ namespace FastPoints.RepoTools.Api
     /// was compiled against stand-ins, so each name is a claim: that the type or member exists, in that assembly, with that
     /// return type, staticness, by-reference kinds and constraints, and that using it is no error.
     /// </summary>
-    public sealed class Conformance
+    public sealed class Conformance(UnityApi api, string generation, AssemblyTable assemblies)
     {
-        private readonly UnityApi m_api;
-        private readonly string m_generation;
-        private readonly AssemblyTable m_assemblies;
-        private readonly TypeArguments m_arguments;
+        private readonly UnityApi m_api = api;
+        private readonly string m_generation = generation;
+        private readonly AssemblyTable m_assemblies = assemblies;
+        private readonly TypeArguments m_arguments = new TypeArguments(api, generation);
         private readonly SortedSet<string> m_problems = new SortedSet<string>(StringComparer.Ordinal);
         private readonly HashSet<string> m_checked = new HashSet<string>();
         private string m_assembly = "";
         private string m_site = "";
         private TypeDefinition? m_within;
-
-        public Conformance(UnityApi api, string generation, AssemblyTable assemblies)
-        {
-            m_api = api;
-            m_generation = generation;
-            m_assemblies = assemblies;
-            m_arguments = new TypeArguments(api, generation);
-        }
 
         /// <summary>What is not as Unity has it, a line each; empty where all is.</summary>
         public IReadOnlyCollection<string> Check(ModuleDefinition module)

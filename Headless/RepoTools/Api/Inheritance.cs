@@ -2,16 +2,10 @@ namespace FastPoints.RepoTools.Api
 {
     /// <summary>Whether a type keeps what it promised: Unity's interfaces that it implements, Unity's members that it
     /// overrides.</summary>
-    internal sealed class Inheritance
+    internal sealed class Inheritance(UnityApi api, string generation)
     {
-        private readonly UnityApi m_api;
-        private readonly string m_generation;
-
-        internal Inheritance(UnityApi api, string generation)
-        {
-            m_api = api;
-            m_generation = generation;
-        }
+        private readonly UnityApi m_api = api;
+        private readonly string m_generation = generation;
 
         internal IEnumerable<string> Problems(TypeDefinition type)
         {

@@ -5,15 +5,10 @@ namespace FastPoints.RepoTools.Api
     /// them without a trace, so what the IL names is not enough: what could be named must be right. What the host needs
     /// beside it is in namespaces that begin with FastPoints.
     /// </summary>
-    public sealed class StandInAudit
+    public sealed class StandInAudit(UnityApi fullApi)
     {
-        private readonly UnityApi m_api;
+        private readonly UnityApi m_api = fullApi;
         private readonly List<string> m_problems = new List<string>();
-
-        public StandInAudit(UnityApi fullApi)
-        {
-            m_api = fullApi;
-        }
 
         /// <summary>"", in, out or ref.</summary>
         public static string KindOf(ParameterDefinition parameter)

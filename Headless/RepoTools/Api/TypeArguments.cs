@@ -1,16 +1,10 @@
 namespace FastPoints.RepoTools.Api
 {
     /// <summary>Whether type arguments satisfy the constraints that Unity's own definition has.</summary>
-    internal sealed class TypeArguments
+    internal sealed class TypeArguments(UnityApi api, string generation)
     {
-        private readonly UnityApi m_api;
-        private readonly string m_generation;
-
-        internal TypeArguments(UnityApi api, string generation)
-        {
-            m_api = api;
-            m_generation = generation;
-        }
+        private readonly UnityApi m_api = api;
+        private readonly string m_generation = generation;
 
         /// <summary>One text for each argument that does not fit, such as "T = FastPoints.X is not unmanaged".</summary>
         /// <param name="constraints">The list's column: "T:unmanaged&amp;Some.Interface; U".</param>

@@ -7,16 +7,11 @@ namespace FastPoints.RepoTools.Meta
     /// kept for good, since scenes and other projects refer to it: a .meta that moved with its file is left alone, and one
     /// that stayed behind follows the file of the same name.
     /// </summary>
-    public sealed class MetaFiles
+    public sealed class MetaFiles(string packageRoot)
     {
         private const string Extension = ".meta";
         private const string Samples = "Samples~";
-        private readonly string m_root;
-
-        public MetaFiles(string packageRoot)
-        {
-            m_root = packageRoot;
-        }
+        private readonly string m_root = packageRoot;
 
         /// <summary>Writes what is missing and removes what is left over; with check only says so.</summary>
         public ToolResult Run(bool check)

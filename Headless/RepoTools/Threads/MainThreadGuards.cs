@@ -5,7 +5,7 @@ namespace FastPoints.RepoTools.Threads
     /// behind it does: <c>StandIns.MainThread.Require("get_isPlaying")</c>. There are hundreds of them, most of one line; the
     /// table of threads says which, so that nobody can forget one.
     /// </summary>
-    public sealed class MainThreadGuards
+    public sealed class MainThreadGuards(ThreadTable table)
     {
         private const string GuardAssembly = "UnityEngine.CoreModule", GuardType = "MainThread", GuardMethod = "Require";
 
@@ -13,12 +13,7 @@ namespace FastPoints.RepoTools.Threads
         /// not.</summary>
         private const string SoftReason = "M:UnityEngine.Object.EnsureRunningOnMainThread";
 
-        private readonly ThreadTable m_table;
-
-        public MainThreadGuards(ThreadTable table)
-        {
-            m_table = table;
-        }
+        private readonly ThreadTable m_table = table;
 
         /// <summary>Guards a stand-in, its file and its symbols; one that is guarded stays as it is.</summary>
         /// <param name="references">Assemblies that its types derive from.</param>

@@ -65,19 +65,12 @@ namespace FastPoints.RepoTools.Threads
         }
 
         /// <summary>One method of a walk.</summary>
-        private sealed class Walker
+        private sealed class Walker(ThreadVerifier verifier, ThreadRoot root, Visit? visit)
         {
-            private readonly ThreadVerifier m_verifier;
-            private readonly ThreadRoot m_root;
-            private readonly Visit? m_visit;
+            private readonly ThreadVerifier m_verifier = verifier;
+            private readonly ThreadRoot m_root = root;
+            private readonly Visit? m_visit = visit;
             private Instruction? m_at;
-
-            internal Walker(ThreadVerifier verifier, ThreadRoot root, Visit? visit)
-            {
-                m_verifier = verifier;
-                m_root = root;
-                m_visit = visit;
-            }
 
             private MethodDefinition Method => m_visit!.Method;
 

@@ -5,21 +5,16 @@ namespace FastPoints.RepoTools.Threads
     /// results (to all that may be called). Where the way is lost, in a collection or in other people's code, the type of the
     /// variable is all that is known.
     /// </summary>
-    internal sealed class ValueOrigins
+    internal sealed class ValueOrigins(CodeIndex code)
     {
         private const string OuterThis = "<>4__this";
 
-        private readonly CodeIndex m_code;
+        private readonly CodeIndex m_code = code;
         private readonly Dictionary<(Instruction, int, string?), IReadOnlyCollection<Value>> m_known =
             new Dictionary<(Instruction, int, string?), IReadOnlyCollection<Value>>();
 
         private readonly Dictionary<(Instruction, string?), IReadOnlyList<Value>> m_sub =
             new Dictionary<(Instruction, string?), IReadOnlyList<Value>>();
-
-        internal ValueOrigins(CodeIndex code)
-        {
-            m_code = code;
-        }
 
         /// <summary>What may be an argument of a call; 0 is the object, where it has one.</summary>
         /// <param name="self">The object that the calling method works on, where it is known.</param>
@@ -60,20 +55,13 @@ namespace FastPoints.RepoTools.Threads
             return null;
         }
 
-        private sealed class Search
+        private sealed class Search(ValueOrigins origins, Search? outer = null, Instruction? at = null)
         {
-            private readonly ValueOrigins m_origins;
-            private readonly Search? m_outer;
-            private readonly Instruction? m_for;
+            private readonly ValueOrigins m_origins = origins;
+            private readonly Search? m_outer = outer;
+            private readonly Instruction? m_for = at;
             private readonly HashSet<(Instruction, string?)> m_seen = new HashSet<(Instruction, string?)>();
             private readonly HashSet<string> m_keys = new HashSet<string>();
-
-            internal Search(ValueOrigins origins, Search? outer = null, Instruction? at = null)
-            {
-                m_origins = origins;
-                m_outer = outer;
-                m_for = at;
-            }
 
             internal List<Value> Found { get; } = new List<Value>();
 

@@ -1,17 +1,10 @@
 namespace Unity.PerformanceTesting
 {
-    public class SampleGroup
+    public class SampleGroup(string name, SampleUnit unit = SampleUnit.Millisecond, bool increaseIsBetter = false)
     {
-        public string Name;
-        public SampleUnit Unit;
-        public bool IncreaseIsBetter;
+        public string Name = name;
+        public SampleUnit Unit = unit;
+        public bool IncreaseIsBetter = increaseIsBetter;
         public List<double> Samples = new List<double>();
-
-        public SampleGroup(string name, SampleUnit unit = SampleUnit.Millisecond, bool increaseIsBetter = false)
-        {
-            Name = name;
-            Unit = unit;
-            IncreaseIsBetter = increaseIsBetter;
-        }
     }
 }

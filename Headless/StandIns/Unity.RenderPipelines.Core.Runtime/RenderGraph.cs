@@ -102,21 +102,14 @@ namespace UnityEngine.Rendering.RenderGraphModule
             m_passes.Clear();
         }
 
-        sealed class Builder : IUnsafeRenderGraphBuilder
+        sealed class Builder(RenderGraph graph, string name, object data) : IUnsafeRenderGraphBuilder
         {
-            readonly RenderGraph m_graph;
-            readonly string m_name;
-            readonly object m_data;
+            readonly RenderGraph m_graph = graph;
+            readonly string m_name = name;
+            readonly object m_data = data;
             readonly List<int> m_used = new List<int>();
             Action<UnsafeGraphContext> m_pass;
             bool m_isCulled = true;
-
-            public Builder(RenderGraph graph, string name, object data)
-            {
-                m_graph = graph;
-                m_name = name;
-                m_data = data;
-            }
 
             public void UseTexture(in TextureHandle input, AccessFlags flags = AccessFlags.Read)
             {

@@ -17,12 +17,8 @@ namespace UnityEditor.Build
         int callbackOrder { get; }
     }
 
-    public class BuildFailedException : Exception
+    public class BuildFailedException(string message) : Exception(message)
     {
-        public BuildFailedException(string message)
-            : base(message)
-        {
-        }
     }
 
     /// <summary>Keeps what would be added.</summary>

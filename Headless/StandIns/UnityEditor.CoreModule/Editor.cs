@@ -63,14 +63,9 @@ namespace UnityEditor
     }
 
     /// <summary>Nobody changes anything.</summary>
-    public class SerializedObject
+    public class SerializedObject(Object obj)
     {
-        readonly Object m_target;
-
-        public SerializedObject(Object obj)
-        {
-            m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
-        }
+        readonly Object m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
 
         public void Update()
         {
@@ -206,20 +201,13 @@ namespace UnityEditor
     {
     }
 
-    public class SettingsProvider
+    public class SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
     {
-        public SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
-        {
-            settingsPath = path;
-            scope = scopes;
-            this.keywords = keywords;
-        }
+        public string settingsPath { get; } = path;
 
-        public string settingsPath { get; }
+        public SettingsScope scope { get; } = scopes;
 
-        public SettingsScope scope { get; }
-
-        public IEnumerable<string> keywords { get; set; }
+        public IEnumerable<string> keywords { get; set; } = keywords;
 
         public Action<string> guiHandler { get; set; }
     }

@@ -11,23 +11,17 @@ namespace UnityEngine.TestTools
     /// [UnitySetUp] is known and not done again; [SetUp] is. Fields of the class are gone, which is stricter than Unity: it
     /// keeps those that it can serialise. Statics stay here.
     /// </summary>
-    sealed class EditModeRun
+    sealed class EditModeRun(Type fixture, string test)
     {
         const BindingFlags Any = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-        readonly Type m_class;
-        readonly MethodInfo m_test;
+        readonly Type m_class = fixture;
+        readonly MethodInfo m_test = fixture.GetMethod(test);
 
         /// <summary>How far it has come; this outlives a reload.</summary>
         int m_setUps, m_tearDowns, m_step;
         bool m_hasRun;
         Exception m_failure;
-
-        public EditModeRun(Type fixture, string test)
-        {
-            m_class = fixture;
-            m_test = fixture.GetMethod(test);
-        }
 
         /// <summary>Throws what the test, or what is around it, has thrown first.</summary>
         public void Run()

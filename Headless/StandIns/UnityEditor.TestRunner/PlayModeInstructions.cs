@@ -3,14 +3,9 @@ using UnityEditor;
 
 namespace UnityEngine.TestTools
 {
-    public class EnterPlayMode : IEditModeTestYieldInstruction
+    public class EnterPlayMode(bool expectDomainReload = true) : IEditModeTestYieldInstruction
     {
-        public EnterPlayMode(bool expectDomainReload = true)
-        {
-            ExpectDomainReload = expectDomainReload;
-        }
-
-        public bool ExpectDomainReload { get; }
+        public bool ExpectDomainReload { get; } = expectDomainReload;
 
         public bool ExpectedPlaymodeState => true;
 

@@ -1,16 +1,10 @@
 namespace Unity.Entities
 {
     [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct)]
-    public class WorldSystemFilterAttribute : Attribute
+    public class WorldSystemFilterAttribute(WorldSystemFilterFlags flags,
+        WorldSystemFilterFlags childDefaultFlags = WorldSystemFilterFlags.Default) : Attribute
     {
-        public WorldSystemFilterFlags FilterFlags;
-        public WorldSystemFilterFlags ChildDefaultFilterFlags;
-
-        public WorldSystemFilterAttribute(WorldSystemFilterFlags flags,
-            WorldSystemFilterFlags childDefaultFlags = WorldSystemFilterFlags.Default)
-        {
-            FilterFlags = flags;
-            ChildDefaultFilterFlags = childDefaultFlags;
-        }
+        public WorldSystemFilterFlags FilterFlags = flags;
+        public WorldSystemFilterFlags ChildDefaultFilterFlags = childDefaultFlags;
     }
 }

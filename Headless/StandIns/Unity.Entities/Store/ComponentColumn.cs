@@ -4,20 +4,14 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace StandIns.Entities
 {
     /// <summary>One component of all entities of an archetype, row by row.</summary>
-    sealed unsafe class ComponentColumn : IDisposable
+    sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
     {
         object[] m_objects;
         byte* m_bytes;
         byte* m_enabled;
 
-        public ComponentColumn(int typeIndex)
-        {
-            TypeIndex = typeIndex;
-            Info = TypeRegistry.InfoOf(typeIndex);
-        }
-
-        public int TypeIndex { get; }
-        public ComponentInfo Info { get; }
+        public int TypeIndex { get; } = typeIndex;
+        public ComponentInfo Info { get; } = TypeRegistry.InfoOf(typeIndex);
 
         public void* At(int row) => m_bytes + (long)row * Info.SizeBytes;
 

@@ -27,37 +27,21 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
-    public sealed class RangeAttribute : PropertyAttribute
+    public sealed class RangeAttribute(float min, float max) : PropertyAttribute
     {
-        public readonly float min;
-        public readonly float max;
-
-        public RangeAttribute(float min, float max)
-        {
-            this.min = min;
-            this.max = max;
-        }
+        public readonly float min = min;
+        public readonly float max = max;
     }
 
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
-    public sealed class MinAttribute : PropertyAttribute
+    public sealed class MinAttribute(float min) : PropertyAttribute
     {
-        public readonly float min;
-
-        public MinAttribute(float min)
-        {
-            this.min = min;
-        }
+        public readonly float min = min;
     }
 
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
-    public class TooltipAttribute : PropertyAttribute
+    public class TooltipAttribute(string tooltip) : PropertyAttribute
     {
-        public readonly string tooltip;
-
-        public TooltipAttribute(string tooltip)
-        {
-            this.tooltip = tooltip;
-        }
+        public readonly string tooltip = tooltip;
     }
 }

@@ -1,9 +1,6 @@
 namespace UnityEngine
 {
-    public class UnityException : SystemException
+    public class UnityException(string message) : SystemException(message)
     {
-        public UnityException(string message) : base(message)
-        {
-        }
     }
 }

@@ -10,16 +10,10 @@ namespace StandIns.Io
     /// </remarks>
     static class IoThreads
     {
-        readonly struct Entry
+        readonly struct Entry(Action work)
         {
-            public readonly Action Work;
-            public readonly long Queued;
-
-            public Entry(Action work)
-            {
-                Work = work;
-                Queued = Stopwatch.GetTimestamp();
-            }
+            public readonly Action Work = work;
+            public readonly long Queued = Stopwatch.GetTimestamp();
 
             public bool HasRested => Stopwatch.GetTimestamp() - Queued >= RestMs * Stopwatch.Frequency / 1000;
         }

@@ -1,13 +1,8 @@
 namespace Unity.Profiling
 {
-    public readonly struct ProfilerCategory
+    public readonly struct ProfilerCategory(string categoryName)
     {
-        private readonly string m_name;
-
-        public ProfilerCategory(string categoryName)
-        {
-            m_name = categoryName;
-        }
+        private readonly string m_name = categoryName;
 
         public string Name => m_name;
 

@@ -6,21 +6,17 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
-    public sealed class RequireComponent : Attribute
+    public sealed class RequireComponent(Type requiredComponent) : Attribute
     {
-        public Type m_Type0;
-
-        public RequireComponent(Type requiredComponent) => m_Type0 = requiredComponent;
+        public Type m_Type0 = requiredComponent;
     }
 
     public sealed class ExecuteAlways : Attribute
     {
     }
 
-    public sealed class AddComponentMenu : Attribute
+    public sealed class AddComponentMenu(string menuName) : Attribute
     {
-        public AddComponentMenu(string menuName) => componentMenu = menuName;
-
-        public string componentMenu { get; }
+        public string componentMenu { get; } = menuName;
     }
 }

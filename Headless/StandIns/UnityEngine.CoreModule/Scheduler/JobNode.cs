@@ -4,9 +4,9 @@ namespace StandIns.Scheduling
     /// One scheduled job, or (without work) something to wait for: combined dependencies, a read. Nodes are reused; a JobHandle
     /// names one by index and version.
     /// </summary>
-    sealed class JobNode
+    sealed class JobNode(int index)
     {
-        internal readonly int Index;
+        internal readonly int Index = index;
         internal int Version = 1;
 
         internal JobWork Work;
@@ -34,11 +34,6 @@ namespace StandIns.Scheduling
         bool m_observed;
         JobNode[] m_dependents = new JobNode[4];
         int m_dependentCount;
-
-        internal JobNode(int index)
-        {
-            Index = index;
-        }
 
         internal void Reset()
         {

@@ -1,16 +1,10 @@
 namespace StandIns.Graphics
 {
     /// <summary>Brings a draw or dispatch what its shader names, by name, and refuses what does not fit.</summary>
-    sealed unsafe class ResourceBinder
+    sealed unsafe class ResourceBinder(GpuDevice device)
     {
-        readonly GpuDevice m_device;
-        readonly SamplerTable m_samplers;
-
-        internal ResourceBinder(GpuDevice device)
-        {
-            m_device = device;
-            m_samplers = new SamplerTable(device);
-        }
+        readonly GpuDevice m_device = device;
+        readonly SamplerTable m_samplers = new SamplerTable(device);
 
         /// <summary>
         /// Makes the textures of a scope that are not there yet; within a pass that cannot be done, so it ends.

@@ -4,20 +4,15 @@ namespace StandIns.Graphics
     /// Samplers by what they do. A shader names one as sampler_Name after the texture whose own it is, or by what it does:
     /// sampler_PointClamp, sampler_linear_repeat. Depth is never filtered.
     /// </summary>
-    sealed unsafe class SamplerTable
+    sealed unsafe class SamplerTable(GpuDevice device)
     {
         const string Prefix = "sampler";
 
-        readonly GpuDevice m_device;
+        readonly GpuDevice m_device = device;
         readonly Dictionary<(FilterMode, TextureWrapMode), ulong> m_samplers =
             new Dictionary<(FilterMode, TextureWrapMode), ulong>();
         // By the name of the sampler: of the texture, or -1.
         readonly Dictionary<int, int> m_textureOf = new Dictionary<int, int>();
-
-        internal SamplerTable(GpuDevice device)
-        {
-            m_device = device;
-        }
 
         internal ulong Find(ShaderResource sampler, in PropertyScope scope)
         {

@@ -1,21 +1,16 @@
 namespace StandIns.Graphics
 {
     /// <summary>What is drawn into, and the pass that is open on it while draws follow one another.</summary>
-    sealed unsafe class RenderTargets
+    sealed unsafe class RenderTargets(GpuDevice device)
     {
         internal const int MaxColors = 4;
 
-        readonly GpuDevice m_device;
+        readonly GpuDevice m_device = device;
         readonly GpuImage[] m_colors = new GpuImage[MaxColors];
         int m_colorCount;
         GpuImage m_depth;
         int m_slice;
         bool m_isOpen;
-
-        internal RenderTargets(GpuDevice device)
-        {
-            m_device = device;
-        }
 
         internal bool IsSet => m_colorCount > 0 || m_depth != null;
 

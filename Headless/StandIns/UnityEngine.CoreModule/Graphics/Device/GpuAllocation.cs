@@ -1,18 +1,11 @@
 namespace StandIns.Graphics
 {
     /// <summary>A part of a block of device memory.</summary>
-    readonly unsafe struct GpuAllocation
+    readonly unsafe struct GpuAllocation(GpuMemoryBlock block, ulong offset, ulong bytes)
     {
-        internal readonly GpuMemoryBlock Block;
-        internal readonly ulong Offset;
-        internal readonly ulong Bytes;
-
-        internal GpuAllocation(GpuMemoryBlock block, ulong offset, ulong bytes)
-        {
-            Block = block;
-            Offset = offset;
-            Bytes = bytes;
-        }
+        internal readonly GpuMemoryBlock Block = block;
+        internal readonly ulong Offset = offset;
+        internal readonly ulong Bytes = bytes;
 
         internal bool IsCreated => Block != null;
 

@@ -1,20 +1,15 @@
 namespace StandIns.Graphics
 {
     /// <summary>Memory that the host writes and one submission reads: handed out in order, all given back at once.</summary>
-    sealed unsafe class UploadArena
+    sealed unsafe class UploadArena(GpuDevice device)
     {
         const ulong ChunkBytes = 256 << 10;
         const ulong Alignment = 256;
 
-        readonly GpuDevice m_device;
+        readonly GpuDevice m_device = device;
         readonly List<GpuBuffer> m_chunks = new List<GpuBuffer>();
         int m_chunk;
         ulong m_used;
-
-        internal UploadArena(GpuDevice device)
-        {
-            m_device = device;
-        }
 
         /// <summary>Bytes handed out since the last reset.</summary>
         internal ulong Bytes { get; private set; }

@@ -4,12 +4,8 @@ using StandIns;
 namespace UnityEngine
 {
     /// <summary>Somebody uses an object that is destroyed.</summary>
-    public class MissingReferenceException : SystemException
+    public class MissingReferenceException(string message) : SystemException(message)
     {
-        public MissingReferenceException(string message)
-            : base(message)
-        {
-        }
     }
 
     /// <summary>Equal to null once it is destroyed, though the reference is not.</summary>

@@ -1,19 +1,13 @@
 namespace StandIns.Graphics
 {
     /// <summary>One kernel of a compute shader and its variants, each compiled when it is first run.</summary>
-    sealed unsafe class ComputeKernel
+    sealed unsafe class ComputeKernel(ComputeSource source, string name)
     {
-        internal readonly string Name;
+        internal readonly string Name = name;
         /// <summary>The buffers and textures that are set for this kernel.</summary>
         internal readonly PropertySheet Sheet = new PropertySheet();
-        readonly ComputeSource m_source;
+        readonly ComputeSource m_source = source;
         readonly Dictionary<long, ComputeProgram> m_programs = new Dictionary<long, ComputeProgram>();
-
-        internal ComputeKernel(ComputeSource source, string name)
-        {
-            m_source = source;
-            Name = name;
-        }
 
         /// <exception cref="InvalidOperationException">It does not compile.</exception>
         internal ComputeProgram Program(KeywordSet local)

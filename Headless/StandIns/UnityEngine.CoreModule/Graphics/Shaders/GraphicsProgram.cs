@@ -3,28 +3,17 @@ namespace StandIns.Graphics
     /// <summary>
     /// A compiled variant of a pass and its pipelines, one for each state and set of formats that it is drawn with.
     /// </summary>
-    sealed unsafe class GraphicsProgram
+    sealed unsafe class GraphicsProgram(GpuDevice device, string name, SpirvModule vertex, string vertexEntry,
+        SpirvModule fragment, string fragmentEntry)
     {
-        internal readonly string Name;
-        internal readonly ShaderLayout Layout;
-        readonly GpuDevice m_device;
-        readonly ulong m_vertex;
-        readonly ulong m_fragment;
-        readonly string m_vertexEntry;
-        readonly string m_fragmentEntry;
+        internal readonly string Name = name;
+        internal readonly ShaderLayout Layout = new ShaderLayout(device, name, vertex, fragment);
+        readonly GpuDevice m_device = device;
+        readonly ulong m_vertex = ShaderLayout.CreateModule(device, vertex);
+        readonly ulong m_fragment = ShaderLayout.CreateModule(device, fragment);
+        readonly string m_vertexEntry = vertexEntry;
+        readonly string m_fragmentEntry = fragmentEntry;
         readonly Dictionary<PipelineKey, ulong> m_pipelines = new Dictionary<PipelineKey, ulong>();
-
-        internal GraphicsProgram(GpuDevice device, string name, SpirvModule vertex, string vertexEntry, SpirvModule fragment,
-            string fragmentEntry)
-        {
-            m_device = device;
-            Name = name;
-            Layout = new ShaderLayout(device, name, vertex, fragment);
-            m_vertex = ShaderLayout.CreateModule(device, vertex);
-            m_fragment = ShaderLayout.CreateModule(device, fragment);
-            m_vertexEntry = vertexEntry;
-            m_fragmentEntry = fragmentEntry;
-        }
 
         internal ulong Pipeline(in PipelineKey key)
         {

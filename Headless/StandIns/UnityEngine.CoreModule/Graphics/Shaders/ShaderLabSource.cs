@@ -1,19 +1,13 @@
 namespace StandIns.Graphics
 {
     /// <summary>What a .shader file says: its properties, and the passes of its first SubShader.</summary>
-    sealed class ShaderLabSource
+    sealed class ShaderLabSource(string name, ShaderFiles files)
     {
-        internal readonly string Name;
-        internal readonly ShaderFiles Files;
+        internal readonly string Name = name;
+        internal readonly ShaderFiles Files = files;
         internal readonly List<ShaderPass> Passes = new List<ShaderPass>();
         /// <summary>What a material has where nothing else is set.</summary>
         internal readonly PropertySheet Defaults = new PropertySheet();
-
-        internal ShaderLabSource(string name, ShaderFiles files)
-        {
-            Name = name;
-            Files = files;
-        }
 
         internal ShaderPass Pass(int index)
         {

@@ -1,11 +1,11 @@
 namespace StandIns.Graphics
 {
     /// <summary>A constant in a constant buffer, of 4-byte components.</summary>
-    sealed class ShaderMember
+    sealed class ShaderMember(string name, int offset)
     {
-        internal readonly string Name;
-        internal readonly int NameId;
-        internal readonly int Offset;
+        internal readonly string Name = name;
+        internal readonly int NameId = PropertyNames.IdOf(name);
+        internal readonly int Offset = offset;
         /// <summary>Not whole numbers.</summary>
         internal bool IsFloat;
         internal int Columns = 1;
@@ -13,13 +13,6 @@ namespace StandIns.Graphics
         /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 where it is none.</summary>
         internal int Count = 1;
         internal int Stride;
-
-        internal ShaderMember(string name, int offset)
-        {
-            Name = name;
-            NameId = PropertyNames.IdOf(name);
-            Offset = offset;
-        }
 
         internal int End => Offset + (Count - 1) * Stride + (Columns > 1 ? Columns * 16 : Rows * 4);
     }

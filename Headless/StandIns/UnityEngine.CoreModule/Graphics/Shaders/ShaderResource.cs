@@ -3,21 +3,13 @@ namespace StandIns.Graphics
     /// <summary>
     /// Something that a shader names and a draw or dispatch has to bring: a buffer, a texture, a sampler, constants.
     /// </summary>
-    sealed class ShaderResource
+    sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
     {
-        internal readonly string Name;
-        internal readonly int NameId;
-        internal readonly VkDescriptorType Kind;
+        internal readonly string Name = name;
+        internal readonly int NameId = PropertyNames.IdOf(name);
+        internal readonly VkDescriptorType Kind = kind;
         /// <summary>Its id in the module that it was read from.</summary>
-        internal readonly uint Variable;
-
-        internal ShaderResource(uint variable, string name, VkDescriptorType kind)
-        {
-            Variable = variable;
-            Name = name;
-            NameId = PropertyNames.IdOf(name);
-            Kind = kind;
-        }
+        internal readonly uint Variable = variable;
 
         /// <summary>Of constants: what is in them.</summary>
         internal ShaderMember[] Members { get; set; } = System.Array.Empty<ShaderMember>();

@@ -1,15 +1,9 @@
 namespace UnityEngine
 {
-    public struct Bounds : IEquatable<Bounds>, IFormattable
+    public struct Bounds(Vector3 center, Vector3 size) : IEquatable<Bounds>, IFormattable
     {
-        Vector3 m_center;
-        Vector3 m_extents;
-
-        public Bounds(Vector3 center, Vector3 size)
-        {
-            m_center = center;
-            m_extents = size * 0.5f;
-        }
+        Vector3 m_center = center;
+        Vector3 m_extents = size * 0.5f;
 
         public Vector3 center
         {

@@ -1,15 +1,9 @@
 namespace UnityEngine
 {
-    public struct Ray : IFormattable
+    public struct Ray(Vector3 origin, Vector3 direction) : IFormattable
     {
-        Vector3 m_origin;
-        Vector3 m_direction;
-
-        public Ray(Vector3 origin, Vector3 direction)
-        {
-            m_origin = origin;
-            m_direction = direction.normalized;
-        }
+        Vector3 m_origin = origin;
+        Vector3 m_direction = direction.normalized;
 
         public Vector3 origin
         {

@@ -1,19 +1,11 @@
 namespace UnityEngine
 {
-    public struct Rect : IEquatable<Rect>, IFormattable
+    public struct Rect(float x, float y, float width, float height) : IEquatable<Rect>, IFormattable
     {
-        float m_x;
-        float m_y;
-        float m_width;
-        float m_height;
-
-        public Rect(float x, float y, float width, float height)
-        {
-            m_x = x;
-            m_y = y;
-            m_width = width;
-            m_height = height;
-        }
+        float m_x = x;
+        float m_y = y;
+        float m_width = width;
+        float m_height = height;
 
         public float x
         {
