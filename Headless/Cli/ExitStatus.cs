@@ -1,12 +1,11 @@
-namespace FastPoints.Cli
+namespace FastPoints.Cli;
+
+/// <summary>What the process ends with: see <c>--help</c>.</summary>
+public static class ExitStatus
 {
-    /// <summary>What the process ends with: see <c>--help</c>.</summary>
-    public static class ExitStatus
-    {
-        public const int Done = 0;
-        public const int Failed = 1;
-        public const int Usage = 2;
-        public const int BadInput = 3;
-        public const int Cancelled = 130;
-    }
+    public const int Done = 0;
+    public const int Failed = 1;
+    public const int Usage = 2;
+    public const int BadInput = 3;
+    public const int Cancelled = 130;
 }

@@ -1,44 +1,43 @@
-namespace FastPoints.Cli
+namespace FastPoints.Cli;
+
+/// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process
+/// returns.</summary>
+public sealed class Failure
 {
-    /// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process
-    /// returns.</summary>
-    public sealed class Failure
+    public required string Code { get; init; }
+    public required string Message { get; init; }
+    public required int Status { get; init; }
+    public string? File { get; init; }
+
+    /// <summary>Byte in the file, or -1.</summary>
+    public long Offset { get; init; } = -1;
+
+    /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a
+    /// command as much as a broken one.</param>
+    public static Failure Of(Exception e, IReadOnlyCollection<string> inputs)
     {
-        public required string Code { get; init; }
-        public required string Message { get; init; }
-        public required int Status { get; init; }
-        public string? File { get; init; }
-
-        /// <summary>Byte in the file, or -1.</summary>
-        public long Offset { get; init; } = -1;
-
-        /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a
-        /// command as much as a broken one.</param>
-        public static Failure Of(Exception e, IReadOnlyCollection<string> inputs)
+        if (e is AggregateException { InnerExceptions.Count: 1 } one)
+            e = one.InnerExceptions[0];
+        switch (e)
         {
-            if (e is AggregateException { InnerExceptions.Count: 1 } one)
-                e = one.InnerExceptions[0];
-            switch (e)
-            {
-                case OperationCanceledException:
-                    return new Failure { Code = "Cancelled", Message = "cancelled", Status = ExitStatus.Cancelled };
-                case PointCloudException p:
-                    bool isAbsent = p.Code is FailureCode.NotFound or FailureCode.AccessDenied;
-                    bool isInput = p.IsBadInput || (isAbsent && inputs.Contains(p.Path));
-                    return new Failure
-                    {
-                        Code = p.Code.ToString(),
-                        Message = p.Message,
-                        File = p.Path,
-                        Offset = p.ByteOffset,
-                        Status = isInput ? ExitStatus.BadInput : ExitStatus.Failed,
-                    };
-                case OutOfMemoryException:
-                    return new Failure { Code = "OutOfMemory", Message = "out of memory", Status = ExitStatus.Failed };
-                default:
-                    // A defect: where it happened is all that helps.
-                    return new Failure { Code = "Internal", Message = "internal error: " + e, Status = ExitStatus.Failed };
-            }
+            case OperationCanceledException:
+                return new Failure { Code = "Cancelled", Message = "cancelled", Status = ExitStatus.Cancelled };
+            case PointCloudException p:
+                bool isAbsent = p.Code is FailureCode.NotFound or FailureCode.AccessDenied;
+                bool isInput = p.IsBadInput || (isAbsent && inputs.Contains(p.Path));
+                return new Failure
+                {
+                    Code = p.Code.ToString(),
+                    Message = p.Message,
+                    File = p.Path,
+                    Offset = p.ByteOffset,
+                    Status = isInput ? ExitStatus.BadInput : ExitStatus.Failed,
+                };
+            case OutOfMemoryException:
+                return new Failure { Code = "OutOfMemory", Message = "out of memory", Status = ExitStatus.Failed };
+            default:
+                // A defect: where it happened is all that helps.
+                return new Failure { Code = "Internal", Message = "internal error: " + e, Status = ExitStatus.Failed };
         }
     }
 }

@@ -1,89 +1,88 @@
 using FastPoints.Cli.Verbs;
 
-namespace FastPoints.Cli
+namespace FastPoints.Cli;
+
+/// <summary>What <c>--help</c> says: from the commands themselves, so that it cannot lag behind them.</summary>
+public static class HelpText
 {
-    /// <summary>What <c>--help</c> says: from the commands themselves, so that it cannot lag behind them.</summary>
-    public static class HelpText
+    const int Width = 100;
+
+    public static string Path(Command command) => command is RootCommand ? "./fastpoints" : "./fastpoints " + command.Name;
+
+    public static string Usage(Command command)
     {
-        const int Width = 100;
-
-        public static string Path(Command command) => command is RootCommand ? "./fastpoints" : "./fastpoints " + command.Name;
-
-        public static string Usage(Command command)
+        var words = new List<string> { Path(command) };
+        foreach (var argument in command.Arguments)
         {
-            var words = new List<string> { Path(command) };
-            foreach (var argument in command.Arguments)
-            {
-                string name = argument.Arity.MaximumNumberOfValues > 1 ? argument.Name + "..." : argument.Name;
-                words.Add(argument.Arity.MinimumNumberOfValues == 0 ? "[" + name + "]" : name);
-            }
-            foreach (var option in command.Options.Where(o => o.Required))
-                words.Add((option.Aliases.FirstOrDefault() ?? option.Name) + " " + option.HelpName);
-            words.Add("[options]");
-            return string.Join(" ", words);
+            string name = argument.Arity.MaximumNumberOfValues > 1 ? argument.Name + "..." : argument.Name;
+            words.Add(argument.Arity.MinimumNumberOfValues == 0 ? "[" + name + "]" : name);
         }
+        foreach (var option in command.Options.Where(o => o.Required))
+            words.Add((option.Aliases.FirstOrDefault() ?? option.Name) + " " + option.HelpName);
+        words.Add("[options]");
+        return string.Join(" ", words);
+    }
 
-        public static void Write(TextWriter writer, List<Verb> verbs, Command command)
-        {
-            var verb = verbs.First(v => v.Command == command);
-            bool isRoot = command is RootCommand;
-            writer.WriteLine("usage: " + Usage(command));
-            if (isRoot)
-                writer.WriteLine("       ./fastpoints VERB [options]");
-            writer.WriteLine();
-            Wrap(writer, "", "", command.Description!);
-            if (isRoot)
-            {
-                writer.WriteLine();
-                writer.WriteLine("Verbs (each has its own --help):");
-                foreach (var other in verbs.Skip(1))
-                    Wrap(writer, "  " + other.Command.Name, "".PadRight(16), other.Command.Description!);
-            }
-            WriteOptions(writer, command);
-            writer.WriteLine();
-            writer.WriteLine("Examples:");
-            foreach (var (line, what) in isRoot ? verbs.SelectMany(v => v.Examples) : verb.Examples)
-                writer.WriteLine("  " + line.PadRight(62) + "  " + what);
-            if (!isRoot)
-                return;
-            writer.WriteLine();
-            writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled (Ctrl-C leaves "
-                + "nothing half-written).");
-            writer.WriteLine("Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.");
-        }
-
-        static void WriteOptions(TextWriter writer, Command command)
+    public static void Write(TextWriter writer, List<Verb> verbs, Command command)
+    {
+        var verb = verbs.First(v => v.Command == command);
+        bool isRoot = command is RootCommand;
+        writer.WriteLine("usage: " + Usage(command));
+        if (isRoot)
+            writer.WriteLine("       ./fastpoints VERB [options]");
+        writer.WriteLine();
+        Wrap(writer, "", "", command.Description!);
+        if (isRoot)
         {
             writer.WriteLine();
-            writer.WriteLine("Options:");
-            foreach (var argument in command.Arguments)
-                Wrap(writer, "  " + argument.Name, "".PadRight(26), argument.Description!);
-            foreach (var option in command.Options.Where(o => !o.Hidden))
-            {
-                string? letter = option.Aliases.FirstOrDefault(a => a.Length == 2 && a[0] == '-' && char.IsLetter(a[1]));
-                string names = letter == null ? option.Name : letter + ", " + option.Name;
-                string value = option.HelpName == null ? "" : " " + option.HelpName;
-                Wrap(writer, "  " + names + value, "".PadRight(26), option.Description!);
-            }
+            writer.WriteLine("Verbs (each has its own --help):");
+            foreach (var other in verbs.Skip(1))
+                Wrap(writer, "  " + other.Command.Name, "".PadRight(16), other.Command.Description!);
         }
+        WriteOptions(writer, command);
+        writer.WriteLine();
+        writer.WriteLine("Examples:");
+        foreach (var (line, what) in isRoot ? verbs.SelectMany(v => v.Examples) : verb.Examples)
+            writer.WriteLine("  " + line.PadRight(62) + "  " + what);
+        if (!isRoot)
+            return;
+        writer.WriteLine();
+        writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled (Ctrl-C leaves "
+            + "nothing half-written).");
+        writer.WriteLine("Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.");
+    }
 
-        /// <summary>A head, and text in a column beside it.</summary>
-        static void Wrap(TextWriter writer, string head, string indent, string text)
+    static void WriteOptions(TextWriter writer, Command command)
+    {
+        writer.WriteLine();
+        writer.WriteLine("Options:");
+        foreach (var argument in command.Arguments)
+            Wrap(writer, "  " + argument.Name, "".PadRight(26), argument.Description!);
+        foreach (var option in command.Options.Where(o => !o.Hidden))
         {
-            string line = head.Length < indent.Length ? head.PadRight(indent.Length) : head.Length == 0 ? "" : head + "  ";
-            bool hasWord = false;
-            foreach (string word in text.Split(' '))
-            {
-                if (hasWord && line.Length + 1 + word.Length > Width)
-                {
-                    writer.WriteLine(line);
-                    line = indent;
-                    hasWord = false;
-                }
-                line += hasWord ? " " + word : word;
-                hasWord = true;
-            }
-            writer.WriteLine(line);
+            string? letter = option.Aliases.FirstOrDefault(a => a.Length == 2 && a[0] == '-' && char.IsLetter(a[1]));
+            string names = letter == null ? option.Name : letter + ", " + option.Name;
+            string value = option.HelpName == null ? "" : " " + option.HelpName;
+            Wrap(writer, "  " + names + value, "".PadRight(26), option.Description!);
         }
+    }
+
+    /// <summary>A head, and text in a column beside it.</summary>
+    static void Wrap(TextWriter writer, string head, string indent, string text)
+    {
+        string line = head.Length < indent.Length ? head.PadRight(indent.Length) : head.Length == 0 ? "" : head + "  ";
+        bool hasWord = false;
+        foreach (string word in text.Split(' '))
+        {
+            if (hasWord && line.Length + 1 + word.Length > Width)
+            {
+                writer.WriteLine(line);
+                line = indent;
+                hasWord = false;
+            }
+            line += hasWord ? " " + word : word;
+            hasWord = true;
+        }
+        writer.WriteLine(line);
     }
 }

@@ -5,19 +5,18 @@ using StandIns.Engine;
 
 [assembly: FastPoints.HostTests.FailsOnLoggedExceptions]
 
-namespace FastPoints.HostTests
+namespace FastPoints.HostTests;
+
+/// <summary>A test during which an exception was logged fails, as in Unity's runner: what a job or a system throws, nobody
+/// else is told.</summary>
+[AttributeUsage(AttributeTargets.Assembly)]
+sealed class FailsOnLoggedExceptionsAttribute : Attribute, ITestAction
 {
-    /// <summary>A test during which an exception was logged fails, as in Unity's runner: what a job or a system throws, nobody
-    /// else is told.</summary>
-    [AttributeUsage(AttributeTargets.Assembly)]
-    sealed class FailsOnLoggedExceptionsAttribute : Attribute, ITestAction
+    public ActionTargets Targets => ActionTargets.Test;
+
+    public void BeforeTest(ITest test)
     {
-        public ActionTargets Targets => ActionTargets.Test;
-
-        public void BeforeTest(ITest test)
-        {
-        }
-
-        public void AfterTest(ITest test) => LoggedExceptions.ThrowFirst();
     }
+
+    public void AfterTest(ITest test) => LoggedExceptions.ThrowFirst();
 }

@@ -1,48 +1,47 @@
 using FastPoints.RepoTools.Layers;
 
-namespace FastPoints.RepoTools
+namespace FastPoints.RepoTools;
+
+/// <summary>The package's assemblies as its asmdefs declare them.</summary>
+public sealed class AssemblyTable
 {
-    /// <summary>The package's assemblies as its asmdefs declare them.</summary>
-    public sealed class AssemblyTable
+    private readonly Dictionary<string, Asmdef> m_asmdefs;
+
+    public AssemblyTable(IEnumerable<Asmdef> asmdefs)
     {
-        private readonly Dictionary<string, Asmdef> m_asmdefs;
-
-        public AssemblyTable(IEnumerable<Asmdef> asmdefs)
-        {
-            m_asmdefs = asmdefs.ToDictionary(a => a.Name);
-        }
-
-        public IEnumerable<Asmdef> All => m_asmdefs.Values.OrderBy(a => a.Name, StringComparer.Ordinal);
-
-        /// <summary>Those of the samples are joined: see <see cref="SampleAssemblies"/>.</summary>
-        public static AssemblyTable Load(string packageRoot)
-        {
-            string samples = Path.Combine(packageRoot, SampleAssemblies.Folder) + Path.DirectorySeparatorChar;
-            return new AssemblyTable(Directory.EnumerateFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories)
-                .Where(f => !f.StartsWith(samples, StringComparison.Ordinal)).Select(Asmdef.Load)
-                .Concat(SampleAssemblies.Join(SampleAssemblies.Load(packageRoot))));
-        }
-
-        /// <summary>The assemblies that an asmdef names; none for an assembly without one.</summary>
-        public IReadOnlyCollection<string> References(string assembly) =>
-            m_asmdefs.TryGetValue(assembly, out Asmdef? asmdef) ? asmdef.References : Array.Empty<string>();
-
-        public bool IsEditor(string assembly) => m_asmdefs.TryGetValue(assembly, out Asmdef? asmdef) && asmdef.IsEditor;
+        m_asmdefs = asmdefs.ToDictionary(a => a.Name);
     }
 
-    /// <summary>One assembly definition: its name, what it references as written, and whether only the editor has it.</summary>
-    public sealed record Asmdef(string Name, string File, IReadOnlyList<string> References, bool IsEditor)
-    {
-        public static Asmdef Load(string file)
-        {
-            using JsonDocument json = JsonDocument.Parse(System.IO.File.ReadAllText(file));
-            JsonElement root = json.RootElement;
-            return new Asmdef(root.GetProperty("name").GetString()!, file, Strings(root, "references"),
-                Strings(root, "includePlatforms").SequenceEqual(new[] { "Editor" }));
-        }
+    public IEnumerable<Asmdef> All => m_asmdefs.Values.OrderBy(a => a.Name, StringComparer.Ordinal);
 
-        private static List<string> Strings(JsonElement root, string name) => root.TryGetProperty(name, out JsonElement list)
-            ? list.EnumerateArray().Select(e => e.GetString()!).ToList()
-            : new List<string>();
+    /// <summary>Those of the samples are joined: see <see cref="SampleAssemblies"/>.</summary>
+    public static AssemblyTable Load(string packageRoot)
+    {
+        string samples = Path.Combine(packageRoot, SampleAssemblies.Folder) + Path.DirectorySeparatorChar;
+        return new AssemblyTable(Directory.EnumerateFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories)
+            .Where(f => !f.StartsWith(samples, StringComparison.Ordinal)).Select(Asmdef.Load)
+            .Concat(SampleAssemblies.Join(SampleAssemblies.Load(packageRoot))));
     }
+
+    /// <summary>The assemblies that an asmdef names; none for an assembly without one.</summary>
+    public IReadOnlyCollection<string> References(string assembly) =>
+        m_asmdefs.TryGetValue(assembly, out Asmdef? asmdef) ? asmdef.References : Array.Empty<string>();
+
+    public bool IsEditor(string assembly) => m_asmdefs.TryGetValue(assembly, out Asmdef? asmdef) && asmdef.IsEditor;
+}
+
+/// <summary>One assembly definition: its name, what it references as written, and whether only the editor has it.</summary>
+public sealed record Asmdef(string Name, string File, IReadOnlyList<string> References, bool IsEditor)
+{
+    public static Asmdef Load(string file)
+    {
+        using JsonDocument json = JsonDocument.Parse(System.IO.File.ReadAllText(file));
+        JsonElement root = json.RootElement;
+        return new Asmdef(root.GetProperty("name").GetString()!, file, Strings(root, "references"),
+            Strings(root, "includePlatforms").SequenceEqual(new[] { "Editor" }));
+    }
+
+    private static List<string> Strings(JsonElement root, string name) => root.TryGetProperty(name, out JsonElement list)
+        ? list.EnumerateArray().Select(e => e.GetString()!).ToList()
+        : new List<string>();
 }

@@ -1,64 +1,63 @@
 using System.Diagnostics;
 
-namespace FastPoints.RepoTools
+namespace FastPoints.RepoTools;
+
+/// <summary>Where things lie in a checkout.</summary>
+public sealed class Repository(string root)
 {
-    /// <summary>Where things lie in a checkout.</summary>
-    public sealed class Repository(string root)
+    /// <summary>Unity's generations that the package is built for, oldest first.</summary>
+    public static readonly string[] Generations = { "6000.0", "6000.3", "6000.5" };
+
+    public string Root { get; } = Path.GetFullPath(root);
+
+    public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
+
+    public string Headless => Path.Combine(Root, "Headless");
+
+    public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
+
+    public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
+
+    /// <summary>What Unity does that the package relies on.</summary>
+    public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
+
+    /// <summary>How large the repository's parts may be.</summary>
+    public string House => Path.Combine(Headless, "Api", "house.tsv");
+
+    /// <summary>The full list of Unity's signatures; it may be absent.</summary>
+    public string FullApi => Path.Combine(DataRoot, "unity-api");
+
+    private string DataRoot =>
+        Environment.GetEnvironmentVariable("FASTPOINTS_DATA") ?? Path.Combine(Root, "..", "shared");
+
+    /// <summary>The folder of an assembly as one generation of Unity compiles it.</summary>
+    public string BuildOf(string assembly, string generation) =>
+        Path.Combine(Headless, "artifacts", "bin", assembly, "unity-" + generation);
+
+    /// <summary>Paths of the files that are committed or would be, with '/'.</summary>
+    public IReadOnlyList<string> Files()
     {
-        /// <summary>Unity's generations that the package is built for, oldest first.</summary>
-        public static readonly string[] Generations = { "6000.0", "6000.3", "6000.5" };
-
-        public string Root { get; } = Path.GetFullPath(root);
-
-        public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
-
-        public string Headless => Path.Combine(Root, "Headless");
-
-        public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
-
-        public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
-
-        /// <summary>What Unity does that the package relies on.</summary>
-        public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
-
-        /// <summary>How large the repository's parts may be.</summary>
-        public string House => Path.Combine(Headless, "Api", "house.tsv");
-
-        /// <summary>The full list of Unity's signatures; it may be absent.</summary>
-        public string FullApi => Path.Combine(DataRoot, "unity-api");
-
-        private string DataRoot =>
-            Environment.GetEnvironmentVariable("FASTPOINTS_DATA") ?? Path.Combine(Root, "..", "shared");
-
-        /// <summary>The folder of an assembly as one generation of Unity compiles it.</summary>
-        public string BuildOf(string assembly, string generation) =>
-            Path.Combine(Headless, "artifacts", "bin", assembly, "unity-" + generation);
-
-        /// <summary>Paths of the files that are committed or would be, with '/'.</summary>
-        public IReadOnlyList<string> Files()
+        var start = new ProcessStartInfo("git", "ls-files --cached --others --exclude-standard")
         {
-            var start = new ProcessStartInfo("git", "ls-files --cached --others --exclude-standard")
-            {
-                WorkingDirectory = Root,
-                RedirectStandardOutput = true,
-            };
-            using Process git = Process.Start(start) ?? throw new ToolException("git did not start");
-            string output = git.StandardOutput.ReadToEnd();
-            git.WaitForExit();
-            if (git.ExitCode != 0)
-                throw new ToolException("git ls-files failed");
-            return output.Split('\n').Where(f => f.Length > 0 && File.Exists(Path.Combine(Root, f))).Distinct().ToList();
-        }
+            WorkingDirectory = Root,
+            RedirectStandardOutput = true,
+        };
+        using Process git = Process.Start(start) ?? throw new ToolException("git did not start");
+        string output = git.StandardOutput.ReadToEnd();
+        git.WaitForExit();
+        if (git.ExitCode != 0)
+            throw new ToolException("git ls-files failed");
+        return output.Split('\n').Where(f => f.Length > 0 && File.Exists(Path.Combine(Root, f))).Distinct().ToList();
+    }
 
-        /// <summary>The checkout that this program was built in.</summary>
-        public static Repository Find()
+    /// <summary>The checkout that this program was built in.</summary>
+    public static Repository Find()
+    {
+        for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)
         {
-            for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)
-            {
-                if (File.Exists(Path.Combine(folder.FullName, "Packages", "com.fastpoints.dots", "package.json")))
-                    return new Repository(folder.FullName);
-            }
-            throw new ToolException($"no repository above {AppContext.BaseDirectory}; give it with --root");
+            if (File.Exists(Path.Combine(folder.FullName, "Packages", "com.fastpoints.dots", "package.json")))
+                return new Repository(folder.FullName);
         }
+        throw new ToolException($"no repository above {AppContext.BaseDirectory}; give it with --root");
     }
 }

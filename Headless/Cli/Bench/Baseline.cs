@@ -1,131 +1,130 @@
-namespace FastPoints.Cli.Bench
+namespace FastPoints.Cli.Bench;
+
+/// <summary>An earlier run to compare with, and what of it a comparison may believe.</summary>
+public sealed class Baseline
 {
-    /// <summary>An earlier run to compare with, and what of it a comparison may believe.</summary>
-    public sealed class Baseline
+    /// <summary>Points are recovered from points a second and times, both rounded.</summary>
+    const double SamePoints = 1e-3;
+
+    public const string Slower = "slower", Faster = "faster";
+
+    readonly PerformanceRun m_run;
+    readonly Dictionary<string, PerformanceTestResult> m_results = [];
+
+    public Baseline(string path, PerformanceRun run)
     {
-        /// <summary>Points are recovered from points a second and times, both rounded.</summary>
-        const double SamePoints = 1e-3;
-
-        public const string Slower = "slower", Faster = "faster";
-
-        readonly PerformanceRun m_run;
-        readonly Dictionary<string, PerformanceTestResult> m_results = [];
-
-        public Baseline(string path, PerformanceRun run)
-        {
-            (Path, m_run) = (path, run);
-            foreach (var result in run.Results)
-                if (PerformanceResults.WorkloadOf(result) is { } name)
-                    m_results[name] = result;
-        }
-
-        public string Path { get; }
-
-        /// <summary>When and where it ran, as far as it says.</summary>
-        public string Describe() => m_run.Date == 0 ? Path : string.Create(CultureInfo.InvariantCulture,
-            $"{Path}: {DateTimeOffset.FromUnixTimeMilliseconds(m_run.Date):yyyy-MM-dd HH:mm} UTC, "
-                + $"{m_run.Hardware.ProcessorType}, "
-            + $"{m_run.Hardware.ProcessorCount} cores, {m_run.Hardware.DeviceName}, {m_run.Editor.Version}");
-
-        /// <summary>What was otherwise in the earlier run, so that ratios say less; or null.</summary>
-        public string? Differences(PerformanceRun now)
-        {
-            if (m_run.Date == 0)
-                return null;
-            var pairs = new[]
-            {
-                (m_run.Hardware.ProcessorType, now.Hardware.ProcessorType), (m_run.Hardware.DeviceName, now.Hardware.DeviceName),
-                (m_run.Hardware.ProcessorCount + " cores", now.Hardware.ProcessorCount + " cores"),
-                (m_run.Editor.Version, now.Editor.Version),
-            };
-            var different = pairs.Where(p => p.Item1 != p.Item2).Select(p => p.Item1 + ", now " + p.Item2).ToList();
-            return different.Count == 0 ? null : "not the same machine or runtime: " + string.Join("; ", different);
-        }
-
-        /// <summary>Each workload beside its earlier self, in their order.</summary>
-        public List<BaselineRow> Compare(IReadOnlyList<WorkloadSamples> now)
-        {
-            var rows = now.Select(Compare).ToList();
-            double all = WorkloadSamples.Median(rows.Select(r => r.Time).OfType<SampleComparison>().Select(t => t.Ratio));
-            return rows.Select(row => row.BesideAll(all)).ToList();
-        }
-
-        BaselineRow Compare(WorkloadSamples now)
-        {
-            if (!m_results.TryGetValue(now.Name, out var before) ||
-                Samples(before, WorkloadSamples.Time) is not { Count: > 0 } times)
-                return new BaselineRow(now.Name, times: [], null, null, null, "new");
-            var error = before.SampleGroups.Find(g => g.Name.StartsWith(WorkloadSamples.Error, StringComparison.Ordinal));
-            double? earlierError = error == null ? null : WorkloadSamples.Median(error.Samples);
-            if (Differ(Amount(before, WorkloadSamples.PointsPerSecond), now.Points)
-                || Differ(Amount(before, WorkloadSamples.BytesPerSecond), now.Bytes))
-                return new BaselineRow(now.Name, times, null, null, earlierError, "other input");
-            var time = SampleComparison.Of(now.Ms, times);
-            var limit = SampleComparison.Of(now.TimesTheLimit.ToList(), Samples(before, WorkloadSamples.TimesLimit));
-            return new BaselineRow(now.Name, times, time, limit, earlierError, Verdict(time, limit));
-        }
-
-        /// <summary>By the limit of each run where there is one: a machine that is slower altogether slows both.</summary>
-        static string Verdict(SampleComparison? time, SampleComparison? limit)
-        {
-            bool isByLimit = limit is { IsUnknown: false };
-            var judged = isByLimit ? limit : time;
-            if (judged == null || judged.IsUnknown)
-                return "too few samples";
-            return (!judged.IsBeyondNoise ? "within the noise" : judged.Ratio > 1 ? Slower : Faster)
-                + (isByLimit ? ", by its limit" : "");
-        }
-
-        /// <summary>Points or bytes of one run, from what a second does; 0 where that is not there.</summary>
-        static double Amount(PerformanceTestResult result, string perSecond)
-        {
-            var rates = Samples(result, perSecond);
-            var times = Samples(result, WorkloadSamples.Time);
-            return rates.Count == 0 ? 0 : WorkloadSamples.Median(rates.Zip(times, (rate, ms) => rate * ms / 1000));
-        }
-
-        static bool Differ(double before, long now) => Math.Abs(before - now) > SamePoints * Math.Max(before, now);
-
-        static List<double> Samples(PerformanceTestResult result, string group) =>
-            result.SampleGroups.Find(g => g.Name == group)?.Samples ?? [];
+        (Path, m_run) = (path, run);
+        foreach (var result in run.Results)
+            if (PerformanceResults.WorkloadOf(result) is { } name)
+                m_results[name] = result;
     }
 
-    /// <summary>One workload beside its earlier self.</summary>
-    /// <param name="times">Milliseconds of the earlier run.</param>
-    /// <param name="time">Null where nothing can be compared.</param>
-    /// <param name="limit">The same of times by the limit's; null without one in both runs.</param>
-    public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
-        double? error, string verdict)
+    public string Path { get; }
+
+    /// <summary>When and where it ran, as far as it says.</summary>
+    public string Describe() => m_run.Date == 0 ? Path : string.Create(CultureInfo.InvariantCulture,
+        $"{Path}: {DateTimeOffset.FromUnixTimeMilliseconds(m_run.Date):yyyy-MM-dd HH:mm} UTC, "
+            + $"{m_run.Hardware.ProcessorType}, "
+        + $"{m_run.Hardware.ProcessorCount} cores, {m_run.Hardware.DeviceName}, {m_run.Editor.Version}");
+
+    /// <summary>What was otherwise in the earlier run, so that ratios say less; or null.</summary>
+    public string? Differences(PerformanceRun now)
     {
-        /// <summary>Of the logarithm of the median ratio: less is not held against the machine.</summary>
-        const double CommonChange = 0.03;
-
-        public string Name => name;
-        public IReadOnlyList<double> Times => times;
-        public SampleComparison? Time => time;
-        public SampleComparison? Limit => limit;
-        public double? Error => error;
-        public string Verdict => verdict;
-
-        /// <summary>What has only its time to be judged by is not called slower where all are: that may be the machine.</summary>
-        /// <param name="all">The median ratio of all workloads.</param>
-        public BaselineRow BesideAll(double all)
+        if (m_run.Date == 0)
+            return null;
+        var pairs = new[]
         {
-            if (time == null || (verdict != Baseline.Slower && verdict != Baseline.Faster))
-                return this;
-            // Between no change and that of all, or with that of all inside what the scatter allows.
-            bool isAsAll = time.Low <= all && all <= time.High;
-            bool isLess = verdict == Baseline.Slower ? all > time.High : all < time.Low;
-            string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange
-                ? ", as all are"
-                : isLess ? ", less than all are" : "";
-            return new BaselineRow(name, times, time, limit, error, verdict + beside);
-        }
-
-        /// <summary>0.93 (0.90 to 0.97): a ratio and what the scatter allows.</summary>
-        public static string Interval(SampleComparison? comparison) => comparison == null ? ""
-            : comparison.IsUnknown ? comparison.Ratio.ToString("0.00", CultureInfo.InvariantCulture)
-            : string.Create(CultureInfo.InvariantCulture,
-                $"{comparison.Ratio:0.00} ({comparison.Low:0.00} to {comparison.High:0.00})");
+            (m_run.Hardware.ProcessorType, now.Hardware.ProcessorType), (m_run.Hardware.DeviceName, now.Hardware.DeviceName),
+            (m_run.Hardware.ProcessorCount + " cores", now.Hardware.ProcessorCount + " cores"),
+            (m_run.Editor.Version, now.Editor.Version),
+        };
+        var different = pairs.Where(p => p.Item1 != p.Item2).Select(p => p.Item1 + ", now " + p.Item2).ToList();
+        return different.Count == 0 ? null : "not the same machine or runtime: " + string.Join("; ", different);
     }
+
+    /// <summary>Each workload beside its earlier self, in their order.</summary>
+    public List<BaselineRow> Compare(IReadOnlyList<WorkloadSamples> now)
+    {
+        var rows = now.Select(Compare).ToList();
+        double all = WorkloadSamples.Median(rows.Select(r => r.Time).OfType<SampleComparison>().Select(t => t.Ratio));
+        return rows.Select(row => row.BesideAll(all)).ToList();
+    }
+
+    BaselineRow Compare(WorkloadSamples now)
+    {
+        if (!m_results.TryGetValue(now.Name, out var before) ||
+            Samples(before, WorkloadSamples.Time) is not { Count: > 0 } times)
+            return new BaselineRow(now.Name, times: [], null, null, null, "new");
+        var error = before.SampleGroups.Find(g => g.Name.StartsWith(WorkloadSamples.Error, StringComparison.Ordinal));
+        double? earlierError = error == null ? null : WorkloadSamples.Median(error.Samples);
+        if (Differ(Amount(before, WorkloadSamples.PointsPerSecond), now.Points)
+            || Differ(Amount(before, WorkloadSamples.BytesPerSecond), now.Bytes))
+            return new BaselineRow(now.Name, times, null, null, earlierError, "other input");
+        var time = SampleComparison.Of(now.Ms, times);
+        var limit = SampleComparison.Of(now.TimesTheLimit.ToList(), Samples(before, WorkloadSamples.TimesLimit));
+        return new BaselineRow(now.Name, times, time, limit, earlierError, Verdict(time, limit));
+    }
+
+    /// <summary>By the limit of each run where there is one: a machine that is slower altogether slows both.</summary>
+    static string Verdict(SampleComparison? time, SampleComparison? limit)
+    {
+        bool isByLimit = limit is { IsUnknown: false };
+        var judged = isByLimit ? limit : time;
+        if (judged == null || judged.IsUnknown)
+            return "too few samples";
+        return (!judged.IsBeyondNoise ? "within the noise" : judged.Ratio > 1 ? Slower : Faster)
+            + (isByLimit ? ", by its limit" : "");
+    }
+
+    /// <summary>Points or bytes of one run, from what a second does; 0 where that is not there.</summary>
+    static double Amount(PerformanceTestResult result, string perSecond)
+    {
+        var rates = Samples(result, perSecond);
+        var times = Samples(result, WorkloadSamples.Time);
+        return rates.Count == 0 ? 0 : WorkloadSamples.Median(rates.Zip(times, (rate, ms) => rate * ms / 1000));
+    }
+
+    static bool Differ(double before, long now) => Math.Abs(before - now) > SamePoints * Math.Max(before, now);
+
+    static List<double> Samples(PerformanceTestResult result, string group) =>
+        result.SampleGroups.Find(g => g.Name == group)?.Samples ?? [];
+}
+
+/// <summary>One workload beside its earlier self.</summary>
+/// <param name="times">Milliseconds of the earlier run.</param>
+/// <param name="time">Null where nothing can be compared.</param>
+/// <param name="limit">The same of times by the limit's; null without one in both runs.</param>
+public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
+    double? error, string verdict)
+{
+    /// <summary>Of the logarithm of the median ratio: less is not held against the machine.</summary>
+    const double CommonChange = 0.03;
+
+    public string Name => name;
+    public IReadOnlyList<double> Times => times;
+    public SampleComparison? Time => time;
+    public SampleComparison? Limit => limit;
+    public double? Error => error;
+    public string Verdict => verdict;
+
+    /// <summary>What has only its time to be judged by is not called slower where all are: that may be the machine.</summary>
+    /// <param name="all">The median ratio of all workloads.</param>
+    public BaselineRow BesideAll(double all)
+    {
+        if (time == null || (verdict != Baseline.Slower && verdict != Baseline.Faster))
+            return this;
+        // Between no change and that of all, or with that of all inside what the scatter allows.
+        bool isAsAll = time.Low <= all && all <= time.High;
+        bool isLess = verdict == Baseline.Slower ? all > time.High : all < time.Low;
+        string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange
+            ? ", as all are"
+            : isLess ? ", less than all are" : "";
+        return new BaselineRow(name, times, time, limit, error, verdict + beside);
+    }
+
+    /// <summary>0.93 (0.90 to 0.97): a ratio and what the scatter allows.</summary>
+    public static string Interval(SampleComparison? comparison) => comparison == null ? ""
+        : comparison.IsUnknown ? comparison.Ratio.ToString("0.00", CultureInfo.InvariantCulture)
+        : string.Create(CultureInfo.InvariantCulture,
+            $"{comparison.Ratio:0.00} ({comparison.Low:0.00} to {comparison.High:0.00})");
 }

@@ -1,111 +1,110 @@
-namespace FastPoints.Cli.Bench
+namespace FastPoints.Cli.Bench;
+
+/// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier
+/// run.</summary>
+public static class BenchReport
 {
-    /// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier
-    /// run.</summary>
-    public static class BenchReport
+    /// <summary>Times of a chart that are farther apart than this get a logarithmic axis.</summary>
+    const double WideRange = 8;
+
+    /// <param name="rows">The comparison of each workload, in their order; null without a baseline.</param>
+    public static byte[] Make(PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline? baseline,
+        IReadOnlyList<BaselineRow>? rows, int points)
     {
-        /// <summary>Times of a chart that are farther apart than this get a logarithmic axis.</summary>
-        const double WideRange = 8;
-
-        /// <param name="rows">The comparison of each workload, in their order; null without a baseline.</param>
-        public static byte[] Make(PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline? baseline,
-            IReadOnlyList<BaselineRow>? rows, int points)
+        var page = new ReportPage("Benchmarks");
+        page.Facts(
+        [
+            ("run", DateTimeOffset.FromUnixTimeMilliseconds(run.Date).ToString("yyyy-MM-dd HH:mm",
+                CultureInfo.InvariantCulture) + " UTC"),
+            ("machine", Machine.Describe()),
+            ("made inputs", Human.Count(points) + " points"),
+            ("samples", samples.Max(s => s.Ms.Count) + " of each workload, in turns with its limit; short runs "
+                + "are repeated within one"),
+        ]);
+        if (baseline != null && rows != null)
+            Compare(page, run, samples, baseline, rows);
+        foreach (var family in samples.Select((s, i) => (Samples: s, Row: rows?[i])).GroupBy(p => FamilyOf(p.Samples.Name)))
         {
-            var page = new ReportPage("Benchmarks");
-            page.Facts(
-            [
-                ("run", DateTimeOffset.FromUnixTimeMilliseconds(run.Date).ToString("yyyy-MM-dd HH:mm",
-                    CultureInfo.InvariantCulture) + " UTC"),
-                ("machine", Machine.Describe()),
-                ("made inputs", Human.Count(points) + " points"),
-                ("samples", samples.Max(s => s.Ms.Count) + " of each workload, in turns with its limit; short runs "
-                    + "are repeated within one"),
-            ]);
-            if (baseline != null && rows != null)
-                Compare(page, run, samples, baseline, rows);
-            foreach (var family in samples.Select((s, i) => (Samples: s, Row: rows?[i])).GroupBy(p => FamilyOf(p.Samples.Name)))
-            {
-                page.Heading(family.Key);
-                var present = family.Where(p => p.Samples.HadInput).ToList();
-                if (present.Count > 0)
-                    page.Chart(Times(family.Key, present, baseline != null));
-                page.WideTable(BenchTable.Of(family.Select(p => p.Samples).ToList(),
-                    rows == null ? null : family.Select(p => p.Row!).ToList()));
-                foreach (var noted in family.Where(p => p.Samples.Note != null))
-                    page.Paragraph(noted.Samples.Name + ": " + noted.Samples.Note);
-            }
-            page.Heading("How to read this");
-            page.Paragraph("Each marker is a sample, the tick across the bar is their median, which tables give. "
-                + "\"Scatter\" is the shortest and the longest sample. \"x limit\" is time by point over that of what bounds the "
-                + "workload (a plain read and copy, the same loop over raw pointers), sample by sample, in turns. An error is "
-                + "that of an approximation; what has none is exact.");
-            return page.ToBytes();
+            page.Heading(family.Key);
+            var present = family.Where(p => p.Samples.HadInput).ToList();
+            if (present.Count > 0)
+                page.Chart(Times(family.Key, present, baseline != null));
+            page.WideTable(BenchTable.Of(family.Select(p => p.Samples).ToList(),
+                rows == null ? null : family.Select(p => p.Row!).ToList()));
+            foreach (var noted in family.Where(p => p.Samples.Note != null))
+                page.Paragraph(noted.Samples.Name + ": " + noted.Samples.Note);
         }
-
-        static void Compare(ReportPage page, PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline baseline,
-            IReadOnlyList<BaselineRow> rows)
-        {
-            page.Heading("Against the earlier run");
-            page.Paragraph(baseline.Describe());
-            if (baseline.Differences(run) is { } differences)
-                page.Warning("warning: " + differences);
-            foreach (string line in Honesty(rows))
-                page.Paragraph(line);
-            var chart = new RowChart("Time, by the earlier run's", "ratio and its 95 %: left of 1 is faster now", "", "time",
-                "time by the limit's")
-            {
-                LogX = true,
-                Reference = 1,
-            };
-            foreach (var row in rows.Where(r => r.Time != null))
-                chart.Add(row.Name, row.Verdict, Interval(row.Time), Interval(row.Limit));
-            page.Chart(chart);
-            for (int i = 0; i < rows.Count; i++)
-                if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
-                    page.Paragraph($"{rows[i].Name}: its error was {Human.Measured(before)}, now "
-                        + $"{BenchTable.Error(samples[i])}.");
-        }
-
-        static double[] Interval(SampleComparison? comparison) => comparison == null ? []
-            : comparison.IsUnknown ? [comparison.Ratio] : [comparison.Low, comparison.Ratio, comparison.High];
-
-        /// <summary>What a comparison of two runs cannot know.</summary>
-        public static IEnumerable<string> Honesty(IReadOnlyList<BaselineRow> rows)
-        {
-            var times = rows.Select(r => r.Time).OfType<SampleComparison>().ToList();
-            if (times.Count == 0)
-            {
-                yield return "No workload of that run can be compared with this one.";
-                yield break;
-            }
-            yield return string.Create(CultureInfo.InvariantCulture,
-                $"\"slower\" and \"faster\" mark what is beyond the scatter of the samples of both runs (95 %); of {times.Count} "
-                    + $"compared, {Math.Max(1, (int)Math.Round(times.Count * 0.05))} would be marked by "
-                + $"chance if nothing had changed. The median ratio of all is "
-                + $"{WorkloadSamples.Median(times.Select(t => t.Ratio)):0.00}: what slows "
-                + $"all alike is the machine or what all share. Samples of one run know nothing of how a machine changes from "
-                + $"hour to hour: repeat both runs in turns before believing a difference, or go by those that are "
-                + $"judged by their limit.");
-            if (times.Any(t => t.IsUnknown))
-                yield return "Fewer than four samples in one of the runs (or a --json summary, which holds medians only): "
-                    + "nothing can be said of noise there.";
-        }
-
-        static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads,
-            bool isCompared)
-        {
-            var ms = workloads.SelectMany(w => w.Samples.Ms.Concat(w.Row?.Times ?? [])).Where(v => v > 0).ToList();
-            var chart = new RowChart("Time of one run: " + family, "milliseconds", "error",
-                isCompared ? ["now", "earlier"] : ["now"])
-            {
-                LogX = ms.Count > 0 && ms.Max() / ms.Min() > WideRange,
-            };
-            foreach (var (samples, row) in workloads)
-                chart.Add(samples.Name, BenchTable.Error(samples), isCompared ? [samples.Ms, row!.Times] : [samples.Ms]);
-            return chart;
-        }
-
-        /// <summary>Workloads whose names begin alike are shown together.</summary>
-        static string FamilyOf(string workload) => workload.Split(' ', ',')[0];
+        page.Heading("How to read this");
+        page.Paragraph("Each marker is a sample, the tick across the bar is their median, which tables give. "
+            + "\"Scatter\" is the shortest and the longest sample. \"x limit\" is time by point over that of what bounds the "
+            + "workload (a plain read and copy, the same loop over raw pointers), sample by sample, in turns. An error is "
+            + "that of an approximation; what has none is exact.");
+        return page.ToBytes();
     }
+
+    static void Compare(ReportPage page, PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline baseline,
+        IReadOnlyList<BaselineRow> rows)
+    {
+        page.Heading("Against the earlier run");
+        page.Paragraph(baseline.Describe());
+        if (baseline.Differences(run) is { } differences)
+            page.Warning("warning: " + differences);
+        foreach (string line in Honesty(rows))
+            page.Paragraph(line);
+        var chart = new RowChart("Time, by the earlier run's", "ratio and its 95 %: left of 1 is faster now", "", "time",
+            "time by the limit's")
+        {
+            LogX = true,
+            Reference = 1,
+        };
+        foreach (var row in rows.Where(r => r.Time != null))
+            chart.Add(row.Name, row.Verdict, Interval(row.Time), Interval(row.Limit));
+        page.Chart(chart);
+        for (int i = 0; i < rows.Count; i++)
+            if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
+                page.Paragraph($"{rows[i].Name}: its error was {Human.Measured(before)}, now "
+                    + $"{BenchTable.Error(samples[i])}.");
+    }
+
+    static double[] Interval(SampleComparison? comparison) => comparison == null ? []
+        : comparison.IsUnknown ? [comparison.Ratio] : [comparison.Low, comparison.Ratio, comparison.High];
+
+    /// <summary>What a comparison of two runs cannot know.</summary>
+    public static IEnumerable<string> Honesty(IReadOnlyList<BaselineRow> rows)
+    {
+        var times = rows.Select(r => r.Time).OfType<SampleComparison>().ToList();
+        if (times.Count == 0)
+        {
+            yield return "No workload of that run can be compared with this one.";
+            yield break;
+        }
+        yield return string.Create(CultureInfo.InvariantCulture,
+            $"\"slower\" and \"faster\" mark what is beyond the scatter of the samples of both runs (95 %); of {times.Count} "
+                + $"compared, {Math.Max(1, (int)Math.Round(times.Count * 0.05))} would be marked by "
+            + $"chance if nothing had changed. The median ratio of all is "
+            + $"{WorkloadSamples.Median(times.Select(t => t.Ratio)):0.00}: what slows "
+            + $"all alike is the machine or what all share. Samples of one run know nothing of how a machine changes from "
+            + $"hour to hour: repeat both runs in turns before believing a difference, or go by those that are "
+            + $"judged by their limit.");
+        if (times.Any(t => t.IsUnknown))
+            yield return "Fewer than four samples in one of the runs (or a --json summary, which holds medians only): "
+                + "nothing can be said of noise there.";
+    }
+
+    static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads,
+        bool isCompared)
+    {
+        var ms = workloads.SelectMany(w => w.Samples.Ms.Concat(w.Row?.Times ?? [])).Where(v => v > 0).ToList();
+        var chart = new RowChart("Time of one run: " + family, "milliseconds", "error",
+            isCompared ? ["now", "earlier"] : ["now"])
+        {
+            LogX = ms.Count > 0 && ms.Max() / ms.Min() > WideRange,
+        };
+        foreach (var (samples, row) in workloads)
+            chart.Add(samples.Name, BenchTable.Error(samples), isCompared ? [samples.Ms, row!.Times] : [samples.Ms]);
+        return chart;
+    }
+
+    /// <summary>Workloads whose names begin alike are shown together.</summary>
+    static string FamilyOf(string workload) => workload.Split(' ', ',')[0];
 }

@@ -1,48 +1,47 @@
-namespace FastPoints.Cli.Bench
+namespace FastPoints.Cli.Bench;
+
+/// <summary>Workloads as rows of text, for a terminal and for a page.</summary>
+public static class BenchTable
 {
-    /// <summary>Workloads as rows of text, for a terminal and for a page.</summary>
-    public static class BenchTable
+    public static TextTable Of(IReadOnlyList<WorkloadSamples> samples, IReadOnlyList<BaselineRow>? baseline)
     {
-        public static TextTable Of(IReadOnlyList<WorkloadSamples> samples, IReadOnlyList<BaselineRow>? baseline)
+        var heads = new List<string> { "workload", "ms", "scatter", "points/s", "MB/s", "x limit", "error", "garbage" };
+        if (baseline != null)
+            heads.AddRange(["x baseline (95 %)", "x limit by baseline's", ""]);
+        var table = new TextTable(heads.ToArray());
+        for (int i = 0; i < samples.Count; i++)
         {
-            var heads = new List<string> { "workload", "ms", "scatter", "points/s", "MB/s", "x limit", "error", "garbage" };
-            if (baseline != null)
-                heads.AddRange(["x baseline (95 %)", "x limit by baseline's", ""]);
-            var table = new TextTable(heads.ToArray());
-            for (int i = 0; i < samples.Count; i++)
+            var s = samples[i];
+            if (!s.HadInput)
             {
-                var s = samples[i];
-                if (!s.HadInput)
-                {
-                    table.Add(s.Name, "no input");
-                    continue;
-                }
-                var cells = new List<string>
-                {
-                    s.Name,
-                    s.MedianMs.ToString("0.000", CultureInfo.InvariantCulture),
-                    Scatter(s),
-                    s.Points > 0 ? Human.Short(s.MedianPointsPerSecond) : "",
-                    s.Bytes > 0 ? (s.MedianBytesPerSecond / 1e6).ToString("N0", CultureInfo.InvariantCulture) : "",
-                    s.HasLimit ? WorkloadSamples.Median(s.TimesTheLimit).ToString("0.00", CultureInfo.InvariantCulture) : "",
-                    Error(s),
-                    Human.Bytes(s.MedianGarbageBytes),
-                };
-                if (baseline != null)
-                    cells.AddRange([BaselineRow.Interval(baseline[i].Time), BaselineRow.Interval(baseline[i].Limit),
-                        baseline[i].Verdict]);
-                table.Add(cells.ToArray());
+                table.Add(s.Name, "no input");
+                continue;
             }
-            return table;
+            var cells = new List<string>
+            {
+                s.Name,
+                s.MedianMs.ToString("0.000", CultureInfo.InvariantCulture),
+                Scatter(s),
+                s.Points > 0 ? Human.Short(s.MedianPointsPerSecond) : "",
+                s.Bytes > 0 ? (s.MedianBytesPerSecond / 1e6).ToString("N0", CultureInfo.InvariantCulture) : "",
+                s.HasLimit ? WorkloadSamples.Median(s.TimesTheLimit).ToString("0.00", CultureInfo.InvariantCulture) : "",
+                Error(s),
+                Human.Bytes(s.MedianGarbageBytes),
+            };
+            if (baseline != null)
+                cells.AddRange([BaselineRow.Interval(baseline[i].Time), BaselineRow.Interval(baseline[i].Limit),
+                    baseline[i].Verdict]);
+            table.Add(cells.ToArray());
         }
-
-        public static string Error(WorkloadSamples samples) =>
-            samples.ErrorUnit != null ? Human.Measured(samples.MedianError) + " " + samples.ErrorUnit
-            : samples.MedianError == 0 ? "exact" : Human.Measured(samples.MedianError);
-
-        /// <summary>From the shortest to the longest sample, as shares of the median.</summary>
-        static string Scatter(WorkloadSamples samples) => samples.Ms.Count < 2 || samples.MedianMs <= 0 ? "" : string.Create(
-            CultureInfo.InvariantCulture,
-            $"-{100 * (1 - samples.Ms.Min() / samples.MedianMs):0} +{100 * (samples.Ms.Max() / samples.MedianMs - 1):0} %");
+        return table;
     }
+
+    public static string Error(WorkloadSamples samples) =>
+        samples.ErrorUnit != null ? Human.Measured(samples.MedianError) + " " + samples.ErrorUnit
+        : samples.MedianError == 0 ? "exact" : Human.Measured(samples.MedianError);
+
+    /// <summary>From the shortest to the longest sample, as shares of the median.</summary>
+    static string Scatter(WorkloadSamples samples) => samples.Ms.Count < 2 || samples.MedianMs <= 0 ? "" : string.Create(
+        CultureInfo.InvariantCulture,
+        $"-{100 * (1 - samples.Ms.Min() / samples.MedianMs):0} +{100 * (samples.Ms.Max() / samples.MedianMs - 1):0} %");
 }

@@ -1,99 +1,98 @@
 // The classes are the Performance Testing package's own JSON (Unity.PerformanceTesting.Data.Run, version 3), field by field: what
 // reads its PerformanceTestResults.json reads a run of ours.
-namespace FastPoints.Cli.Bench
+namespace FastPoints.Cli.Bench;
+
+/// <summary>One run of tests or workloads: where, with what, and every sample.</summary>
+public sealed class PerformanceRun
 {
-    /// <summary>One run of tests or workloads: where, with what, and every sample.</summary>
-    public sealed class PerformanceRun
-    {
-        public string TestSuite = "";
+    public string TestSuite = "";
 
-        /// <summary>Milliseconds since 1970, UTC.</summary>
-        public long Date;
-        public RunPlayer Player = new();
-        public RunHardware Hardware = new();
-        public RunEditor Editor = new();
+    /// <summary>Milliseconds since 1970, UTC.</summary>
+    public long Date;
+    public RunPlayer Player = new();
+    public RunHardware Hardware = new();
+    public RunEditor Editor = new();
 
-        /// <summary>Packages as <c>name@version</c>.</summary>
-        public List<string> Dependencies = [];
-        public List<PerformanceTestResult> Results = [];
-    }
+    /// <summary>Packages as <c>name@version</c>.</summary>
+    public List<string> Dependencies = [];
+    public List<PerformanceTestResult> Results = [];
+}
 
-    /// <summary>One test with its groups of samples.</summary>
-    public sealed class PerformanceTestResult
-    {
-        public string Name = "";
-        public string ClassName = "";
-        public string MethodName = "";
-        public string Version = "1";
-        public List<string> Categories = ["Performance"];
-        public List<SampleGroup> SampleGroups = [];
+/// <summary>One test with its groups of samples.</summary>
+public sealed class PerformanceTestResult
+{
+    public string Name = "";
+    public string ClassName = "";
+    public string MethodName = "";
+    public string Version = "1";
+    public List<string> Categories = ["Performance"];
+    public List<SampleGroup> SampleGroups = [];
 
-        /// <summary>Negative: none.</summary>
-        public double Threshold = -1;
-    }
+    /// <summary>Negative: none.</summary>
+    public double Threshold = -1;
+}
 
-    /// <summary>Samples of one kind, and what follows from them.</summary>
-    public sealed class SampleGroup
-    {
-        public string Name = "";
+/// <summary>Samples of one kind, and what follows from them.</summary>
+public sealed class SampleGroup
+{
+    public string Name = "";
 
-        /// <summary>2 milliseconds, 4 bytes, 8 undefined; the others as in the package.</summary>
-        public int Unit;
-        public bool IncreaseIsBetter;
-        public List<double> Samples = [];
-        public double Min;
-        public double Max;
-        public double Median;
-        public double Average;
+    /// <summary>2 milliseconds, 4 bytes, 8 undefined; the others as in the package.</summary>
+    public int Unit;
+    public bool IncreaseIsBetter;
+    public List<double> Samples = [];
+    public double Min;
+    public double Max;
+    public double Median;
+    public double Average;
 
-        /// <summary>Of these samples, not an estimate for all that might have been taken.</summary>
-        public double StandardDeviation;
-        public double Sum;
-    }
+    /// <summary>Of these samples, not an estimate for all that might have been taken.</summary>
+    public double StandardDeviation;
+    public double Sum;
+}
 
-    /// <summary>What is not known without a player is empty or 0.</summary>
-    public sealed class RunPlayer
-    {
-        public bool Development;
-        public int ScreenWidth;
-        public int ScreenHeight;
-        public int ScreenRefreshRate;
-        public bool Fullscreen;
-        public int Vsync;
-        public int AntiAliasing;
-        public bool Batchmode;
-        public string RenderThreadingMode = "";
-        public bool MtRendering;
-        public bool GraphicsJobs;
-        public bool GpuSkinning;
-        public string Platform = "";
-        public string ColorSpace = "";
-        public string AnisotropicFiltering = "";
-        public string BlendWeights = "";
-        public string GraphicsApi = "";
-        public string ScriptingBackend = "";
-        public string AndroidTargetSdkVersion = "";
-        public string AndroidBuildSystem = "";
-        public string BuildTarget = "";
-        public string StereoRenderingPath = "";
-    }
+/// <summary>What is not known without a player is empty or 0.</summary>
+public sealed class RunPlayer
+{
+    public bool Development;
+    public int ScreenWidth;
+    public int ScreenHeight;
+    public int ScreenRefreshRate;
+    public bool Fullscreen;
+    public int Vsync;
+    public int AntiAliasing;
+    public bool Batchmode;
+    public string RenderThreadingMode = "";
+    public bool MtRendering;
+    public bool GraphicsJobs;
+    public bool GpuSkinning;
+    public string Platform = "";
+    public string ColorSpace = "";
+    public string AnisotropicFiltering = "";
+    public string BlendWeights = "";
+    public string GraphicsApi = "";
+    public string ScriptingBackend = "";
+    public string AndroidTargetSdkVersion = "";
+    public string AndroidBuildSystem = "";
+    public string BuildTarget = "";
+    public string StereoRenderingPath = "";
+}
 
-    public sealed class RunHardware
-    {
-        public string OperatingSystem = "";
-        public string DeviceModel = "";
-        public string DeviceName = "";
-        public string ProcessorType = "";
-        public int ProcessorCount;
-        public string GraphicsDeviceName = "";
-        public int SystemMemorySizeMB;
-    }
+public sealed class RunHardware
+{
+    public string OperatingSystem = "";
+    public string DeviceModel = "";
+    public string DeviceName = "";
+    public string ProcessorType = "";
+    public int ProcessorCount;
+    public string GraphicsDeviceName = "";
+    public int SystemMemorySizeMB;
+}
 
-    public sealed class RunEditor
-    {
-        public string Version = "";
-        public string Branch = "";
-        public string Changeset = "";
-        public int Date;
-    }
+public sealed class RunEditor
+{
+    public string Version = "";
+    public string Branch = "";
+    public string Changeset = "";
+    public int Date;
 }

@@ -1,53 +1,52 @@
-namespace FastPoints.Cli.Convert
+namespace FastPoints.Cli.Convert;
+
+/// <summary>A cloud that was converted, and what is to be said of it.</summary>
+public sealed class ConvertStep
 {
-    /// <summary>A cloud that was converted, and what is to be said of it.</summary>
-    public sealed class ConvertStep
+    public required ConvertResult Result { get; init; }
+    public required double Seconds { get; init; }
+
+    public static ConvertStep Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, CliRun run)
     {
-        public required ConvertResult Result { get; init; }
-        public required double Seconds { get; init; }
+        double begin = run.Seconds;
+        ConvertResult? result = null;
+        run.Pump(ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress));
+        foreach (var reader in readers)
+            run.Warn(reader.Info);
+        return new ConvertStep { Result = result!, Seconds = run.Seconds - begin };
+    }
 
-        public static ConvertStep Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, CliRun run)
-        {
-            double begin = run.Seconds;
-            ConvertResult? result = null;
-            run.Pump(ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress));
-            foreach (var reader in readers)
-                run.Warn(reader.Info);
-            return new ConvertStep { Result = result!, Seconds = run.Seconds - begin };
-        }
+    public string Describe()
+    {
+        var manifest = Result.Manifest;
+        string leftOut = manifest.PointsLeftOut > 0 ? ", " + Human.Count(manifest.PointsLeftOut) + " left out" : "";
+        string perPoint = manifest.Points > 0
+            ? " (" + Human.Value(System.Math.Round(Result.BytesOnDisk / (double)manifest.Points, 2)) + " bytes a point)"
+            : "";
+        string note = Result.Note == null ? "" : " (" + Result.Note + ")";
+        return Human.Count(manifest.Points) + " points" + leftOut + " in " + Human.Count(manifest.NodeCount) + " nodes, "
+            + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds) + note;
+    }
 
-        public string Describe()
-        {
-            var manifest = Result.Manifest;
-            string leftOut = manifest.PointsLeftOut > 0 ? ", " + Human.Count(manifest.PointsLeftOut) + " left out" : "";
-            string perPoint = manifest.Points > 0
-                ? " (" + Human.Value(System.Math.Round(Result.BytesOnDisk / (double)manifest.Points, 2)) + " bytes a point)"
-                : "";
-            string note = Result.Note == null ? "" : " (" + Result.Note + ")";
-            return Human.Count(manifest.Points) + " points" + leftOut + " in " + Human.Count(manifest.NodeCount) + " nodes, "
-                + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds) + note;
-        }
-
-        /// <summary>The keys of <c>convert</c>, into an object that is open.</summary>
-        public void WriteKeys(Utf8JsonWriter json)
-        {
-            var manifest = Result.Manifest;
-            json.WriteInteger("points", manifest.Points);
-            json.WriteInteger("pointsLeftOut", manifest.PointsLeftOut);
-            json.WriteInteger("nodes", manifest.NodeCount);
-            json.WriteInteger("levelCount", Result.LevelCount);
-            json.WriteInteger("bytesOnDisk", Result.BytesOnDisk);
-            json.WriteInteger("temporaryBytesPeak", Result.TemporaryBytesPeak);
-            json.WriteStartObject("sliceMs");
-            json.WriteReal("p50", Result.SliceMs[0]);
-            json.WriteReal("p99", Result.SliceMs[1]);
-            json.WriteReal("max", Result.SliceMs[2]);
-            json.WriteEndObject();
-            json.WriteString("checksum", manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
-            json.WriteStartObject("bytesPerPoint");
-            foreach (var (name, bytes) in Result.PlaneNames.Zip(Result.BytesOfPlane))
-                json.WriteReal(name, manifest.Points > 0 ? bytes / (double)manifest.Points : 0);
-            json.WriteEndObject();
-        }
+    /// <summary>The keys of <c>convert</c>, into an object that is open.</summary>
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        var manifest = Result.Manifest;
+        json.WriteInteger("points", manifest.Points);
+        json.WriteInteger("pointsLeftOut", manifest.PointsLeftOut);
+        json.WriteInteger("nodes", manifest.NodeCount);
+        json.WriteInteger("levelCount", Result.LevelCount);
+        json.WriteInteger("bytesOnDisk", Result.BytesOnDisk);
+        json.WriteInteger("temporaryBytesPeak", Result.TemporaryBytesPeak);
+        json.WriteStartObject("sliceMs");
+        json.WriteReal("p50", Result.SliceMs[0]);
+        json.WriteReal("p99", Result.SliceMs[1]);
+        json.WriteReal("max", Result.SliceMs[2]);
+        json.WriteEndObject();
+        json.WriteString("checksum", manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
+        json.WriteStartObject("bytesPerPoint");
+        foreach (var (name, bytes) in Result.PlaneNames.Zip(Result.BytesOfPlane))
+            json.WriteReal(name, manifest.Points > 0 ? bytes / (double)manifest.Points : 0);
+        json.WriteEndObject();
     }
 }

@@ -1,57 +1,56 @@
 using FastPoints.LazEncoding;
 
-namespace FastPoints.Cli.Demo
+namespace FastPoints.Cli.Demo;
+
+/// <summary>The seeded scan as a file.</summary>
+public static class DemoCloud
 {
-    /// <summary>The seeded scan as a file.</summary>
-    public static class DemoCloud
+    public const long DefaultPoints = 5_000_000;
+    public const int MostOrderedPoints = OrderedScan.MostPoints;
+
+    /// <param name="path">Ends in .las, .laz or .ply; anything else becomes LAS.</param>
+    public static void Write(string path, long points, uint seed, ScanOrder order, CliRun run)
     {
-        public const long DefaultPoints = 5_000_000;
-        public const int MostOrderedPoints = OrderedScan.MostPoints;
-
-        /// <param name="path">Ends in .las, .laz or .ply; anything else becomes LAS.</param>
-        public static void Write(string path, long points, uint seed, ScanOrder order, CliRun run)
+        run.Progress.Begin("scan");
+        if (Path.GetExtension(path).Equals(".ply", StringComparison.OrdinalIgnoreCase))
         {
-            run.Progress.Begin("scan");
-            if (Path.GetExtension(path).Equals(".ply", StringComparison.OrdinalIgnoreCase))
+            using var file = new OutputFile(path);
+            OutputFile.Guarded(path, () =>
             {
-                using var file = new OutputFile(path);
-                OutputFile.Guarded(path, () =>
-                {
-                    var ply = new PlyOutput(file.Stream, points);
-                    run.Pump(OrderedScan.Run(points, seed, order, ply, run.Progress));
-                    ply.Flush();
-                });
-                file.Commit();
-            }
-            else if (Path.GetExtension(path).Equals(".laz", StringComparison.OrdinalIgnoreCase))
-            {
-                WriteLaz(path, points, seed, order, run);
-            }
-            else
-            {
-                run.Pump(LasScan.Run(path, points, seed, order, run.Progress));
-            }
-            run.Progress.Report(1, points, new FileInfo(path).Length);
-            run.Progress.End();
+                var ply = new PlyOutput(file.Stream, points);
+                run.Pump(OrderedScan.Run(points, seed, order, ply, run.Progress));
+                ply.Flush();
+            });
+            file.Commit();
         }
-
-        /// <summary>By way of a LAS file beside it, which is gone at the end.</summary>
-        static void WriteLaz(string path, long points, uint seed, ScanOrder order, CliRun run)
+        else if (Path.GetExtension(path).Equals(".laz", StringComparison.OrdinalIgnoreCase))
         {
-            string las = path + ".las.tmp";
-            try
-            {
-                run.Pump(LasScan.Run(las, points, seed, order, run.Progress));
-                run.Progress.End();
-                run.Progress.Begin("compress");
-                using var file = new OutputFile(path);
-                OutputFile.Guarded(path, () => LazFile.Write(las, file.Stream, run.Progress, run.Cancellation));
-                file.Commit();
-            }
-            finally
-            {
-                File.Delete(las);
-            }
+            WriteLaz(path, points, seed, order, run);
+        }
+        else
+        {
+            run.Pump(LasScan.Run(path, points, seed, order, run.Progress));
+        }
+        run.Progress.Report(1, points, new FileInfo(path).Length);
+        run.Progress.End();
+    }
+
+    /// <summary>By way of a LAS file beside it, which is gone at the end.</summary>
+    static void WriteLaz(string path, long points, uint seed, ScanOrder order, CliRun run)
+    {
+        string las = path + ".las.tmp";
+        try
+        {
+            run.Pump(LasScan.Run(las, points, seed, order, run.Progress));
+            run.Progress.End();
+            run.Progress.Begin("compress");
+            using var file = new OutputFile(path);
+            OutputFile.Guarded(path, () => LazFile.Write(las, file.Stream, run.Progress, run.Cancellation));
+            file.Commit();
+        }
+        finally
+        {
+            File.Delete(las);
         }
     }
 }

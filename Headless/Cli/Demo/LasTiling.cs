@@ -1,151 +1,150 @@
 using System.Buffers.Binary;
 
-namespace FastPoints.Cli.Demo
+namespace FastPoints.Cli.Demo;
+
+/// <summary>
+/// Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and every
+/// header record comes along; shifts are whole grid steps, so that nothing is rounded.
+/// </summary>
+public static class LasTiling
 {
-    /// <summary>
-    /// Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and every
-    /// header record comes along; shifts are whole grid steps, so that nothing is rounded.
-    /// </summary>
-    public static class LasTiling
+    const int BufferBytes = 1 << 20;
+    const int MaxX = 179, MinX = 187, ScaleX = 131, VersionMinor = 25, LegacyCount = 107, LegacyByReturn = 111;
+    const int WaveformStart = 227, EvlrStart = 235, Count64 = 247, ByReturn64 = 255;
+
+    /// <returns>Points written.</returns>
+    public static long Write(string source, string destination, int times, StageProgress progress,
+        CancellationToken cancellation)
     {
-        const int BufferBytes = 1 << 20;
-        const int MaxX = 179, MinX = 187, ScaleX = 131, VersionMinor = 25, LegacyCount = 107, LegacyByReturn = 111;
-        const int WaveformStart = 227, EvlrStart = 235, Count64 = 247, ByReturn64 = 255;
-
-        /// <returns>Points written.</returns>
-        public static long Write(string source, string destination, int times, StageProgress progress,
-            CancellationToken cancellation)
+        long points, pointsAt;
+        int recordBytes;
+        using (var reader = PointReaders.Open(source))
         {
-            long points, pointsAt;
-            int recordBytes;
-            using (var reader = PointReaders.Open(source))
-            {
-                if (reader.Info.Format != "LAS")
-                    throw new PointCloudException(FailureCode.Unsupported, source, -1,
-                        "only LAS files are tiled, this is " + reader.Info.Format);
-                points = reader.PointCount;
-                recordBytes = reader.Info.RecordBytes;
-            }
-            if (points == 0)
-                throw new PointCloudException(FailureCode.BadInput, source, -1, "has no points to repeat");
-            using var input = new FileStream(source, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
-            var fixedPart = new byte[375];
-            input.ReadAtLeast(fixedPart, fixedPart.Length, throwOnEndOfStream: false);
-            pointsAt = BinaryPrimitives.ReadUInt32LittleEndian(fixedPart.AsSpan(96));
-            var head = new byte[pointsAt];
-            input.Position = 0;
-            input.ReadExactly(head);
-
-            progress.Begin("measure");
-            var (minX, maxX) = MeasureX(input, pointsAt, points, recordBytes, progress, cancellation);
-            long shift = (long)maxX - minX + 1;
-            if (maxX + shift * (times - 1) > int.MaxValue)
-                throw new UsageException(string.Create(CultureInfo.InvariantCulture,
-                    $"--times {times}: beyond what 32-bit coordinates hold; this file has room for "
-                        + $"{1 + (int.MaxValue - maxX) / shift}"));
-            long total = checked(points * times);
-            long tailAt = PatchHead(source, head, points, total, times, recordBytes, pointsAt, shift * (times - 1));
-
-            progress.Begin("tile");
-            using var output = new OutputFile(destination);
-            OutputFile.Guarded(destination, () =>
-            {
-                output.Stream.Write(head);
-                var buffer = new byte[BufferBytes / recordBytes * recordBytes];
-                for (int time = 0; time < times; time++)
-                {
-                    input.Position = pointsAt;
-                    for (long left = points * recordBytes; left > 0;)
-                    {
-                        cancellation.ThrowIfCancellationRequested();
-                        int bytes = (int)Math.Min(left, buffer.Length);
-                        input.ReadExactly(buffer, 0, bytes);
-                        for (int at = 0; at < bytes; at += recordBytes)
-                        {
-                            var x = buffer.AsSpan(at, 4);
-                            BinaryPrimitives.WriteInt32LittleEndian(x,
-                                (int)(BinaryPrimitives.ReadInt32LittleEndian(x) + shift * time));
-                        }
-                        output.Stream.Write(buffer, 0, bytes);
-                        left -= bytes;
-                        long done = points * (time + 1) - left / recordBytes;
-                        progress.Report((double)done / total, done, done * recordBytes);
-                    }
-                }
-                if (tailAt > 0)
-                {
-                    input.Position = tailAt;
-                    input.CopyTo(output.Stream);
-                }
-            });
-            output.Commit();
-            progress.End();
-            return total;
+            if (reader.Info.Format != "LAS")
+                throw new PointCloudException(FailureCode.Unsupported, source, -1,
+                    "only LAS files are tiled, this is " + reader.Info.Format);
+            points = reader.PointCount;
+            recordBytes = reader.Info.RecordBytes;
         }
+        if (points == 0)
+            throw new PointCloudException(FailureCode.BadInput, source, -1, "has no points to repeat");
+        using var input = new FileStream(source, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
+        var fixedPart = new byte[375];
+        input.ReadAtLeast(fixedPart, fixedPart.Length, throwOnEndOfStream: false);
+        pointsAt = BinaryPrimitives.ReadUInt32LittleEndian(fixedPart.AsSpan(96));
+        var head = new byte[pointsAt];
+        input.Position = 0;
+        input.ReadExactly(head);
 
-        static (int Min, int Max) MeasureX(FileStream input, long pointsAt, long points, int recordBytes, StageProgress progress,
-            CancellationToken cancellation)
+        progress.Begin("measure");
+        var (minX, maxX) = MeasureX(input, pointsAt, points, recordBytes, progress, cancellation);
+        long shift = (long)maxX - minX + 1;
+        if (maxX + shift * (times - 1) > int.MaxValue)
+            throw new UsageException(string.Create(CultureInfo.InvariantCulture,
+                $"--times {times}: beyond what 32-bit coordinates hold; this file has room for "
+                    + $"{1 + (int.MaxValue - maxX) / shift}"));
+        long total = checked(points * times);
+        long tailAt = PatchHead(source, head, points, total, times, recordBytes, pointsAt, shift * (times - 1));
+
+        progress.Begin("tile");
+        using var output = new OutputFile(destination);
+        OutputFile.Guarded(destination, () =>
         {
+            output.Stream.Write(head);
             var buffer = new byte[BufferBytes / recordBytes * recordBytes];
-            int min = int.MaxValue, max = int.MinValue;
-            input.Position = pointsAt;
-            for (long left = points * recordBytes; left > 0;)
+            for (int time = 0; time < times; time++)
             {
-                cancellation.ThrowIfCancellationRequested();
-                int bytes = (int)Math.Min(left, buffer.Length);
-                input.ReadExactly(buffer, 0, bytes);
-                for (int at = 0; at < bytes; at += recordBytes)
+                input.Position = pointsAt;
+                for (long left = points * recordBytes; left > 0;)
                 {
-                    int x = BinaryPrimitives.ReadInt32LittleEndian(buffer.AsSpan(at));
-                    min = Math.Min(min, x);
-                    max = Math.Max(max, x);
+                    cancellation.ThrowIfCancellationRequested();
+                    int bytes = (int)Math.Min(left, buffer.Length);
+                    input.ReadExactly(buffer, 0, bytes);
+                    for (int at = 0; at < bytes; at += recordBytes)
+                    {
+                        var x = buffer.AsSpan(at, 4);
+                        BinaryPrimitives.WriteInt32LittleEndian(x,
+                            (int)(BinaryPrimitives.ReadInt32LittleEndian(x) + shift * time));
+                    }
+                    output.Stream.Write(buffer, 0, bytes);
+                    left -= bytes;
+                    long done = points * (time + 1) - left / recordBytes;
+                    progress.Report((double)done / total, done, done * recordBytes);
                 }
-                left -= bytes;
-                long done = points - left / recordBytes;
-                progress.Report((double)done / points, done, done * recordBytes);
             }
-            return (min, max);
-        }
+            if (tailAt > 0)
+            {
+                input.Position = tailAt;
+                input.CopyTo(output.Stream);
+            }
+        });
+        output.Commit();
+        progress.End();
+        return total;
+    }
 
-        /// <summary>Counts, bounds, and where that which follows the points begins.</summary>
-        /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
-        internal static long PatchHead(string source, byte[] head, long points, long total, int times,
-            int recordBytes, long pointsAt, long shift)
+    static (int Min, int Max) MeasureX(FileStream input, long pointsAt, long points, int recordBytes, StageProgress progress,
+        CancellationToken cancellation)
+    {
+        var buffer = new byte[BufferBytes / recordBytes * recordBytes];
+        int min = int.MaxValue, max = int.MinValue;
+        input.Position = pointsAt;
+        for (long left = points * recordBytes; left > 0;)
         {
-            double scale = BitConverter.ToDouble(head, ScaleX);
-            // A negative scale turns the axis around: the copies lie below.
-            int grown = scale < 0 ? MinX : MaxX;
-            BitConverter.TryWriteBytes(head.AsSpan(grown), BitConverter.ToDouble(head, grown) + shift * scale);
-
-            bool hasLongCounts = head[VersionMinor] >= 4 && head.Length >= 375;
-            if (!hasLongCounts && total > uint.MaxValue)
-                throw new PointCloudException(FailureCode.Unsupported, source, LegacyCount,
-                    "a LAS file before version 1.4 holds at most 4,294,967,295 points");
-            for (int i = -1; i < 5; i++)
+            cancellation.ThrowIfCancellationRequested();
+            int bytes = (int)Math.Min(left, buffer.Length);
+            input.ReadExactly(buffer, 0, bytes);
+            for (int at = 0; at < bytes; at += recordBytes)
             {
-                var count = head.AsSpan(i < 0 ? LegacyCount : LegacyByReturn + 4 * i);
-                long many = (long)BinaryPrimitives.ReadUInt32LittleEndian(count) * times;
-                BinaryPrimitives.WriteUInt32LittleEndian(count, total > uint.MaxValue ? 0 : (uint)many);
+                int x = BinaryPrimitives.ReadInt32LittleEndian(buffer.AsSpan(at));
+                min = Math.Min(min, x);
+                max = Math.Max(max, x);
             }
-            if (!hasLongCounts)
-                return 0;
-            BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(Count64), total);
-            for (int i = 0; i < 15; i++)
-            {
-                var count = head.AsSpan(ByReturn64 + 8 * i);
-                BinaryPrimitives.WriteUInt64LittleEndian(count, BinaryPrimitives.ReadUInt64LittleEndian(count) * (ulong)times);
-            }
-            long pointsEnd = pointsAt + points * recordBytes;
-            long tailAt = 0;
-            foreach (int field in new[] { WaveformStart, EvlrStart })
-            {
-                long start = BinaryPrimitives.ReadInt64LittleEndian(head.AsSpan(field));
-                if (start < pointsEnd)
-                    continue;
-                BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(field), start + (total - points) * recordBytes);
-                tailAt = pointsEnd;
-            }
-            return tailAt;
+            left -= bytes;
+            long done = points - left / recordBytes;
+            progress.Report((double)done / points, done, done * recordBytes);
         }
+        return (min, max);
+    }
+
+    /// <summary>Counts, bounds, and where that which follows the points begins.</summary>
+    /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
+    internal static long PatchHead(string source, byte[] head, long points, long total, int times,
+        int recordBytes, long pointsAt, long shift)
+    {
+        double scale = BitConverter.ToDouble(head, ScaleX);
+        // A negative scale turns the axis around: the copies lie below.
+        int grown = scale < 0 ? MinX : MaxX;
+        BitConverter.TryWriteBytes(head.AsSpan(grown), BitConverter.ToDouble(head, grown) + shift * scale);
+
+        bool hasLongCounts = head[VersionMinor] >= 4 && head.Length >= 375;
+        if (!hasLongCounts && total > uint.MaxValue)
+            throw new PointCloudException(FailureCode.Unsupported, source, LegacyCount,
+                "a LAS file before version 1.4 holds at most 4,294,967,295 points");
+        for (int i = -1; i < 5; i++)
+        {
+            var count = head.AsSpan(i < 0 ? LegacyCount : LegacyByReturn + 4 * i);
+            long many = (long)BinaryPrimitives.ReadUInt32LittleEndian(count) * times;
+            BinaryPrimitives.WriteUInt32LittleEndian(count, total > uint.MaxValue ? 0 : (uint)many);
+        }
+        if (!hasLongCounts)
+            return 0;
+        BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(Count64), total);
+        for (int i = 0; i < 15; i++)
+        {
+            var count = head.AsSpan(ByReturn64 + 8 * i);
+            BinaryPrimitives.WriteUInt64LittleEndian(count, BinaryPrimitives.ReadUInt64LittleEndian(count) * (ulong)times);
+        }
+        long pointsEnd = pointsAt + points * recordBytes;
+        long tailAt = 0;
+        foreach (int field in new[] { WaveformStart, EvlrStart })
+        {
+            long start = BinaryPrimitives.ReadInt64LittleEndian(head.AsSpan(field));
+            if (start < pointsEnd)
+                continue;
+            BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(field), start + (total - points) * recordBytes);
+            tailAt = pointsEnd;
+        }
+        return tailAt;
     }
 }

@@ -1,86 +1,85 @@
 using System.Buffers.Binary;
 using FastPoints.LazEncoding;
 
-namespace FastPoints.Cli.Demo
+namespace FastPoints.Cli.Demo;
+
+/// <summary>
+/// Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
+/// differences, so that a chunk is moved by four of its bytes.
+/// </summary>
+/// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
+public static class LazTiling
 {
-    /// <summary>
-    /// Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
-    /// differences, so that a chunk is moved by four of its bytes.
-    /// </summary>
-    /// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
-    public static class LazTiling
+    const int ScaleX = 131, MaxX = 179, MinX = 187, WaveformStart = 227, EvlrStart = 235, EvlrEnd = 247, VersionMinor = 25;
+
+    /// <summary>Of the LASzip VLR's payload: the points of a chunk.</summary>
+    const int ChunkPointsAt = 12;
+
+    /// <returns>Points written.</returns>
+    public static long Write(string path, string destination, int times, StageProgress progress,
+        CancellationToken cancellation)
     {
-        const int ScaleX = 131, MaxX = 179, MinX = 187, WaveformStart = 227, EvlrStart = 235, EvlrEnd = 247, VersionMinor = 25;
+        using var source = FileSource.Open(path);
+        var las = LasFile.Read(source);
+        var format = LazFormat.Read(las);
+        if (format.Compressor != LazCompressor.PointwiseChunked && !format.IsLayered)
+            throw new PointCloudException(FailureCode.Unsupported, path, -1, "only LAZ files of chunks are tiled to LAZ");
+        long pointsAt = (long)las.Header.PointsOffset;
+        var table = LazChunkTable.Read(source, format, las.Info, pointsAt);
+        if (table.IsLost || table.Chunks.Count == 0)
+            throw new PointCloudException(FailureCode.BadInput, path, pointsAt, "has no chunk table, or no points to repeat");
+        long points = table.Chunks.PointCount, bytes = 0;
+        for (int c = 0; c < table.Chunks.Count; c++)
+            bytes += table.Chunks[c].Bytes;
 
-        /// <summary>Of the LASzip VLR's payload: the points of a chunk.</summary>
-        const int ChunkPointsAt = 12;
+        byte[] head = source.Read(0, checked((int)pointsAt), "header").Bytes;
+        double scale = BitConverter.ToDouble(head, ScaleX);
+        long shift = 1
+            + (long)Math.Ceiling((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, MinX)) / Math.Abs(scale));
+        double farthest = Math.Abs((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, ScaleX + 24)) / scale)
+            + shift * (times - 1.0);
+        if (!(farthest <= int.MaxValue))
+            throw new UsageException(string.Create(CultureInfo.InvariantCulture,
+                $"--times {times}: beyond what 32-bit coordinates hold"));
+        if (head[VersionMinor] >= 3 && head.Length >= EvlrStart)
+            Array.Clear(head, WaveformStart, 8);
+        if (head[VersionMinor] >= 4 && head.Length >= EvlrEnd)
+            Array.Clear(head, EvlrStart, EvlrEnd - EvlrStart);
+        long total = checked(points * times);
+        LasTiling.PatchHead(path, head, points, total, times, 0, 0, shift * (times - 1));
+        int vlrAt = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
+        BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrAt + ChunkPointsAt), LazFormat.VariableChunkPoints);
 
-        /// <returns>Points written.</returns>
-        public static long Write(string path, string destination, int times, StageProgress progress,
-            CancellationToken cancellation)
+        progress.Begin("tile");
+        using var output = new OutputFile(destination);
+        OutputFile.Guarded(destination, () =>
         {
-            using var source = FileSource.Open(path);
-            var las = LasFile.Read(source);
-            var format = LazFormat.Read(las);
-            if (format.Compressor != LazCompressor.PointwiseChunked && !format.IsLayered)
-                throw new PointCloudException(FailureCode.Unsupported, path, -1, "only LAZ files of chunks are tiled to LAZ");
-            long pointsAt = (long)las.Header.PointsOffset;
-            var table = LazChunkTable.Read(source, format, las.Info, pointsAt);
-            if (table.IsLost || table.Chunks.Count == 0)
-                throw new PointCloudException(FailureCode.BadInput, path, pointsAt, "has no chunk table, or no points to repeat");
-            long points = table.Chunks.PointCount, bytes = 0;
-            for (int c = 0; c < table.Chunks.Count; c++)
-                bytes += table.Chunks[c].Bytes;
-
-            byte[] head = source.Read(0, checked((int)pointsAt), "header").Bytes;
-            double scale = BitConverter.ToDouble(head, ScaleX);
-            long shift = 1
-                + (long)Math.Ceiling((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, MinX)) / Math.Abs(scale));
-            double farthest = Math.Abs((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, ScaleX + 24)) / scale)
-                + shift * (times - 1.0);
-            if (!(farthest <= int.MaxValue))
-                throw new UsageException(string.Create(CultureInfo.InvariantCulture,
-                    $"--times {times}: beyond what 32-bit coordinates hold"));
-            if (head[VersionMinor] >= 3 && head.Length >= EvlrStart)
-                Array.Clear(head, WaveformStart, 8);
-            if (head[VersionMinor] >= 4 && head.Length >= EvlrEnd)
-                Array.Clear(head, EvlrStart, EvlrEnd - EvlrStart);
-            long total = checked(points * times);
-            LasTiling.PatchHead(path, head, points, total, times, 0, 0, shift * (times - 1));
-            int vlrAt = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
-            BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrAt + ChunkPointsAt), LazFormat.VariableChunkPoints);
-
-            progress.Begin("tile");
-            using var output = new OutputFile(destination);
-            OutputFile.Guarded(destination, () =>
+            output.Stream.Write(head);
+            output.Stream.Write(BitConverter.GetBytes(-1L));
+            var bytesOfChunk = new List<int>();
+            var pointsOfChunk = new List<int>();
+            for (int time = 0; time < times; time++)
             {
-                output.Stream.Write(head);
-                output.Stream.Write(BitConverter.GetBytes(-1L));
-                var bytesOfChunk = new List<int>();
-                var pointsOfChunk = new List<int>();
-                for (int time = 0; time < times; time++)
+                for (int c = 0; c < table.Chunks.Count; c++)
                 {
-                    for (int c = 0; c < table.Chunks.Count; c++)
-                    {
-                        var chunk = table.Chunks[c];
-                        cancellation.ThrowIfCancellationRequested();
-                        byte[] content = source.Read(chunk.Offset, checked((int)chunk.Bytes), "chunk").Bytes;
-                        int x = BinaryPrimitives.ReadInt32LittleEndian(content);
-                        BinaryPrimitives.WriteInt32LittleEndian(content, checked((int)(x + shift * time * Math.Sign(scale))));
-                        output.Stream.Write(content);
-                        bytesOfChunk.Add(content.Length);
-                        pointsOfChunk.Add(checked((int)chunk.Points));
-                    }
-                    progress.Report((time + 1.0) / times, points * (time + 1), bytes * (time + 1));
+                    var chunk = table.Chunks[c];
+                    cancellation.ThrowIfCancellationRequested();
+                    byte[] content = source.Read(chunk.Offset, checked((int)chunk.Bytes), "chunk").Bytes;
+                    int x = BinaryPrimitives.ReadInt32LittleEndian(content);
+                    BinaryPrimitives.WriteInt32LittleEndian(content, checked((int)(x + shift * time * Math.Sign(scale))));
+                    output.Stream.Write(content);
+                    bytesOfChunk.Add(content.Length);
+                    pointsOfChunk.Add(checked((int)chunk.Points));
                 }
-                long tableAt = output.Stream.Position;
-                output.Stream.Write(LazEncoder.Table(bytesOfChunk, pointsOfChunk));
-                output.Stream.Position = pointsAt;
-                output.Stream.Write(BitConverter.GetBytes(tableAt));
-            });
-            output.Commit();
-            progress.End();
-            return total;
-        }
+                progress.Report((time + 1.0) / times, points * (time + 1), bytes * (time + 1));
+            }
+            long tableAt = output.Stream.Position;
+            output.Stream.Write(LazEncoder.Table(bytesOfChunk, pointsOfChunk));
+            output.Stream.Position = pointsAt;
+            output.Stream.Write(BitConverter.GetBytes(tableAt));
+        });
+        output.Commit();
+        progress.End();
+        return total;
     }
 }

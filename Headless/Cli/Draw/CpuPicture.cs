@@ -1,15 +1,14 @@
-namespace FastPoints.Cli.Draw
+namespace FastPoints.Cli.Draw;
+
+/// <summary>Software pictures of all clouds that are streamed.</summary>
+public sealed class CpuPicture(StreamContext stream, PictureOptions options) : FlightPicture
 {
-    /// <summary>Software pictures of all clouds that are streamed.</summary>
-    public sealed class CpuPicture(StreamContext stream, PictureOptions options) : FlightPicture
-    {
-        readonly StreamedPicture m_picture = new(options);
+    readonly StreamedPicture m_picture = new(options);
 
-        internal override void Add(int cloud, PicturePlan plan) =>
-            m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
+    internal override void Add(int cloud, PicturePlan plan) =>
+        m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
 
-        public override RgbaImage Draw(in Camera camera) => m_picture.Draw(camera);
+    public override RgbaImage Draw(in Camera camera) => m_picture.Draw(camera);
 
-        public override void Dispose() => m_picture.Dispose();
-    }
+    public override void Dispose() => m_picture.Dispose();
 }

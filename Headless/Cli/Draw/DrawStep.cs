@@ -1,135 +1,134 @@
-namespace FastPoints.Cli.Draw
+namespace FastPoints.Cli.Draw;
+
+/// <summary>A picture that was drawn from a source file or a converted cloud, and what is to be said of it.</summary>
+public sealed class DrawStep
 {
-    /// <summary>A picture that was drawn from a source file or a converted cloud, and what is to be said of it.</summary>
-    public sealed class DrawStep
+    public required long Points { get; init; }
+
+    /// <summary>Nodes of the octree; null for a source file, which has none.</summary>
+    public int? Nodes { get; init; }
+    public required double Seconds { get; init; }
+    public required RgbaImage Image { get; init; }
+    public required byte[] Png { get; init; }
+    public required IReadOnlyList<string> Assumptions { get; init; }
+
+    /// <summary>What drew it.</summary>
+    public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
+
+    /// <summary>Against another picture, where one was given.</summary>
+    internal ImageError? Error { get; set; }
+
+    /// <param name="budget">Points to draw at most; 0 for all.</param>
+    public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)
     {
-        public required long Points { get; init; }
-
-        /// <summary>Nodes of the octree; null for a source file, which has none.</summary>
-        public int? Nodes { get; init; }
-        public required double Seconds { get; init; }
-        public required RgbaImage Image { get; init; }
-        public required byte[] Png { get; init; }
-        public required IReadOnlyList<string> Assumptions { get; init; }
-
-        /// <summary>What drew it.</summary>
-        public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
-
-        /// <summary>Against another picture, where one was given.</summary>
-        internal ImageError? Error { get; set; }
-
-        /// <param name="budget">Points to draw at most; 0 for all.</param>
-        public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)
+        double begin = run.Seconds;
+        var draw = new DrawCloud(reader, options, budget);
+        run.Pump(draw.Run(run.Progress));
+        run.Warn(reader.Info);
+        return new DrawStep
         {
-            double begin = run.Seconds;
-            var draw = new DrawCloud(reader, options, budget);
-            run.Pump(draw.Run(run.Progress));
-            run.Warn(reader.Info);
-            return new DrawStep
-            {
-                Points = draw.PointsDrawn,
-                Seconds = run.Seconds - begin,
-                Image = draw.Image,
-                Png = FastPoints.Picture.Png.Encode(draw.Image),
-                Assumptions = draw.Plan.Assumptions,
-            };
-        }
+            Points = draw.PointsDrawn,
+            Seconds = run.Seconds - begin,
+            Image = draw.Image,
+            Png = FastPoints.Picture.Png.Encode(draw.Image),
+            Assumptions = draw.Plan.Assumptions,
+        };
+    }
 
-        /// <summary>From a converted cloud.</summary>
-        /// <param name="budget">Points to draw at most; 0 for the default.</param>
-        public static DrawStep RunStored(string path, PictureOptions options, long budget, CliRun run)
+    /// <summary>From a converted cloud.</summary>
+    /// <param name="budget">Points to draw at most; 0 for the default.</param>
+    public static DrawStep RunStored(string path, PictureOptions options, long budget, CliRun run)
+    {
+        double begin = run.Seconds;
+        using var folder = CloudFolder.Open(path);
+        var draw = new DrawStored(folder, options, budget);
+        run.Pump(draw.Run(run.Progress));
+        return new DrawStep
         {
-            double begin = run.Seconds;
-            using var folder = CloudFolder.Open(path);
-            var draw = new DrawStored(folder, options, budget);
-            run.Pump(draw.Run(run.Progress));
-            return new DrawStep
-            {
-                Points = draw.PointsDrawn,
-                Nodes = draw.NodesDrawn,
-                Seconds = run.Seconds - begin,
-                Image = draw.Image,
-                Png = FastPoints.Picture.Png.Encode(draw.Image),
-                Assumptions = draw.Plan.Assumptions,
-            };
-        }
+            Points = draw.PointsDrawn,
+            Nodes = draw.NodesDrawn,
+            Seconds = run.Seconds - begin,
+            Image = draw.Image,
+            Png = FastPoints.Picture.Png.Encode(draw.Image),
+            Assumptions = draw.Plan.Assumptions,
+        };
+    }
 
-        /// <summary>Streamed to a graphics card as a game would, and drawn there when all has come.</summary>
-        /// <param name="paths">Clouds that can be streamed; the first decides on the camera, unless one is given.</param>
-        /// <param name="budget">Points to draw at most; 0 for the default.</param>
-        public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
+    /// <summary>Streamed to a graphics card as a game would, and drawn there when all has come.</summary>
+    /// <param name="paths">Clouds that can be streamed; the first decides on the camera, unless one is given.</param>
+    /// <param name="budget">Points to draw at most; 0 for the default.</param>
+    public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
+    {
+        const int Bank = 16 << 20, Upload = 4 << 20;
+        double begin = run.Seconds;
+        run.Progress.Begin("stream");
+        var shaders = new GpuShaders();
+        using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank, Upload));
+        stream.SetClipBoxes(options.ClipBoxes);
+        stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
+        using var picture = new GpuPicture(shaders, stream, options);
+        var assumptions = new List<string>();
+        Camera? camera = options.Camera;
+        foreach (string path in paths)
         {
-            const int Bank = 16 << 20, Upload = 4 << 20;
-            double begin = run.Seconds;
-            run.Progress.Begin("stream");
-            var shaders = new GpuShaders();
-            using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank, Upload));
-            stream.SetClipBoxes(options.ClipBoxes);
-            stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
-            using var picture = new GpuPicture(shaders, stream, options);
-            var assumptions = new List<string>();
-            Camera? camera = options.Camera;
-            foreach (string path in paths)
-            {
-                var plan = FlightCloud.Add(path, stream, options, run.Cancellation, out _, out int number);
-                picture.Add(number, plan);
-                assumptions.AddRange(plan.Assumptions);
-                camera ??= plan.Camera;
-            }
-            var stats = Settle(stream, picture, camera!.Value, options, run);
-            run.Progress.Begin("draw");
-            var image = picture.Draw(camera.Value);
-            run.Progress.End();
-            while (stream.TryTakeFailure(out var failure))
-                run.Warnings.Add(failure.ToString());
-            return new DrawStep
-            {
-                Points = stats.DrawnPoints,
-                Nodes = stats.DrawnNodes,
-                Seconds = run.Seconds - begin,
-                Image = image,
-                Png = FastPoints.Picture.Png.Encode(image),
-                Assumptions = assumptions,
-                Device = "gpu, " + UnityEngine.SystemInfo.graphicsDeviceName,
-            };
+            var plan = FlightCloud.Add(path, stream, options, run.Cancellation, out _, out int number);
+            picture.Add(number, plan);
+            assumptions.AddRange(plan.Assumptions);
+            camera ??= plan.Camera;
         }
-
-        /// <summary>Frames until all that is selected is there.</summary>
-        static FrameStats Settle(StreamContext stream, GpuPicture picture, Camera camera, PictureOptions options, CliRun run)
+        var stats = Settle(stream, picture, camera!.Value, options, run);
+        run.Progress.Begin("draw");
+        var image = picture.Draw(camera.Value);
+        run.Progress.End();
+        while (stream.TryTakeFailure(out var failure))
+            run.Warnings.Add(failure.ToString());
+        return new DrawStep
         {
-            using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-            var view = views;
-            view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
-            while (true)
-            {
-                run.Cancellation.ThrowIfCancellationRequested();
-                var stats = FrameStep.Run(stream, views);
-                JobHandle.ScheduleBatchedJobs();
-                picture.EndFrame();
-                run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
-                if (stats.IsSettled)
-                    return stats;
-                Thread.Yield();
-            }
-        }
+            Points = stats.DrawnPoints,
+            Nodes = stats.DrawnNodes,
+            Seconds = run.Seconds - begin,
+            Image = image,
+            Png = FastPoints.Picture.Png.Encode(image),
+            Assumptions = assumptions,
+            Device = "gpu, " + UnityEngine.SystemInfo.graphicsDeviceName,
+        };
+    }
 
-        public string Describe() => Human.Count(Points) + " points"
-            + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "") + " in " + Human.Seconds(Seconds);
-
-        /// <summary>The keys of <c>picture</c> but for <c>seconds</c>, into an object that is open.</summary>
-        public void WriteKeys(Utf8JsonWriter json)
+    /// <summary>Frames until all that is selected is there.</summary>
+    static FrameStats Settle(StreamContext stream, GpuPicture picture, Camera camera, PictureOptions options, CliRun run)
+    {
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+        var view = views;
+        view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
+        while (true)
         {
-            json.WriteInteger("points", Points);
-            if (Nodes is { } nodes)
-                json.WriteInteger("nodes", nodes);
-            else
-                json.WriteNull("nodes");
-            json.WriteString("device", Device);
-            if (Error is not { } error)
-                return;
-            json.WriteReal("psnr", error.Psnr);
-            json.WriteReal("ssim", error.Ssim);
-            json.WriteReal("uncovered", error.Uncovered);
+            run.Cancellation.ThrowIfCancellationRequested();
+            var stats = FrameStep.Run(stream, views);
+            JobHandle.ScheduleBatchedJobs();
+            picture.EndFrame();
+            run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
+            if (stats.IsSettled)
+                return stats;
+            Thread.Yield();
         }
+    }
+
+    public string Describe() => Human.Count(Points) + " points"
+        + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "") + " in " + Human.Seconds(Seconds);
+
+    /// <summary>The keys of <c>picture</c> but for <c>seconds</c>, into an object that is open.</summary>
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        json.WriteInteger("points", Points);
+        if (Nodes is { } nodes)
+            json.WriteInteger("nodes", nodes);
+        else
+            json.WriteNull("nodes");
+        json.WriteString("device", Device);
+        if (Error is not { } error)
+            return;
+        json.WriteReal("psnr", error.Psnr);
+        json.WriteReal("ssim", error.Ssim);
+        json.WriteReal("uncovered", error.Uncovered);
     }
 }

@@ -1,103 +1,102 @@
 using FastPoints.SourceFeeds;
 
-namespace FastPoints.Cli.Draw
+namespace FastPoints.Cli.Draw;
+
+/// <summary>A cloud before it is streamed: converted, with an octree of its own (COPC, Potree, EPT), or any other file as its
+/// preview. What colours it has, and what is streamed for them.</summary>
+public static class FlightCloud
 {
-    /// <summary>A cloud before it is streamed: converted, with an octree of its own (COPC, Potree, EPT), or any other file as its
-    /// preview. What colours it has, and what is streamed for them.</summary>
-    public static class FlightCloud
+    /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
+    const int PointsToPlanWith = DrawStored.PointsToPlanWith;
+
+    /// <summary>Adds a cloud to a stream.</summary>
+    /// <returns>What it looks like.</returns>
+    internal static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+        out DisplayRanges ranges, out int number) => CloudFolder.IsCloud(path) || !Path.Exists(path)
+            ? AddFolder(path, stream, options, cancellation, out ranges, out number)
+            : AddSource(PointReaders.Open(path), stream, options, cancellation, out ranges, out number);
+
+    /// <param name="reader">Becomes the stream's.</param>
+    internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options,
+        CancellationToken cancellation, out DisplayRanges ranges, out int number)
     {
-        /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
-        const int PointsToPlanWith = DrawStored.PointsToPlanWith;
-
-        /// <summary>Adds a cloud to a stream.</summary>
-        /// <returns>What it looks like.</returns>
-        internal static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-            out DisplayRanges ranges, out int number) => CloudFolder.IsCloud(path) || !Path.Exists(path)
-                ? AddFolder(path, stream, options, cancellation, out ranges, out number)
-                : AddSource(PointReaders.Open(path), stream, options, cancellation, out ranges, out number);
-
-        /// <param name="reader">Becomes the stream's.</param>
-        internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options,
-            CancellationToken cancellation, out DisplayRanges ranges, out int number)
+        try
         {
-            try
-            {
-                if (reader.Tree == null)
-                    return AddSample(reader, stream, options, cancellation, out ranges, out number);
-                WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
-                ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
-                using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
-                    WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
-                var source = new TreeSource(reader,
-                    CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
-                var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
-                number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-                return plan;
-            }
-            catch
-            {
-                reader.Dispose();
-                throw;
-            }
-        }
-
-        /// <summary>What a source without an octree can show: its preview.</summary>
-        static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options,
-            CancellationToken cancellation, out DisplayRanges ranges, out int number)
-        {
-            var settings = new PreviewOptions
-            {
-                Picture = options,
-                Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue),
-            };
-            SampleReader sample;
-            using (reader)
-            using (var preview = new PreviewCloud(reader, settings))
-            {
-                WorkPump.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
-                WorkPump.RunToEnd(preview.PlanPicture(), cancellation);
-                ranges = preview.Ranges;
-                sample = new SampleReader(preview.Sample, reader.Info.Path);
-            }
-            var source = new TreeSource(sample,
+            if (reader.Tree == null)
+                return AddSample(reader, stream, options, cancellation, out ranges, out number);
+            WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
+            ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
+            using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
+                WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
+            var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+            var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
             number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-            return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+            return plan;
         }
-
-        static PicturePlan AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-            out DisplayRanges ranges, out int number)
+        catch
         {
-            var folder = CloudFolder.Open(path);
-            try
-            {
-                var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));
-                var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-                ranges = new DisplayRanges();
-                using (var selection = new NodeSelection(folder))
-                {
-                    selection.Choose(null, 0, 0, PointsToPlanWith);
-                    using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-                    WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
-                    WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
-                }
-                var plan = new PicturePlan(options, ranges, transform);
-                var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
-                number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-                return plan;
-            }
-            catch
-            {
-                folder.Dispose();
-                throw;
-            }
+            reader.Dispose();
+            throw;
         }
+    }
 
-        static PointBatch ReadTop(PointReader reader, string[] attributes, CancellationToken cancellation)
+    /// <summary>What a source without an octree can show: its preview.</summary>
+    static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options,
+        CancellationToken cancellation, out DisplayRanges ranges, out int number)
+    {
+        var settings = new PreviewOptions
         {
-            PointBatch? top = null;
-            WorkPump.RunToEnd(TreeTop.Read(reader, attributes, PointsToPlanWith, read => top = read), cancellation);
-            return top!;
+            Picture = options,
+            Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue),
+        };
+        SampleReader sample;
+        using (reader)
+        using (var preview = new PreviewCloud(reader, settings))
+        {
+            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
+            WorkPump.RunToEnd(preview.PlanPicture(), cancellation);
+            ranges = preview.Ranges;
+            sample = new SampleReader(preview.Sample, reader.Info.Path);
         }
+        var source = new TreeSource(sample,
+            CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+        number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+        return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+    }
+
+    static PicturePlan AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+        out DisplayRanges ranges, out int number)
+    {
+        var folder = CloudFolder.Open(path);
+        try
+        {
+            var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));
+            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            ranges = new DisplayRanges();
+            using (var selection = new NodeSelection(folder))
+            {
+                selection.Choose(null, 0, 0, PointsToPlanWith);
+                using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
+                WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
+                WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
+            }
+            var plan = new PicturePlan(options, ranges, transform);
+            var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
+            number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+            return plan;
+        }
+        catch
+        {
+            folder.Dispose();
+            throw;
+        }
+    }
+
+    static PointBatch ReadTop(PointReader reader, string[] attributes, CancellationToken cancellation)
+    {
+        PointBatch? top = null;
+        WorkPump.RunToEnd(TreeTop.Read(reader, attributes, PointsToPlanWith, read => top = read), cancellation);
+        return top!;
     }
 }

@@ -4,111 +4,110 @@ using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using Camera = FastPoints.Picture.Camera;
 
-namespace FastPoints.Cli.Draw
+namespace FastPoints.Cli.Draw;
+
+/// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what
+/// stands in for one. Main thread; waits for the card.</summary>
+public sealed class GpuPicture : FlightPicture
 {
-    /// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what
-    /// stands in for one. Main thread; waits for the card.</summary>
-    public sealed class GpuPicture : FlightPicture
+    readonly StreamContext m_stream;
+    readonly PictureOptions m_options;
+    readonly PointMaterials m_materials;
+    readonly PointRenderer m_renderer;
+    readonly SizeTree m_sizes = new();
+    readonly RenderTexture m_target;
+    readonly CommandBuffer m_commands = new() { name = "FastPoints" };
+    float m_edlStrength;
+
+    /// <param name="stream">Its pool is one of the graphics card's.</param>
+    /// <param name="canCompute">Points of one pixel by a compute shader; without, as point primitives.</param>
+    public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
     {
-        readonly StreamContext m_stream;
-        readonly PictureOptions m_options;
-        readonly PointMaterials m_materials;
-        readonly PointRenderer m_renderer;
-        readonly SizeTree m_sizes = new();
-        readonly RenderTexture m_target;
-        readonly CommandBuffer m_commands = new() { name = "FastPoints" };
-        float m_edlStrength;
-
-        /// <param name="stream">Its pool is one of the graphics card's.</param>
-        /// <param name="canCompute">Points of one pixel by a compute shader; without, as point primitives.</param>
-        public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
-        {
-            m_stream = stream;
-            m_options = options;
-            m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
-            m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool, m_sizes);
-            m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
-                GraphicsFormat.D32_SFloat);
-            m_target.Create();
-        }
-
-        internal override void Add(int cloud, PicturePlan plan)
-        {
-            m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
-            m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses));
-        }
-
-        public override RgbaImage Draw(in Camera camera)
-        {
-            int width = m_options.WidthPx, height = m_options.HeightPx;
-            var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
-            view.Style = StyleOf(m_options, m_edlStrength);
-            view.Color = m_target;
-            view.Depth = m_target;
-            m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);
-            m_commands.Clear();
-            m_commands.SetRenderTarget(m_target);
-            m_commands.ClearRenderTarget(true, true, ColorOf(m_options.Background));
-            m_renderer.Record(m_commands, view);
-            Graphics.ExecuteCommandBuffer(m_commands);
-            var request = AsyncGPUReadback.Request(m_target);
-            request.WaitForCompletion();
-            if (request.hasError)
-                throw new InvalidOperationException("the picture could not be read back from " + SystemInfo.graphicsDeviceName);
-            var image = new RgbaImage(width, height);
-            request.GetData<byte>().CopyTo(image.Rgba);
-            return image;
-        }
-
-        public override void EndFrame() => HeadlessGraphics.EndFrame();
-
-        public override void Dispose()
-        {
-            HeadlessGraphics.WaitForIdle();
-            m_renderer.Dispose();
-            m_sizes.Dispose();
-            m_materials.Dispose();
-            m_commands.Dispose();
-            m_target.Release();
-        }
-
-        static PointStyle StyleOf(PictureOptions options, float edlStrength)
-        {
-            var size = options.SizeInWorld
-                ?? (options.PointSizePx >= 1 ? PointSize.Pixels(options.PointSizePx) : PointSize.Adaptive());
-            return new PointStyle
-            {
-                Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel
-                    : options.DomedPoints ? PointShape.Paraboloid
-                    : options.BlendedPoints ? PointShape.Splat
-                    : options.RoundPoints ? PointShape.Disc
-                    : PointShape.Square,
-                Size = size,
-                EdlStrength = edlStrength,
-                FillsHoles = options.FillsHoles,
-            };
-        }
-
-        /// <summary>How far before or behind an eye a cloud reaches.</summary>
-        double DepthAround(in Camera camera)
-        {
-            double depth = 0;
-            foreach (var cloud in m_stream.Clouds)
-            {
-                if (cloud == null)
-                    continue;
-                var root = cloud.Source.Root.Side * cloud.Source.Grid.Step;
-                for (int corner = 0; corner < 8; corner++)
-                {
-                    var local = new double3(corner & 1, corner >> 1 & 1, corner >> 2) * root;
-                    var world = math.mul(cloud.Placement.Linear, local) + cloud.Placement.OriginWorld;
-                    depth = Math.Max(depth, Math.Abs(camera.ToView(world).z));
-                }
-            }
-            return depth;
-        }
-
-        static Color ColorOf(uint rgba) => new((rgba & 0xFF) / 255f, (rgba >> 8 & 0xFF) / 255f, (rgba >> 16 & 0xFF) / 255f,
-            (rgba >> 24) / 255f);
+        m_stream = stream;
+        m_options = options;
+        m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
+        m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool, m_sizes);
+        m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
+            GraphicsFormat.D32_SFloat);
+        m_target.Create();
     }
+
+    internal override void Add(int cloud, PicturePlan plan)
+    {
+        m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
+        m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses));
+    }
+
+    public override RgbaImage Draw(in Camera camera)
+    {
+        int width = m_options.WidthPx, height = m_options.HeightPx;
+        var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
+        view.Style = StyleOf(m_options, m_edlStrength);
+        view.Color = m_target;
+        view.Depth = m_target;
+        m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);
+        m_commands.Clear();
+        m_commands.SetRenderTarget(m_target);
+        m_commands.ClearRenderTarget(true, true, ColorOf(m_options.Background));
+        m_renderer.Record(m_commands, view);
+        Graphics.ExecuteCommandBuffer(m_commands);
+        var request = AsyncGPUReadback.Request(m_target);
+        request.WaitForCompletion();
+        if (request.hasError)
+            throw new InvalidOperationException("the picture could not be read back from " + SystemInfo.graphicsDeviceName);
+        var image = new RgbaImage(width, height);
+        request.GetData<byte>().CopyTo(image.Rgba);
+        return image;
+    }
+
+    public override void EndFrame() => HeadlessGraphics.EndFrame();
+
+    public override void Dispose()
+    {
+        HeadlessGraphics.WaitForIdle();
+        m_renderer.Dispose();
+        m_sizes.Dispose();
+        m_materials.Dispose();
+        m_commands.Dispose();
+        m_target.Release();
+    }
+
+    static PointStyle StyleOf(PictureOptions options, float edlStrength)
+    {
+        var size = options.SizeInWorld
+            ?? (options.PointSizePx >= 1 ? PointSize.Pixels(options.PointSizePx) : PointSize.Adaptive());
+        return new PointStyle
+        {
+            Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel
+                : options.DomedPoints ? PointShape.Paraboloid
+                : options.BlendedPoints ? PointShape.Splat
+                : options.RoundPoints ? PointShape.Disc
+                : PointShape.Square,
+            Size = size,
+            EdlStrength = edlStrength,
+            FillsHoles = options.FillsHoles,
+        };
+    }
+
+    /// <summary>How far before or behind an eye a cloud reaches.</summary>
+    double DepthAround(in Camera camera)
+    {
+        double depth = 0;
+        foreach (var cloud in m_stream.Clouds)
+        {
+            if (cloud == null)
+                continue;
+            var root = cloud.Source.Root.Side * cloud.Source.Grid.Step;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                var local = new double3(corner & 1, corner >> 1 & 1, corner >> 2) * root;
+                var world = math.mul(cloud.Placement.Linear, local) + cloud.Placement.OriginWorld;
+                depth = Math.Max(depth, Math.Abs(camera.ToView(world).z));
+            }
+        }
+        return depth;
+    }
+
+    static Color ColorOf(uint rgba) => new((rgba & 0xFF) / 255f, (rgba >> 8 & 0xFF) / 255f, (rgba >> 16 & 0xFF) / 255f,
+        (rgba >> 24) / 255f);
 }

@@ -1,79 +1,78 @@
-namespace FastPoints.Cli.Draw
+namespace FastPoints.Cli.Draw;
+
+/// <summary>A picture of clouds that bring octrees along, of several kinds at once: they are streamed for the camera until
+/// nothing more comes.</summary>
+public static class StreamedPictureStep
 {
-    /// <summary>A picture of clouds that bring octrees along, of several kinds at once: they are streamed for the camera until
-    /// nothing more comes.</summary>
-    public static class StreamedPictureStep
+    const long PoolBytes = 2L << 30;
+    const int BankBytes = 64 << 20;
+    const int FramesOfRest = 3;
+
+    /// <param name="budget">Points to draw at most; 0 for the default.</param>
+    public static DrawStep Run(IReadOnlyList<string> clouds, PictureOptions options, long budget, CliRun run)
     {
-        const long PoolBytes = 2L << 30;
-        const int BankBytes = 64 << 20;
-        const int FramesOfRest = 3;
-
-        /// <param name="budget">Points to draw at most; 0 for the default.</param>
-        public static DrawStep Run(IReadOnlyList<string> clouds, PictureOptions options, long budget, CliRun run)
+        double begin = run.Seconds;
+        using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
+        stream.SetClipBoxes(options.ClipBoxes);
+        stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
+        stream.Settings.UploadBytesPerFrame = BankBytes;
+        stream.Settings.FramesAhead = 0;
+        using var picture = new StreamedPicture(options);
+        run.Progress.Begin("select");
+        var bounds = BoundsGeo.Empty;
+        var outline = new List<double3>();
+        var assumptions = new List<string>();
+        foreach (string cloud in clouds)
         {
-            double begin = run.Seconds;
-            using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
-            stream.SetClipBoxes(options.ClipBoxes);
-            stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
-            stream.Settings.UploadBytesPerFrame = BankBytes;
-            stream.Settings.FramesAhead = 0;
-            using var picture = new StreamedPicture(options);
-            run.Progress.Begin("select");
-            var bounds = BoundsGeo.Empty;
-            var outline = new List<double3>();
-            var assumptions = new List<string>();
-            foreach (string cloud in clouds)
-            {
-                var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
-                picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
-                assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
-                outline.AddRange(ranges.Outline);
-                if (!ranges.Robust.IsEmpty)
-                    bounds = bounds.IsEmpty ? ranges.Robust
-                        : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
-                if (clouds.Count == 1)
-                    options.Camera ??= plan.Camera;
-            }
-            if (bounds.IsEmpty)
-                throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to draw");
-            var camera = options.Camera ?? CameraFraming.Frame(options.View, bounds, outline.ToArray(),
-                options.WidthPx, options.HeightPx, options.UpAxis, options.FovDegrees, new double3(1, 1, 1));
-
-            run.Progress.Begin("stream");
-            var stats = Rest(stream, camera, options, run);
-            run.Progress.Begin("draw");
-            var image = picture.Draw(camera);
-            run.Progress.End();
-            while (stream.TryTakeFailure(out var failure))
-                run.Warnings.Add(failure.ToString());
-            return new DrawStep
-            {
-                Points = stats.DrawnPoints,
-                Nodes = stats.DrawnNodes,
-                Seconds = run.Seconds - begin,
-                Image = image,
-                Png = Png.Encode(image),
-                Assumptions = assumptions,
-            };
+            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
+            picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
+            assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
+            outline.AddRange(ranges.Outline);
+            if (!ranges.Robust.IsEmpty)
+                bounds = bounds.IsEmpty ? ranges.Robust
+                    : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
+            if (clouds.Count == 1)
+                options.Camera ??= plan.Camera;
         }
+        if (bounds.IsEmpty)
+            throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to draw");
+        var camera = options.Camera ?? CameraFraming.Frame(options.View, bounds, outline.ToArray(),
+            options.WidthPx, options.HeightPx, options.UpAxis, options.FovDegrees, new double3(1, 1, 1));
 
-        /// <summary>Frames until nothing more comes: all is there, or the pool has no room for more.</summary>
-        static FrameStats Rest(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
+        run.Progress.Begin("stream");
+        var stats = Rest(stream, camera, options, run);
+        run.Progress.Begin("draw");
+        var image = picture.Draw(camera);
+        run.Progress.End();
+        while (stream.TryTakeFailure(out var failure))
+            run.Warnings.Add(failure.ToString());
+        return new DrawStep
         {
-            using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)],
-                Allocator.Persistent);
-            for (int quiet = 0; ;)
-            {
-                run.Cancellation.ThrowIfCancellationRequested();
-                var stats = FrameStep.Run(stream, views);
-                JobHandle.ScheduleBatchedJobs();
-                bool isQuiet = stats.ReadsUnderWay + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
-                quiet = isQuiet ? quiet + 1 : 0;
-                if (stats.IsSettled || quiet > stream.Settings.FramesToRetry + FramesOfRest)
-                    return stats;
-                run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
-                Thread.Yield();
-            }
+            Points = stats.DrawnPoints,
+            Nodes = stats.DrawnNodes,
+            Seconds = run.Seconds - begin,
+            Image = image,
+            Png = Png.Encode(image),
+            Assumptions = assumptions,
+        };
+    }
+
+    /// <summary>Frames until nothing more comes: all is there, or the pool has no room for more.</summary>
+    static FrameStats Rest(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
+    {
+        using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)],
+            Allocator.Persistent);
+        for (int quiet = 0; ;)
+        {
+            run.Cancellation.ThrowIfCancellationRequested();
+            var stats = FrameStep.Run(stream, views);
+            JobHandle.ScheduleBatchedJobs();
+            bool isQuiet = stats.ReadsUnderWay + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
+            quiet = isQuiet ? quiet + 1 : 0;
+            if (stats.IsSettled || quiet > stream.Settings.FramesToRetry + FramesOfRest)
+                return stats;
+            run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
+            Thread.Yield();
         }
     }
 }

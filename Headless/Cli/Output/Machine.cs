@@ -1,29 +1,28 @@
 using System.Runtime.InteropServices;
 
-namespace FastPoints.Cli.Output
-{
-    /// <summary>What figures were measured on, for people.</summary>
-    public static class Machine
-    {
-        public static string Describe() => Processor() + ", " + Environment.ProcessorCount
-            + (Environment.ProcessorCount == 1 ? " core" : " cores") + " (" + Threads.InUse + " in use); "
-            + RuntimeInformation.OSDescription.Trim() + ", "
-            + RuntimeInformation.ProcessArchitecture + "; " + RuntimeInformation.FrameworkDescription;
+namespace FastPoints.Cli.Output;
 
-        /// <summary>What the processor calls itself.</summary>
-        public static string Processor()
+/// <summary>What figures were measured on, for people.</summary>
+public static class Machine
+{
+    public static string Describe() => Processor() + ", " + Environment.ProcessorCount
+        + (Environment.ProcessorCount == 1 ? " core" : " cores") + " (" + Threads.InUse + " in use); "
+        + RuntimeInformation.OSDescription.Trim() + ", "
+        + RuntimeInformation.ProcessArchitecture + "; " + RuntimeInformation.FrameworkDescription;
+
+    /// <summary>What the processor calls itself.</summary>
+    public static string Processor()
+    {
+        const string CpuInfo = "/proc/cpuinfo";
+        try
         {
-            const string CpuInfo = "/proc/cpuinfo";
-            try
-            {
-                if (File.Exists(CpuInfo) && File.ReadLines(CpuInfo).FirstOrDefault(l => l.StartsWith("model name")) is { } line)
-                    return line[(line.IndexOf(':') + 1)..].Trim();
-            }
-            catch (IOException)
-            {
-                // It is told by its name below.
-            }
-            return Environment.GetEnvironmentVariable("PROCESSOR_IDENTIFIER") ?? "unnamed processor";
+            if (File.Exists(CpuInfo) && File.ReadLines(CpuInfo).FirstOrDefault(l => l.StartsWith("model name")) is { } line)
+                return line[(line.IndexOf(':') + 1)..].Trim();
         }
+        catch (IOException)
+        {
+            // It is told by its name below.
+        }
+        return Environment.GetEnvironmentVariable("PROCESSOR_IDENTIFIER") ?? "unnamed processor";
     }
 }

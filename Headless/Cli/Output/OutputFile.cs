@@ -1,78 +1,77 @@
-namespace FastPoints.Cli.Output
+namespace FastPoints.Cli.Output;
+
+/// <summary>
+/// A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>, deleted
+/// when it never came to that.
+/// </summary>
+public sealed class OutputFile : IDisposable
 {
-    /// <summary>
-    /// A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>, deleted
-    /// when it never came to that.
-    /// </summary>
-    public sealed class OutputFile : IDisposable
+    readonly string m_path;
+    readonly string m_temporaryPath;
+    bool m_isCommitted;
+
+    public OutputFile(string path)
     {
-        readonly string m_path;
-        readonly string m_temporaryPath;
-        bool m_isCommitted;
+        m_path = path;
+        m_temporaryPath = path + "." + Environment.ProcessId + ".part";
+        Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create,
+            FileAccess.Write, FileShare.Read, 1 << 16));
+    }
 
-        public OutputFile(string path)
+    public FileStream Stream { get; private set; } = null!;
+
+    public void Commit()
+    {
+        Guarded(m_path, () =>
         {
-            m_path = path;
-            m_temporaryPath = path + "." + Environment.ProcessId + ".part";
-            Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create,
-                FileAccess.Write, FileShare.Read, 1 << 16));
+            Stream.Dispose();
+            File.Move(m_temporaryPath, m_path, overwrite: true);
+        });
+        m_isCommitted = true;
+    }
+
+    public void Dispose()
+    {
+        if (m_isCommitted)
+            return;
+        try
+        {
+            Stream.Dispose();
         }
-
-        public FileStream Stream { get; private set; } = null!;
-
-        public void Commit()
+        catch (IOException)
         {
-            Guarded(m_path, () =>
-            {
-                Stream.Dispose();
-                File.Move(m_temporaryPath, m_path, overwrite: true);
-            });
-            m_isCommitted = true;
+            // What could not be flushed is deleted all the same.
         }
+        File.Delete(m_temporaryPath);
+    }
 
-        public void Dispose()
+    public static void Write(string path, ReadOnlySpan<byte> bytes)
+    {
+        using var file = new OutputFile(path);
+        try
         {
-            if (m_isCommitted)
-                return;
-            try
-            {
-                Stream.Dispose();
-            }
-            catch (IOException)
-            {
-                // What could not be flushed is deleted all the same.
-            }
-            File.Delete(m_temporaryPath);
+            file.Stream.Write(bytes);
         }
-
-        public static void Write(string path, ReadOnlySpan<byte> bytes)
+        catch (IOException e)
         {
-            using var file = new OutputFile(path);
-            try
-            {
-                file.Stream.Write(bytes);
-            }
-            catch (IOException e)
-            {
-                throw FileFailures.Writing(path, e);
-            }
-            file.Commit();
+            throw FileFailures.Writing(path, e);
         }
+        file.Commit();
+    }
 
-        /// <summary>Makes a folder and those above it.</summary>
-        public static void MakeFolder(string path) => Guarded(path, () => Directory.CreateDirectory(path));
+    /// <summary>Makes a folder and those above it.</summary>
+    public static void MakeFolder(string path) => Guarded(path, () => Directory.CreateDirectory(path));
 
-        /// <summary>Runs something that writes <paramref name="path"/>, and says in one line what went wrong with it.</summary>
-        public static void Guarded(string path, Action write)
+    /// <summary>Runs something that writes <paramref name="path"/>, and says in one line what went wrong with it.</summary>
+    public static void Guarded(string path, Action write)
+    {
+        try
         {
-            try
-            {
-                write();
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                throw FileFailures.Writing(path, e);
-            }
+            write();
+        }
+        catch (Exception e) when (FileFailures.IsFileFailure(e))
+        {
+            throw FileFailures.Writing(path, e);
         }
     }
 }

@@ -1,23 +1,22 @@
 using System.Diagnostics;
 
-namespace FastPoints.Cli.Output
+namespace FastPoints.Cli.Output;
+
+/// <summary>The most memory that this process ever had resident.</summary>
+public static class PeakMemory
 {
-    /// <summary>The most memory that this process ever had resident.</summary>
-    public static class PeakMemory
+    public static long ResidentBytes
     {
-        public static long ResidentBytes
+        get
         {
-            get
-            {
-                const string status = "/proc/self/status";
-                if (OperatingSystem.IsLinux() && File.Exists(status))
-                    foreach (string line in File.ReadLines(status))
-                        if (line.StartsWith("VmHWM:", StringComparison.Ordinal))
-                            return 1024 * long.Parse(line.AsSpan(6, line.Length - 6 - 2), NumberStyles.AllowLeadingWhite
-                                | NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture);
-                using var self = Process.GetCurrentProcess();
-                return self.PeakWorkingSet64;
-            }
+            const string status = "/proc/self/status";
+            if (OperatingSystem.IsLinux() && File.Exists(status))
+                foreach (string line in File.ReadLines(status))
+                    if (line.StartsWith("VmHWM:", StringComparison.Ordinal))
+                        return 1024 * long.Parse(line.AsSpan(6, line.Length - 6 - 2), NumberStyles.AllowLeadingWhite
+                            | NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture);
+            using var self = Process.GetCurrentProcess();
+            return self.PeakWorkingSet64;
         }
     }
 }

@@ -1,124 +1,123 @@
 using System.Buffers;
 using System.Text.Encodings.Web;
 
-namespace FastPoints.Cli.Output
+namespace FastPoints.Cli.Output;
+
+/// <summary>The <c>--json</c> summary: the keys that every verb has, around the verb's own.</summary>
+public static class Summary
 {
-    /// <summary>The <c>--json</c> summary: the keys that every verb has, around the verb's own.</summary>
-    public static class Summary
+    /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
+    const long LargestExact = 1L << 53;
+
+    static readonly JsonWriterOptions s_options =
+        new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <param name="destination">A file, or <c>-</c> for <paramref name="output"/>.</param>
+    public static void Write(string destination, TextWriter output, string verb, CliRun run, Failure? failure)
     {
-        /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
-        const long LargestExact = 1L << 53;
-
-        static readonly JsonWriterOptions s_options =
-            new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-
-        /// <param name="destination">A file, or <c>-</c> for <paramref name="output"/>.</param>
-        public static void Write(string destination, TextWriter output, string verb, CliRun run, Failure? failure)
-        {
-            var bytes = new ArrayBufferWriter<byte>(4096);
-            using (var json = new Utf8JsonWriter(bytes, s_options))
-            {
-                json.WriteStartObject();
-                json.WriteString("verb", verb);
-                json.WriteStartArray("inputs");
-                foreach (string input in run.Inputs)
-                    json.WriteStringValue(input);
-                json.WriteEndArray();
-                run.WriteKeys?.Invoke(json);
-                json.WriteNumber("seconds", Math.Round(run.Seconds, 6));
-                json.WriteStartArray("stages");
-                foreach (var stage in run.Progress.Finished)
-                    WriteStage(json, stage);
-                json.WriteEndArray();
-                json.WriteInteger("peakResidentBytes", PeakMemory.ResidentBytes);
-                json.WriteStartArray("warnings");
-                foreach (string warning in run.Warnings)
-                    json.WriteStringValue(warning);
-                json.WriteEndArray();
-                if (failure != null)
-                    WriteFailure(json, failure);
-                json.WriteEndObject();
-            }
-            if (destination == "-")
-                output.WriteLine(Encoding.UTF8.GetString(bytes.WrittenSpan));
-            else
-                OutputFile.Write(destination, bytes.WrittenSpan);
-        }
-
-        static void WriteStage(Utf8JsonWriter json, StageProgress.Stage stage)
+        var bytes = new ArrayBufferWriter<byte>(4096);
+        using (var json = new Utf8JsonWriter(bytes, s_options))
         {
             json.WriteStartObject();
-            json.WriteString("name", stage.Name);
-            json.WriteNumber("seconds", Math.Round(stage.Seconds, 6));
-            json.WriteInteger("points", stage.Points);
-            json.WriteInteger("bytes", stage.Bytes);
-            json.WriteEndObject();
-        }
-
-        static void WriteFailure(Utf8JsonWriter json, Failure failure)
-        {
-            json.WriteStartObject("failure");
-            json.WriteString("code", failure.Code);
-            json.WriteString("message", failure.Message);
-            json.WriteString("file", failure.File);
-            if (failure.Offset >= 0)
-                json.WriteInteger("offset", failure.Offset);
-            else
-                json.WriteNull("offset");
-            json.WriteEndObject();
-        }
-
-        /// <summary>A number, or a decimal string where a double would not hold it.</summary>
-        public static void WriteInteger(this Utf8JsonWriter json, string key, long value)
-        {
-            if (Math.Abs(value) <= LargestExact)
-                json.WriteNumber(key, value);
-            else
-                json.WriteString(key, value.ToString(CultureInfo.InvariantCulture));
-        }
-
-        public static void WriteInteger(this Utf8JsonWriter json, string key, ulong value)
-        {
-            if (value <= (ulong)LargestExact)
-                json.WriteNumber(key, value);
-            else
-                json.WriteString(key, value.ToString(CultureInfo.InvariantCulture));
-        }
-
-        /// <summary>A number; null where it is not finite, which JSON cannot say.</summary>
-        public static void WriteReal(this Utf8JsonWriter json, string key, double value)
-        {
-            if (double.IsFinite(value))
-                json.WriteNumber(key, value);
-            else
-                json.WriteNull(key);
-        }
-
-        public static void WriteVector(this Utf8JsonWriter json, string key, double3 value)
-        {
-            json.WriteStartArray(key);
-            for (int axis = 0; axis < 3; axis++)
-            {
-                if (double.IsFinite(value[axis]))
-                    json.WriteNumberValue(value[axis]);
-                else
-                    json.WriteNullValue();
-            }
+            json.WriteString("verb", verb);
+            json.WriteStartArray("inputs");
+            foreach (string input in run.Inputs)
+                json.WriteStringValue(input);
             json.WriteEndArray();
-        }
-
-        /// <summary>An object with min and max; null for an empty box.</summary>
-        public static void WriteBounds(this Utf8JsonWriter json, string key, BoundsGeo bounds)
-        {
-            if (bounds.IsEmpty)
-            {
-                json.WriteNull(key);
-                return;
-            }
-            json.WriteStartObject(key);
-            json.WriteVector("min", bounds.Min);
-            json.WriteVector("max", bounds.Max);
+            run.WriteKeys?.Invoke(json);
+            json.WriteNumber("seconds", Math.Round(run.Seconds, 6));
+            json.WriteStartArray("stages");
+            foreach (var stage in run.Progress.Finished)
+                WriteStage(json, stage);
+            json.WriteEndArray();
+            json.WriteInteger("peakResidentBytes", PeakMemory.ResidentBytes);
+            json.WriteStartArray("warnings");
+            foreach (string warning in run.Warnings)
+                json.WriteStringValue(warning);
+            json.WriteEndArray();
+            if (failure != null)
+                WriteFailure(json, failure);
             json.WriteEndObject();
         }
+        if (destination == "-")
+            output.WriteLine(Encoding.UTF8.GetString(bytes.WrittenSpan));
+        else
+            OutputFile.Write(destination, bytes.WrittenSpan);
+    }
+
+    static void WriteStage(Utf8JsonWriter json, StageProgress.Stage stage)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", stage.Name);
+        json.WriteNumber("seconds", Math.Round(stage.Seconds, 6));
+        json.WriteInteger("points", stage.Points);
+        json.WriteInteger("bytes", stage.Bytes);
+        json.WriteEndObject();
+    }
+
+    static void WriteFailure(Utf8JsonWriter json, Failure failure)
+    {
+        json.WriteStartObject("failure");
+        json.WriteString("code", failure.Code);
+        json.WriteString("message", failure.Message);
+        json.WriteString("file", failure.File);
+        if (failure.Offset >= 0)
+            json.WriteInteger("offset", failure.Offset);
+        else
+            json.WriteNull("offset");
+        json.WriteEndObject();
+    }
+
+    /// <summary>A number, or a decimal string where a double would not hold it.</summary>
+    public static void WriteInteger(this Utf8JsonWriter json, string key, long value)
+    {
+        if (Math.Abs(value) <= LargestExact)
+            json.WriteNumber(key, value);
+        else
+            json.WriteString(key, value.ToString(CultureInfo.InvariantCulture));
+    }
+
+    public static void WriteInteger(this Utf8JsonWriter json, string key, ulong value)
+    {
+        if (value <= (ulong)LargestExact)
+            json.WriteNumber(key, value);
+        else
+            json.WriteString(key, value.ToString(CultureInfo.InvariantCulture));
+    }
+
+    /// <summary>A number; null where it is not finite, which JSON cannot say.</summary>
+    public static void WriteReal(this Utf8JsonWriter json, string key, double value)
+    {
+        if (double.IsFinite(value))
+            json.WriteNumber(key, value);
+        else
+            json.WriteNull(key);
+    }
+
+    public static void WriteVector(this Utf8JsonWriter json, string key, double3 value)
+    {
+        json.WriteStartArray(key);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            if (double.IsFinite(value[axis]))
+                json.WriteNumberValue(value[axis]);
+            else
+                json.WriteNullValue();
+        }
+        json.WriteEndArray();
+    }
+
+    /// <summary>An object with min and max; null for an empty box.</summary>
+    public static void WriteBounds(this Utf8JsonWriter json, string key, BoundsGeo bounds)
+    {
+        if (bounds.IsEmpty)
+        {
+            json.WriteNull(key);
+            return;
+        }
+        json.WriteStartObject(key);
+        json.WriteVector("min", bounds.Min);
+        json.WriteVector("max", bounds.Max);
+        json.WriteEndObject();
     }
 }

@@ -1,238 +1,237 @@
-namespace FastPoints.Cli.Preview
+namespace FastPoints.Cli.Preview;
+
+/// <summary>The errors of a preview over its time, beside those of other ways of sampling: what <c>preview --report</c>
+/// measures.</summary>
+public sealed class ErrorStep
 {
-    /// <summary>The errors of a preview over its time, beside those of other ways of sampling: what <c>preview --report</c>
-    /// measures.</summary>
-    public sealed class ErrorStep
+    public const string OursName = "ours, in waves", ScanName = "full scan";
+
+    /// <summary>Shares of each block that the points are chosen from.</summary>
+    static readonly (double Share, string Name)[] s_shares =
+        [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
+
+    /// <summary>Points that are decoded for one that is shown, where prefixes are thinned.</summary>
+    const int TimesDecoded = 5;
+
+    readonly CliRun m_run;
+    readonly CompareSamples m_comparison;
+    readonly SampleTakers m_takers;
+    readonly Dictionary<int, RgbaImage[]> m_viewsOfScan = [];
+
+    ErrorStep(CliRun run, CompareSamples comparison, SampleTakers takers)
     {
-        public const string OursName = "ours, in waves", ScanName = "full scan";
+        (m_run, m_comparison, m_takers) = (run, comparison, takers);
+    }
 
-        /// <summary>Shares of each block that the points are chosen from.</summary>
-        static readonly (double Share, string Name)[] s_shares =
-            [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
+    public List<ErrorCurve> Curves { get; } = [];
 
-        /// <summary>Points that are decoded for one that is shown, where prefixes are thinned.</summary>
-        const int TimesDecoded = 5;
+    public long PointsInCloud => m_comparison.PointCount;
+    public RgbaImage[] FullViews => m_comparison.FullViews;
 
-        readonly CliRun m_run;
-        readonly CompareSamples m_comparison;
-        readonly SampleTakers m_takers;
-        readonly Dictionary<int, RgbaImage[]> m_viewsOfScan = [];
+    /// <summary>The page, once it is written.</summary>
+    public string? Page { get; set; }
 
-        ErrorStep(CliRun run, CompareSamples comparison, SampleTakers takers)
+    public ErrorCurve? Ours => Curves.FirstOrDefault(c => c.Name == OursName);
+
+    /// <summary>The last of ours.</summary>
+    public ErrorWave? Last => Ours?.Waves.LastOrDefault();
+
+    /// <param name="open">Opens the source anew: each way of sampling does so itself, and is timed from there.</param>
+    public static ErrorStep Run(Func<PointReader> open, PreviewOptions options, CliRun run)
+    {
+        using var reader = open();
+        // Half the size of the picture: many views are drawn and compared.
+        using var comparison = new CompareSamples(reader, options.Picture, (options.Picture.WidthPx + 1) / 2,
+            (options.Picture.HeightPx + 1) / 2);
+        var takers = new SampleTakers(open, options, run);
+        var step = new ErrorStep(run, comparison, takers);
+        run.Progress.Group = "error";
+        run.Pump(comparison.Prepare(run.Progress));
+        step.MeasureAll(reader);
+        run.Pump(comparison.LookUp(run.Progress));
+        run.Progress.Group = null;
+        return step;
+    }
+
+    void MeasureAll(PointReader reader)
+    {
+        m_run.Progress.Begin(OursName);
+        List<int> counts;
+        var curve = new ErrorCurve(OursName,
+            "the preview's own sample; each wave is the beginning of the next, or (LAZ, text, tiles) gives way to it");
+        var scan = new ErrorCurve(ScanName,
+            "one hashed point of each of N equal parts of the file, by a scan of all points: the reference");
+        using (var ours = m_takers.Ours())
         {
-            (m_run, m_comparison, m_takers) = (run, comparison, takers);
+            counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
+            // The scan comes before ours is measured: its views are what the views of others are compared with.
+            foreach (int count in counts)
+                Measure(scan, () => m_takers.FullScan(count));
+            Measure(curve, ours);
         }
+        Curves.Add(curve);
+        Curves.Add(scan);
+        MeasureOthers(reader, counts);
 
-        public List<ErrorCurve> Curves { get; } = [];
+        // What else the machine does changes within minutes: ours were the first, and are timed among the others as well.
+        m_run.Progress.Begin(OursName);
+        using var again = m_takers.Ours();
+        curve.TakeSooner(again.Waves.Select(w => w.Wave));
+        m_run.Progress.End();
+    }
 
-        public long PointsInCloud => m_comparison.PointCount;
-        public RgbaImage[] FullViews => m_comparison.FullViews;
+    void MeasureOthers(PointReader reader, List<int> counts)
+    {
+        var nth = new ErrorCurve("every n-th point", "as far apart in the file as it takes");
+        foreach (int count in counts)
+            Measure(nth, () => m_takers.EveryNth(count));
+        Curves.Add(nth);
+        var first = new ErrorCurve("first N points", "the beginning of the file");
+        foreach (int count in counts)
+            Measure(first, () => m_takers.First(count));
+        Curves.Add(first);
+        if (reader.HasFixedStride || reader.BlockCount < 2 || reader.PointCount == 0)
+            return;
+        var prefixes = new ErrorCurve("block prefixes",
+            "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
+        foreach (int count in counts)
+            Measure(prefixes, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
+        Curves.Add(prefixes);
+        var thinned = new ErrorCurve("thinned prefixes", "N points of " + TimesDecoded
+            + " times as many from the prefixes of all blocks: first those that stand where no other does");
+        foreach (int count in counts.Where(c => (long)c * TimesDecoded <= reader.PointCount))
+            Measure(thinned, () => m_takers.ThinnedBeginnings(count, TimesDecoded));
+        Curves.Add(thinned);
+        var deeper = new ErrorCurve("deeper prefixes", "as many points as the last wave, evenly from the first "
+            + string.Join(", ", s_shares.Select(s => s.Name)) + " of each block");
+        foreach (var (share, _) in s_shares)
+            Measure(deeper, () => m_takers.Beginnings(share, counts[^1]));
+        Curves.Add(deeper);
+    }
 
-        /// <summary>The page, once it is written.</summary>
-        public string? Page { get; set; }
+    void Measure(ErrorCurve curve, Func<TakenSample> take)
+    {
+        m_run.Progress.Begin(curve.Name);
+        using var taken = take();
+        Measure(curve, taken);
+    }
 
-        public ErrorCurve? Ours => Curves.FirstOrDefault(c => c.Name == OursName);
-
-        /// <summary>The last of ours.</summary>
-        public ErrorWave? Last => Ours?.Waves.LastOrDefault();
-
-        /// <param name="open">Opens the source anew: each way of sampling does so itself, and is timed from there.</param>
-        public static ErrorStep Run(Func<PointReader> open, PreviewOptions options, CliRun run)
+    void Measure(ErrorCurve curve, TakenSample taken)
+    {
+        m_run.Progress.Begin("measure");
+        foreach (var (wave, points) in taken.Waves)
         {
-            using var reader = open();
-            // Half the size of the picture: many views are drawn and compared.
-            using var comparison = new CompareSamples(reader, options.Picture, (options.Picture.WidthPx + 1) / 2,
-                (options.Picture.HeightPx + 1) / 2);
-            var takers = new SampleTakers(open, options, run);
-            var step = new ErrorStep(run, comparison, takers);
-            run.Progress.Group = "error";
-            run.Pump(comparison.Prepare(run.Progress));
-            step.MeasureAll(reader);
-            run.Pump(comparison.LookUp(run.Progress));
-            run.Progress.Group = null;
-            return step;
+            var error = new SampleError();
+            m_viewsOfScan.TryGetValue(wave.Points, out var sameCount);
+            m_run.Pump(m_comparison.Measure(points, wave.Points, taken.Transform, sameCount, error));
+            if (curve.Name == ScanName)
+                m_viewsOfScan.TryAdd(wave.Points, error.Views);
+            curve.Waves.Add(new ErrorWave(wave, error, FastPoints.Picture.Png.Encode(error.Views[2])));
+            error.Views = null;
         }
+        m_run.Progress.End();
+    }
 
-        void MeasureAll(PointReader reader)
-        {
-            m_run.Progress.Begin(OursName);
-            List<int> counts;
-            var curve = new ErrorCurve(OursName,
-                "the preview's own sample; each wave is the beginning of the next, or (LAZ, text, tiles) gives way to it");
-            var scan = new ErrorCurve(ScanName,
-                "one hashed point of each of N equal parts of the file, by a scan of all points: the reference");
-            using (var ours = m_takers.Ours())
+    /// <summary>The values of a wave by name, for the table and the summary.</summary>
+    public static IEnumerable<(string Key, double Value)> Values(ErrorWave wave)
+    {
+        var error = wave.Error;
+        yield return ("points", wave.Wave.Points);
+        yield return ("seconds", wave.Wave.Seconds);
+        yield return ("bytesRead", wave.Wave.BytesRead);
+        yield return ("share", error.Share);
+        yield return ("rms", error.Distance.Rms);
+        yield return ("hausdorff95", error.Distance.Ranked95);
+        yield return ("hausdorff99", error.Distance.Ranked99);
+        yield return ("uncoveredCells64", error.Cells.Uncovered64);
+        yield return ("uncoveredCells128", error.Cells.Uncovered128);
+        yield return ("uncoveredCells256", error.Cells.Uncovered256);
+        yield return ("uncoveredCells512", error.Cells.Uncovered512);
+        yield return ("shareVariation", error.Cells.Variation);
+        yield return ("shareVariationByChance", error.Cells.VariationByChance);
+        yield return ("bias", error.Cells.Bias);
+        yield return ("biasByChance", error.Cells.BiasByChance);
+        yield return ("psnrFull", error.Picture.Psnr);
+        yield return ("ssimFull", error.Picture.Ssim);
+        yield return ("uncoveredFull", error.Picture.Uncovered);
+        yield return ("psnr", error.PictureAtSameCount?.Psnr ?? double.NaN);
+        yield return ("ssim", error.PictureAtSameCount?.Ssim ?? double.NaN);
+        yield return ("uncovered", error.PictureAtSameCount?.Uncovered ?? double.NaN);
+        yield return ("lookedUp", error.LookedUp);
+        yield return ("found", error.Found);
+    }
+
+    public string ToCsv()
+    {
+        var lines = new List<string>();
+        foreach (var curve in Curves)
+            foreach (var wave in curve.Waves)
             {
-                counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
-                // The scan comes before ours is measured: its views are what the views of others are compared with.
-                foreach (int count in counts)
-                    Measure(scan, () => m_takers.FullScan(count));
-                Measure(curve, ours);
+                if (lines.Count == 0)
+                    lines.Add("curve," + string.Join(',', Values(wave).Select(v => v.Key)));
+                lines.Add(curve.Name.Replace(",", "") + ","
+                    + string.Join(',', Values(wave).Select(v => v.Value.ToString("R", CultureInfo.InvariantCulture))));
             }
-            Curves.Add(curve);
-            Curves.Add(scan);
-            MeasureOthers(reader, counts);
+        return string.Join('\n', lines) + "\n";
+    }
 
-            // What else the machine does changes within minutes: ours were the first, and are timed among the others as well.
-            m_run.Progress.Begin(OursName);
-            using var again = m_takers.Ours();
-            curve.TakeSooner(again.Waves.Select(w => w.Wave));
-            m_run.Progress.End();
-        }
-
-        void MeasureOthers(PointReader reader, List<int> counts)
-        {
-            var nth = new ErrorCurve("every n-th point", "as far apart in the file as it takes");
-            foreach (int count in counts)
-                Measure(nth, () => m_takers.EveryNth(count));
-            Curves.Add(nth);
-            var first = new ErrorCurve("first N points", "the beginning of the file");
-            foreach (int count in counts)
-                Measure(first, () => m_takers.First(count));
-            Curves.Add(first);
-            if (reader.HasFixedStride || reader.BlockCount < 2 || reader.PointCount == 0)
-                return;
-            var prefixes = new ErrorCurve("block prefixes",
-                "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
-            foreach (int count in counts)
-                Measure(prefixes, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
-            Curves.Add(prefixes);
-            var thinned = new ErrorCurve("thinned prefixes", "N points of " + TimesDecoded
-                + " times as many from the prefixes of all blocks: first those that stand where no other does");
-            foreach (int count in counts.Where(c => (long)c * TimesDecoded <= reader.PointCount))
-                Measure(thinned, () => m_takers.ThinnedBeginnings(count, TimesDecoded));
-            Curves.Add(thinned);
-            var deeper = new ErrorCurve("deeper prefixes", "as many points as the last wave, evenly from the first "
-                + string.Join(", ", s_shares.Select(s => s.Name)) + " of each block");
-            foreach (var (share, _) in s_shares)
-                Measure(deeper, () => m_takers.Beginnings(share, counts[^1]));
-            Curves.Add(deeper);
-        }
-
-        void Measure(ErrorCurve curve, Func<TakenSample> take)
-        {
-            m_run.Progress.Begin(curve.Name);
-            using var taken = take();
-            Measure(curve, taken);
-        }
-
-        void Measure(ErrorCurve curve, TakenSample taken)
-        {
-            m_run.Progress.Begin("measure");
-            foreach (var (wave, points) in taken.Waves)
+    public TextTable ToTable()
+    {
+        var table = new TextTable("sample", "points", "seconds", "RMS", "95 %", "99 %", "bare /64", "/128", "/256", "/512",
+            "variation (chance)", "bias (chance)", "PSNR dB", "SSIM", "bare pixels", "same N: SSIM", "bare pixels");
+        foreach (var curve in Curves)
+            foreach (var wave in curve.Waves)
             {
-                var error = new SampleError();
-                m_viewsOfScan.TryGetValue(wave.Points, out var sameCount);
-                m_run.Pump(m_comparison.Measure(points, wave.Points, taken.Transform, sameCount, error));
-                if (curve.Name == ScanName)
-                    m_viewsOfScan.TryAdd(wave.Points, error.Views);
-                curve.Waves.Add(new ErrorWave(wave, error, FastPoints.Picture.Png.Encode(error.Views[2])));
-                error.Views = null;
+                var error = wave.Error;
+                table.Add(curve.Name, Human.Count(wave.Wave.Points), Short(wave.Wave.Seconds),
+                    Percent(error.Distance.Rms), Percent(error.Distance.Ranked95), Percent(error.Distance.Ranked99),
+                    Percent(error.Cells.Uncovered64), Percent(error.Cells.Uncovered128), Percent(error.Cells.Uncovered256),
+                    Percent(error.Cells.Uncovered512),
+                    Short(error.Cells.Variation) + " (" + Short(error.Cells.VariationByChance) + ")",
+                    Short(error.Cells.Bias) + " (" + Short(error.Cells.BiasByChance) + ")",
+                    Short(error.Picture.Psnr, "0.0"), Short(error.Picture.Ssim), Percent(error.Picture.Uncovered),
+                    error.PictureAtSameCount is { } same ? Short(same.Ssim) : "",
+                    error.PictureAtSameCount is { } too ? Percent(too.Uncovered) : "");
             }
-            m_run.Progress.End();
-        }
+        return table;
+    }
 
-        /// <summary>The values of a wave by name, for the table and the summary.</summary>
-        public static IEnumerable<(string Key, double Value)> Values(ErrorWave wave)
+    static string Percent(double value) => double.IsFinite(value)
+        ? (100 * value).ToString(value < 0.01 ? "0.0000" : "0.00", CultureInfo.InvariantCulture) + "%"
+        : "-";
+
+    static string Short(double value, string format = "0.000") =>
+        double.IsNaN(value) ? "-" : double.IsInfinity(value) ? "inf" : value.ToString(format, CultureInfo.InvariantCulture);
+
+    /// <summary>The key <c>error</c>: that of the last wave of ours, and all curves.</summary>
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        json.WriteStartObject("error");
+        if (Last is { } last)
+            WriteValues(json, last);
+        json.WriteStartArray("curves");
+        foreach (var curve in Curves)
         {
-            var error = wave.Error;
-            yield return ("points", wave.Wave.Points);
-            yield return ("seconds", wave.Wave.Seconds);
-            yield return ("bytesRead", wave.Wave.BytesRead);
-            yield return ("share", error.Share);
-            yield return ("rms", error.Distance.Rms);
-            yield return ("hausdorff95", error.Distance.Ranked95);
-            yield return ("hausdorff99", error.Distance.Ranked99);
-            yield return ("uncoveredCells64", error.Cells.Uncovered64);
-            yield return ("uncoveredCells128", error.Cells.Uncovered128);
-            yield return ("uncoveredCells256", error.Cells.Uncovered256);
-            yield return ("uncoveredCells512", error.Cells.Uncovered512);
-            yield return ("shareVariation", error.Cells.Variation);
-            yield return ("shareVariationByChance", error.Cells.VariationByChance);
-            yield return ("bias", error.Cells.Bias);
-            yield return ("biasByChance", error.Cells.BiasByChance);
-            yield return ("psnrFull", error.Picture.Psnr);
-            yield return ("ssimFull", error.Picture.Ssim);
-            yield return ("uncoveredFull", error.Picture.Uncovered);
-            yield return ("psnr", error.PictureAtSameCount?.Psnr ?? double.NaN);
-            yield return ("ssim", error.PictureAtSameCount?.Ssim ?? double.NaN);
-            yield return ("uncovered", error.PictureAtSameCount?.Uncovered ?? double.NaN);
-            yield return ("lookedUp", error.LookedUp);
-            yield return ("found", error.Found);
-        }
-
-        public string ToCsv()
-        {
-            var lines = new List<string>();
-            foreach (var curve in Curves)
-                foreach (var wave in curve.Waves)
-                {
-                    if (lines.Count == 0)
-                        lines.Add("curve," + string.Join(',', Values(wave).Select(v => v.Key)));
-                    lines.Add(curve.Name.Replace(",", "") + ","
-                        + string.Join(',', Values(wave).Select(v => v.Value.ToString("R", CultureInfo.InvariantCulture))));
-                }
-            return string.Join('\n', lines) + "\n";
-        }
-
-        public TextTable ToTable()
-        {
-            var table = new TextTable("sample", "points", "seconds", "RMS", "95 %", "99 %", "bare /64", "/128", "/256", "/512",
-                "variation (chance)", "bias (chance)", "PSNR dB", "SSIM", "bare pixels", "same N: SSIM", "bare pixels");
-            foreach (var curve in Curves)
-                foreach (var wave in curve.Waves)
-                {
-                    var error = wave.Error;
-                    table.Add(curve.Name, Human.Count(wave.Wave.Points), Short(wave.Wave.Seconds),
-                        Percent(error.Distance.Rms), Percent(error.Distance.Ranked95), Percent(error.Distance.Ranked99),
-                        Percent(error.Cells.Uncovered64), Percent(error.Cells.Uncovered128), Percent(error.Cells.Uncovered256),
-                        Percent(error.Cells.Uncovered512),
-                        Short(error.Cells.Variation) + " (" + Short(error.Cells.VariationByChance) + ")",
-                        Short(error.Cells.Bias) + " (" + Short(error.Cells.BiasByChance) + ")",
-                        Short(error.Picture.Psnr, "0.0"), Short(error.Picture.Ssim), Percent(error.Picture.Uncovered),
-                        error.PictureAtSameCount is { } same ? Short(same.Ssim) : "",
-                        error.PictureAtSameCount is { } too ? Percent(too.Uncovered) : "");
-                }
-            return table;
-        }
-
-        static string Percent(double value) => double.IsFinite(value)
-            ? (100 * value).ToString(value < 0.01 ? "0.0000" : "0.00", CultureInfo.InvariantCulture) + "%"
-            : "-";
-
-        static string Short(double value, string format = "0.000") =>
-            double.IsNaN(value) ? "-" : double.IsInfinity(value) ? "inf" : value.ToString(format, CultureInfo.InvariantCulture);
-
-        /// <summary>The key <c>error</c>: that of the last wave of ours, and all curves.</summary>
-        public void WriteKeys(Utf8JsonWriter json)
-        {
-            json.WriteStartObject("error");
-            if (Last is { } last)
-                WriteValues(json, last);
-            json.WriteStartArray("curves");
-            foreach (var curve in Curves)
+            json.WriteStartObject();
+            json.WriteString("name", curve.Name);
+            json.WriteStartArray("waves");
+            foreach (var wave in curve.Waves)
             {
                 json.WriteStartObject();
-                json.WriteString("name", curve.Name);
-                json.WriteStartArray("waves");
-                foreach (var wave in curve.Waves)
-                {
-                    json.WriteStartObject();
-                    WriteValues(json, wave);
-                    json.WriteEndObject();
-                }
-                json.WriteEndArray();
+                WriteValues(json, wave);
                 json.WriteEndObject();
             }
             json.WriteEndArray();
             json.WriteEndObject();
-            json.WriteString("report", Page);
         }
+        json.WriteEndArray();
+        json.WriteEndObject();
+        json.WriteString("report", Page);
+    }
 
-        static void WriteValues(Utf8JsonWriter json, ErrorWave wave)
-        {
-            foreach (var (key, value) in Values(wave))
-                json.WriteReal(key, value);
-        }
+    static void WriteValues(Utf8JsonWriter json, ErrorWave wave)
+    {
+        foreach (var (key, value) in Values(wave))
+            json.WriteReal(key, value);
     }
 }

@@ -1,73 +1,72 @@
-namespace FastPoints.Cli.Preview
+namespace FastPoints.Cli.Preview;
+
+/// <summary>A preview that was taken, and what is to be said of it.</summary>
+public sealed class PreviewStep
 {
-    /// <summary>A preview that was taken, and what is to be said of it.</summary>
-    public sealed class PreviewStep
+    public required int Points { get; init; }
+    public required double Share { get; init; }
+    public required long BytesRead { get; init; }
+    public required string Method { get; init; }
+
+    /// <summary>When which beginning of the sample could be drawn.</summary>
+    public required IReadOnlyList<SampleWave> Waves { get; init; }
+
+    /// <summary>How long its jobs were.</summary>
+    public required SliceLengths Slices { get; set; }
+
+    /// <summary>From the beginning to the picture.</summary>
+    public required double Seconds { get; init; }
+
+    public required RgbaImage Image { get; init; }
+    public required byte[] Png { get; init; }
+    public required Camera Camera { get; init; }
+    public required ColorMode Mode { get; init; }
+    public required IReadOnlyList<string> Assumptions { get; init; }
+
+    /// <summary>Errors over time, where they were measured.</summary>
+    public ErrorStep? Error { get; set; }
+
+    public static PreviewStep Run(PointReader reader, PreviewOptions options, CliRun run)
     {
-        public required int Points { get; init; }
-        public required double Share { get; init; }
-        public required long BytesRead { get; init; }
-        public required string Method { get; init; }
-
-        /// <summary>When which beginning of the sample could be drawn.</summary>
-        public required IReadOnlyList<SampleWave> Waves { get; init; }
-
-        /// <summary>How long its jobs were.</summary>
-        public required SliceLengths Slices { get; set; }
-
-        /// <summary>From the beginning to the picture.</summary>
-        public required double Seconds { get; init; }
-
-        public required RgbaImage Image { get; init; }
-        public required byte[] Png { get; init; }
-        public required Camera Camera { get; init; }
-        public required ColorMode Mode { get; init; }
-        public required IReadOnlyList<string> Assumptions { get; init; }
-
-        /// <summary>Errors over time, where they were measured.</summary>
-        public ErrorStep? Error { get; set; }
-
-        public static PreviewStep Run(PointReader reader, PreviewOptions options, CliRun run)
+        double begin = run.Seconds;
+        using var preview = new PreviewCloud(reader, options);
+        var slices = SliceLengths.Measure(() => run.Pump(preview.Run(run.Progress)));
+        run.Warn(reader.Info);
+        return new PreviewStep
         {
-            double begin = run.Seconds;
-            using var preview = new PreviewCloud(reader, options);
-            var slices = SliceLengths.Measure(() => run.Pump(preview.Run(run.Progress)));
-            run.Warn(reader.Info);
-            return new PreviewStep
-            {
-                Points = preview.Sample.Count,
-                Share = preview.Sample.Share,
-                BytesRead = preview.Sample.BytesRead,
-                Method = preview.Sample.Method,
-                Waves = preview.Waves,
-                Slices = slices,
-                Seconds = run.Seconds - begin,
-                Image = preview.Image,
-                Png = FastPoints.Picture.Png.Encode(preview.Image),
-                Camera = preview.Plan.Camera,
-                Mode = preview.Plan.Mode,
-                Assumptions = preview.Plan.Assumptions,
-            };
-        }
+            Points = preview.Sample.Count,
+            Share = preview.Sample.Share,
+            BytesRead = preview.Sample.BytesRead,
+            Method = preview.Sample.Method,
+            Waves = preview.Waves,
+            Slices = slices,
+            Seconds = run.Seconds - begin,
+            Image = preview.Image,
+            Png = FastPoints.Picture.Png.Encode(preview.Image),
+            Camera = preview.Plan.Camera,
+            Mode = preview.Plan.Mode,
+            Assumptions = preview.Plan.Assumptions,
+        };
+    }
 
-        public string Describe() => Human.Count(Points) + " points, " + Human.Value(100 * Share) + "% of the cloud, from "
-            + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";
+    public string Describe() => Human.Count(Points) + " points, " + Human.Value(100 * Share) + "% of the cloud, from "
+        + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";
 
-        /// <summary>The keys of <c>preview</c>, into an object that is open.</summary>
-        public void WriteKeys(Utf8JsonWriter json)
+    /// <summary>The keys of <c>preview</c>, into an object that is open.</summary>
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        json.WriteInteger("points", Points);
+        json.WriteInteger("bytesRead", BytesRead);
+        json.WriteStartArray("waves");
+        foreach (var wave in Waves)
         {
-            json.WriteInteger("points", Points);
-            json.WriteInteger("bytesRead", BytesRead);
-            json.WriteStartArray("waves");
-            foreach (var wave in Waves)
-            {
-                json.WriteStartObject();
-                json.WriteInteger("points", wave.Points);
-                json.WriteReal("seconds", wave.Seconds);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            Slices.WriteKey(json);
-            Error?.WriteKeys(json);
+            json.WriteStartObject();
+            json.WriteInteger("points", wave.Points);
+            json.WriteReal("seconds", wave.Seconds);
+            json.WriteEndObject();
         }
+        json.WriteEndArray();
+        Slices.WriteKey(json);
+        Error?.WriteKeys(json);
     }
 }

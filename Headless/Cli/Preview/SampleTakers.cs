@@ -1,124 +1,123 @@
 using System.Diagnostics;
 
-namespace FastPoints.Cli.Preview
+namespace FastPoints.Cli.Preview;
+
+/// <summary>Ways of sampling a source, each timed from the open call: ours, and those that it is compared with.</summary>
+public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options, CliRun run)
 {
-    /// <summary>Ways of sampling a source, each timed from the open call: ours, and those that it is compared with.</summary>
-    public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options, CliRun run)
+    /// <summary>Runs of what is quick, of which the fastest counts: it takes so little that anything else on the machine
+    /// shows.</summary>
+    const int RunsOfQuick = 3;
+
+    /// <summary>What takes longer is run once.</summary>
+    const double QuickSeconds = 3;
+
+    /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
+    const int MostSinglePoints = 20_000;
+
+    /// <summary>The product's own sample, in its waves.</summary>
+    public TakenSample Ours() => Timed((reader, opened) =>
     {
-        /// <summary>Runs of what is quick, of which the fastest counts: it takes so little that anything else on the machine
-        /// shows.</summary>
-        const int RunsOfQuick = 3;
-
-        /// <summary>What takes longer is run once.</summary>
-        const double QuickSeconds = 3;
-
-        /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
-        const int MostSinglePoints = 20_000;
-
-        /// <summary>The product's own sample, in its waves.</summary>
-        public TakenSample Ours() => Timed((reader, opened) =>
+        var taken = new TakenSample(reader.Info.Transform);
+        bool refines = PreviewCloud.Refines(reader);
+        int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
+        var watch = Stopwatch.StartNew();
+        using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))
         {
-            var taken = new TakenSample(reader.Info.Transform);
-            bool refines = PreviewCloud.Refines(reader);
-            int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
-            var watch = Stopwatch.StartNew();
-            using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))
-            {
-                run.Pump(sampler.Run(0, run.Progress));
-                var sample = sampler.TakeSample();
-                foreach (var wave in sampler.Waves)
-                    taken.Add(wave, opened, sample.Points);
-                if (!refines || sample.IsWhole)
-                    return taken;
-                var ranges = new DisplayRanges();
-                run.Pump(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
-                using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
-                double before = opened + watch.Elapsed.TotalSeconds;
-                refining.WaveReady += wave => taken.Add(wave, before, refining.TakeSample().Points);
-                run.Pump(refining.Run(0, run.Progress));
-            }
-            return taken;
-        });
-
-        /// <summary>One hashed point of each stratum, by a scan of all points: the reference.</summary>
-        public TakenSample FullScan(int points) => Timed((reader, opened) =>
-        {
-            var watch = Stopwatch.StartNew();
-            using var sampler = new UniformSampler(reader, points, options.Seed);
             run.Pump(sampler.Run(0, run.Progress));
-            double seconds = opened + watch.Elapsed.TotalSeconds;
             var sample = sampler.TakeSample();
-            return OneWave(sample.Points, reader, seconds, sample.BytesRead);
-        });
-
-        public TakenSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
-            reader.HasFixedStride && points <= MostSinglePoints && points <= reader.PointCount
-                ? RangeSampler.Single(reader, points)
-                : RangeSampler.Whole(reader), points));
-
-        public TakenSample First(int points) =>
-            Timed((reader, opened) => Ranges(reader, opened, RangeSampler.First(reader, points), points));
-
-        /// <summary>Regular choices from a share of each block.</summary>
-        public TakenSample Beginnings(double share, int points) =>
-            Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
-
-        /// <summary>Points of the prefixes of all blocks, so many times as many decoded: those that stand where no other does
-        /// before all others.</summary>
-        public TakenSample ThinnedBeginnings(int points, int times) => Timed((reader, opened) =>
-        {
-            var watch = Stopwatch.StartNew();
-            var ranges = RangeSampler.Beginnings(reader, Math.Min(1, (double)times * points / reader.PointCount));
-            using var sampler = new RangeSampler(reader, ranges, int.MaxValue);
-            run.Pump(sampler.Run(run.Progress));
-            using var decoded = sampler.TakePoints();
-            var display = new DisplayRanges();
-            run.Pump(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
-            var thinned = ThinnedChoice.Take(decoded, reader.Info.Transform, display, points);
-            return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
-        });
-
-        TakenSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
-        {
-            var watch = Stopwatch.StartNew();
-            using var sampler = new RangeSampler(reader, ranges, points);
-            run.Pump(sampler.Run(run.Progress));
-            return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+            foreach (var wave in sampler.Waves)
+                taken.Add(wave, opened, sample.Points);
+            if (!refines || sample.IsWhole)
+                return taken;
+            var ranges = new DisplayRanges();
+            run.Pump(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
+            using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
+            double before = opened + watch.Elapsed.TotalSeconds;
+            refining.WaveReady += wave => taken.Add(wave, before, refining.TakeSample().Points);
+            run.Pump(refining.Run(0, run.Progress));
         }
+        return taken;
+    });
 
-        static TakenSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
-        {
-            var taken = new TakenSample(reader.Info.Transform);
-            taken.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
-            return taken;
-        }
+    /// <summary>One hashed point of each stratum, by a scan of all points: the reference.</summary>
+    public TakenSample FullScan(int points) => Timed((reader, opened) =>
+    {
+        var watch = Stopwatch.StartNew();
+        using var sampler = new UniformSampler(reader, points, options.Seed);
+        run.Pump(sampler.Run(0, run.Progress));
+        double seconds = opened + watch.Elapsed.TotalSeconds;
+        var sample = sampler.TakeSample();
+        return OneWave(sample.Points, reader, seconds, sample.BytesRead);
+    });
 
-        /// <param name="take">From an open reader whose blocks are known, and the seconds that this took.</param>
-        TakenSample Timed(Func<PointReader, double, TakenSample> take)
+    public TakenSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
+        reader.HasFixedStride && points <= MostSinglePoints && points <= reader.PointCount
+            ? RangeSampler.Single(reader, points)
+            : RangeSampler.Whole(reader), points));
+
+    public TakenSample First(int points) =>
+        Timed((reader, opened) => Ranges(reader, opened, RangeSampler.First(reader, points), points));
+
+    /// <summary>Regular choices from a share of each block.</summary>
+    public TakenSample Beginnings(double share, int points) =>
+        Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
+
+    /// <summary>Points of the prefixes of all blocks, so many times as many decoded: those that stand where no other does
+    /// before all others.</summary>
+    public TakenSample ThinnedBeginnings(int points, int times) => Timed((reader, opened) =>
+    {
+        var watch = Stopwatch.StartNew();
+        var ranges = RangeSampler.Beginnings(reader, Math.Min(1, (double)times * points / reader.PointCount));
+        using var sampler = new RangeSampler(reader, ranges, int.MaxValue);
+        run.Pump(sampler.Run(run.Progress));
+        using var decoded = sampler.TakePoints();
+        var display = new DisplayRanges();
+        run.Pump(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
+        var thinned = ThinnedChoice.Take(decoded, reader.Info.Transform, display, points);
+        return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+    });
+
+    TakenSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
+    {
+        var watch = Stopwatch.StartNew();
+        using var sampler = new RangeSampler(reader, ranges, points);
+        run.Pump(sampler.Run(run.Progress));
+        return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+    }
+
+    static TakenSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
+    {
+        var taken = new TakenSample(reader.Info.Transform);
+        taken.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
+        return taken;
+    }
+
+    /// <param name="take">From an open reader whose blocks are known, and the seconds that this took.</param>
+    TakenSample Timed(Func<PointReader, double, TakenSample> take)
+    {
+        TakenSample? best = null;
+        for (int i = 0; i < RunsOfQuick; i++)
         {
-            TakenSample? best = null;
-            for (int i = 0; i < RunsOfQuick; i++)
+            // What earlier samples left behind is not to be collected within this one's time.
+            GC.Collect();
+            var watch = Stopwatch.StartNew();
+            using var reader = open();
+            if (!reader.BlocksAreKnown)
+                run.Pump(reader.FindBlocks());
+            var taken = take(reader, watch.Elapsed.TotalSeconds);
+            if (best == null || taken.Seconds < best.Seconds)
             {
-                // What earlier samples left behind is not to be collected within this one's time.
-                GC.Collect();
-                var watch = Stopwatch.StartNew();
-                using var reader = open();
-                if (!reader.BlocksAreKnown)
-                    run.Pump(reader.FindBlocks());
-                var taken = take(reader, watch.Elapsed.TotalSeconds);
-                if (best == null || taken.Seconds < best.Seconds)
-                {
-                    best?.Dispose();
-                    best = taken;
-                }
-                else
-                {
-                    taken.Dispose();
-                }
-                if (best.Seconds > QuickSeconds)
-                    break;
+                best?.Dispose();
+                best = taken;
             }
-            return best!;
+            else
+            {
+                taken.Dispose();
+            }
+            if (best.Seconds > QuickSeconds)
+                break;
         }
+        return best!;
     }
 }

@@ -1,62 +1,61 @@
 using StandIns.Scheduling;
 
-namespace FastPoints.Cli.Preview
+namespace FastPoints.Cli.Preview;
+
+/// <summary>How long single runs of jobs took, all of them or by kind: nothing else of a frame gets a worker
+/// meanwhile.</summary>
+public sealed class SliceLengths
 {
-    /// <summary>How long single runs of jobs took, all of them or by kind: nothing else of a frame gets a worker
-    /// meanwhile.</summary>
-    public sealed class SliceLengths
+    /// <summary>Kinds that the summary names.</summary>
+    const int KindsNamed = 8;
+
+    readonly Dictionary<Type, JobRuns> m_runsOfKind;
+
+    SliceLengths(Dictionary<Type, JobRuns> runsOfKind) => m_runsOfKind = runsOfKind;
+
+    /// <summary>Of all jobs that run meanwhile.</summary>
+    public static SliceLengths Measure(Action work)
     {
-        /// <summary>Kinds that the summary names.</summary>
-        const int KindsNamed = 8;
-
-        readonly Dictionary<Type, JobRuns> m_runsOfKind;
-
-        SliceLengths(Dictionary<Type, JobRuns> runsOfKind) => m_runsOfKind = runsOfKind;
-
-        /// <summary>Of all jobs that run meanwhile.</summary>
-        public static SliceLengths Measure(Action work)
+        JobTimes.Begin();
+        Dictionary<Type, JobRuns> taken;
+        try
         {
-            JobTimes.Begin();
-            Dictionary<Type, JobRuns> taken;
-            try
-            {
-                work();
-            }
-            finally
-            {
-                taken = JobTimes.End();
-            }
-            return new SliceLengths(taken);
+            work();
         }
-
-        double MaxMs => m_runsOfKind.Values.Select(r => r.MaxMs).DefaultIfEmpty().Max();
-
-        /// <summary>That a share of the runs does not exceed; 0 where none ran.</summary>
-        double QuantileMs(double share)
+        finally
         {
-            double wanted = share * m_runsOfKind.Values.Sum(r => (long)r.Count);
-            long sum = 0;
-            for (int bucket = 0; sum < wanted; bucket++)
-            {
-                sum += m_runsOfKind.Values.Sum(r => (long)r.RunsOfBucket[bucket]);
-                if (sum >= wanted)
-                    return Math.Min(MaxMs, (bucket + 1) * JobRuns.MsPerBucket);
-            }
-            return 0;
+            taken = JobTimes.End();
         }
+        return new SliceLengths(taken);
+    }
 
-        /// <summary>The key <c>sliceMs</c>, into an object that is open.</summary>
-        public void WriteKey(Utf8JsonWriter json)
+    double MaxMs => m_runsOfKind.Values.Select(r => r.MaxMs).DefaultIfEmpty().Max();
+
+    /// <summary>That a share of the runs does not exceed; 0 where none ran.</summary>
+    double QuantileMs(double share)
+    {
+        double wanted = share * m_runsOfKind.Values.Sum(r => (long)r.Count);
+        long sum = 0;
+        for (int bucket = 0; sum < wanted; bucket++)
         {
-            json.WriteStartObject("sliceMs");
-            json.WriteReal("p50", QuantileMs(0.5));
-            json.WriteReal("p99", QuantileMs(0.99));
-            json.WriteReal("max", MaxMs);
-            json.WriteStartObject("longest");
-            foreach (var (kind, runs) in m_runsOfKind.OrderByDescending(k => k.Value.MaxMs).Take(KindsNamed))
-                json.WriteReal(kind.Name, runs.MaxMs);
-            json.WriteEndObject();
-            json.WriteEndObject();
+            sum += m_runsOfKind.Values.Sum(r => (long)r.RunsOfBucket[bucket]);
+            if (sum >= wanted)
+                return Math.Min(MaxMs, (bucket + 1) * JobRuns.MsPerBucket);
         }
+        return 0;
+    }
+
+    /// <summary>The key <c>sliceMs</c>, into an object that is open.</summary>
+    public void WriteKey(Utf8JsonWriter json)
+    {
+        json.WriteStartObject("sliceMs");
+        json.WriteReal("p50", QuantileMs(0.5));
+        json.WriteReal("p99", QuantileMs(0.99));
+        json.WriteReal("max", MaxMs);
+        json.WriteStartObject("longest");
+        foreach (var (kind, runs) in m_runsOfKind.OrderByDescending(k => k.Value.MaxMs).Take(KindsNamed))
+            json.WriteReal(kind.Name, runs.MaxMs);
+        json.WriteEndObject();
+        json.WriteEndObject();
     }
 }

@@ -1,75 +1,74 @@
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Cli.Preview
+namespace FastPoints.Cli.Preview;
+
+/// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there
+/// is a point.</summary>
+public static class ThinnedChoice
 {
-    /// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there
-    /// is a point.</summary>
-    public static class ThinnedChoice
+    const int RunLength = ColumnValues.RunLength;
+
+    /// <summary>Cells along the longest edge for each root of a point wanted, as a refined sample has them.</summary>
+    const double CellsPerRootOfPoints = 1.05;
+
+    /// <param name="ranges">Of these points.</param>
+    /// <returns>A batch of its own, in the order of the other.</returns>
+    public static unsafe PointBatch Take(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
     {
-        const int RunLength = ColumnValues.RunLength;
-
-        /// <summary>Cells along the longest edge for each root of a point wanted, as a refined sample has them.</summary>
-        const double CellsPerRootOfPoints = 1.05;
-
-        /// <param name="ranges">Of these points.</param>
-        /// <returns>A batch of its own, in the order of the other.</returns>
-        public static unsafe PointBatch Take(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
+        var size = ranges.Robust.Size;
+        double edge = Math.Max(size.x, Math.Max(size.y, size.z));
+        double cellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0;
+        var cells = new EmptyCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
+        var isFirst = new bool[points.Count];
+        int firsts = 0;
+        double* x = stackalloc double[RunLength], y = stackalloc double[RunLength], z = stackalloc double[RunLength];
+        byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+        var positions = PositionColumns.Of(points);
+        fixed (ulong* table = new ulong[EmptyCells.Words])
         {
-            var size = ranges.Robust.Size;
-            double edge = Math.Max(size.x, Math.Max(size.y, size.z));
-            double cellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0;
-            var cells = new EmptyCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
-            var isFirst = new bool[points.Count];
-            int firsts = 0;
-            double* x = stackalloc double[RunLength], y = stackalloc double[RunLength], z = stackalloc double[RunLength];
-            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
-            var positions = PositionColumns.Of(points);
-            fixed (ulong* table = new ulong[EmptyCells.Words])
+            for (int first = 0; first < points.Count; first += RunLength)
             {
-                for (int first = 0; first < points.Count; first += RunLength)
-                {
-                    int run = Math.Min(RunLength, points.Count - first);
-                    positions.LoadGeo(bytes, transform, first, run, x, y, z);
-                    for (int i = 0; i < run; i++)
-                        if (PositionBounds.IsFinite(x[i], y[i], z[i]) && cells.Mark(table, x[i], y[i], z[i]))
-                        {
-                            isFirst[first + i] = true;
-                            firsts++;
-                        }
-                }
+                int run = Math.Min(RunLength, points.Count - first);
+                positions.LoadGeo(bytes, transform, first, run, x, y, z);
+                for (int i = 0; i < run; i++)
+                    if (PositionBounds.IsFinite(x[i], y[i], z[i]) && cells.Mark(table, x[i], y[i], z[i]))
+                    {
+                        isFirst[first + i] = true;
+                        firsts++;
+                    }
             }
-            return Copy(points, Choose(isFirst, firsts, Math.Min(wanted, points.Count)));
         }
+        return Copy(points, Choose(isFirst, firsts, Math.Min(wanted, points.Count)));
+    }
 
-        /// <summary>Evenly of the first ones where they are too many, otherwise all of them and evenly of the others.</summary>
-        static List<int> Choose(bool[] isFirst, int firsts, int wanted)
+    /// <summary>Evenly of the first ones where they are too many, otherwise all of them and evenly of the others.</summary>
+    static List<int> Choose(bool[] isFirst, int firsts, int wanted)
+    {
+        long fromFirsts = Math.Min(firsts, wanted), fromOthers = wanted - fromFirsts, others = isFirst.Length - firsts;
+        long atFirst = 0, atOther = 0;
+        var chosen = new List<int>(wanted);
+        for (int i = 0; i < isFirst.Length; i++)
         {
-            long fromFirsts = Math.Min(firsts, wanted), fromOthers = wanted - fromFirsts, others = isFirst.Length - firsts;
-            long atFirst = 0, atOther = 0;
-            var chosen = new List<int>(wanted);
-            for (int i = 0; i < isFirst.Length; i++)
-            {
-                bool takes = isFirst[i] ? IsOneOf(atFirst++, firsts, fromFirsts) : IsOneOf(atOther++, others, fromOthers);
-                if (takes)
-                    chosen.Add(i);
-            }
-            return chosen;
+            bool takes = isFirst[i] ? IsOneOf(atFirst++, firsts, fromFirsts) : IsOneOf(atOther++, others, fromOthers);
+            if (takes)
+                chosen.Add(i);
         }
+        return chosen;
+    }
 
-        static bool IsOneOf(long index, long all, long wanted) => (index + 1) * wanted / all > index * wanted / all;
+    static bool IsOneOf(long index, long all, long wanted) => (index + 1) * wanted / all > index * wanted / all;
 
-        static unsafe PointBatch Copy(PointBatch points, List<int> chosen)
+    static unsafe PointBatch Copy(PointBatch points, List<int> chosen)
+    {
+        var copy = new PointBatch(points.Schema, Math.Max(1, chosen.Count), Allocator.Persistent) { Count = chosen.Count };
+        for (int column = 0; column < points.Schema.Count; column++)
         {
-            var copy = new PointBatch(points.Schema, Math.Max(1, chosen.Count), Allocator.Persistent) { Count = chosen.Count };
-            for (int column = 0; column < points.Schema.Count; column++)
-            {
-                int size = points.Column(column).Type.SizeOf();
-                byte* from = (byte*)points.Bytes.GetUnsafeReadOnlyPtr() + points.Column(column).OffsetBytes;
-                byte* to = (byte*)copy.Bytes.GetUnsafePtr() + copy.Column(column).OffsetBytes;
-                for (int i = 0; i < chosen.Count; i++)
-                    UnsafeUtility.MemCpy(to + (long)i * size, from + (long)chosen[i] * size, size);
-            }
-            return copy;
+            int size = points.Column(column).Type.SizeOf();
+            byte* from = (byte*)points.Bytes.GetUnsafeReadOnlyPtr() + points.Column(column).OffsetBytes;
+            byte* to = (byte*)copy.Bytes.GetUnsafePtr() + copy.Column(column).OffsetBytes;
+            for (int i = 0; i < chosen.Count; i++)
+                UnsafeUtility.MemCpy(to + (long)i * size, from + (long)chosen[i] * size, size);
         }
+        return copy;
     }
 }

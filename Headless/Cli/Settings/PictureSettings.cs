@@ -1,157 +1,156 @@
-namespace FastPoints.Cli.Settings
+namespace FastPoints.Cli.Settings;
+
+/// <summary>The options of the verbs that draw, and what they come to.</summary>
+public sealed class PictureSettings
 {
-    /// <summary>The options of the verbs that draw, and what they come to.</summary>
-    public sealed class PictureSettings
+    readonly Option<string> m_size = new("--size")
     {
-        readonly Option<string> m_size = new("--size")
-        {
-            HelpName = "WxH",
-            Description = "Pixels (default: 1280x720).",
-            DefaultValueFactory = _ => "1280x720",
-        };
-        readonly Option<string?> m_eye = new("--eye")
-        {
-            HelpName = "x,y,z",
-            Description = "Where the camera is, in the cloud's own coordinates; with --target and, if need be, --fov.",
-        };
-        readonly Option<string?> m_target = new("--target") { HelpName = "x,y,z", Description = "Where the camera looks." };
-        readonly Option<double> m_fov = new("--fov")
-        {
-            HelpName = "DEG",
-            Description = "Vertical field of view in degrees (default: 45).",
-            DefaultValueFactory = _ => CameraFraming.DefaultFovDegrees,
-        };
-        readonly Option<string?> m_view = new("--view")
-        {
-            HelpName = "VIEW",
-            Description = "top, front or iso in place of a camera (default: what shows most).",
-        };
-        readonly Option<string?> m_style = new("--style")
-        {
-            HelpName = "k=v,...",
-            Description = PictureOptions.StyleHelp + ".",
-        };
+        HelpName = "WxH",
+        Description = "Pixels (default: 1280x720).",
+        DefaultValueFactory = _ => "1280x720",
+    };
+    readonly Option<string?> m_eye = new("--eye")
+    {
+        HelpName = "x,y,z",
+        Description = "Where the camera is, in the cloud's own coordinates; with --target and, if need be, --fov.",
+    };
+    readonly Option<string?> m_target = new("--target") { HelpName = "x,y,z", Description = "Where the camera looks." };
+    readonly Option<double> m_fov = new("--fov")
+    {
+        HelpName = "DEG",
+        Description = "Vertical field of view in degrees (default: 45).",
+        DefaultValueFactory = _ => CameraFraming.DefaultFovDegrees,
+    };
+    readonly Option<string?> m_view = new("--view")
+    {
+        HelpName = "VIEW",
+        Description = "top, front or iso in place of a camera (default: what shows most).",
+    };
+    readonly Option<string?> m_style = new("--style")
+    {
+        HelpName = "k=v,...",
+        Description = PictureOptions.StyleHelp + ".",
+    };
 
-        readonly Option<string[]> m_clip = new("--clip")
-        {
-            HelpName = "x,y,z,X,Y,Z",
-            Description = "Draw only what is in the box between two corners, or in any of several (of "
-                + "converted clouds and octrees).",
-        };
-        readonly Option<string[]> m_cut = new("--cut")
-        {
-            HelpName = "x,y,z,X,Y,Z",
-            Description = "Leave out what is in the box.",
-        };
+    readonly Option<string[]> m_clip = new("--clip")
+    {
+        HelpName = "x,y,z,X,Y,Z",
+        Description = "Draw only what is in the box between two corners, or in any of several (of "
+            + "converted clouds and octrees).",
+    };
+    readonly Option<string[]> m_cut = new("--cut")
+    {
+        HelpName = "x,y,z,X,Y,Z",
+        Description = "Leave out what is in the box.",
+    };
 
-        readonly bool m_canFilter;
+    readonly bool m_canFilter;
 
-        /// <param name="canFilter">Whether the verb streams clouds, which can be clipped, and shown by class.</param>
-        public PictureSettings(Command command, bool canFilter)
+    /// <param name="canFilter">Whether the verb streams clouds, which can be clipped, and shown by class.</param>
+    public PictureSettings(Command command, bool canFilter)
+    {
+        m_canFilter = canFilter;
+        if (canFilter)
         {
-            m_canFilter = canFilter;
-            if (canFilter)
-            {
-                command.Add(m_clip);
-                command.Add(m_cut);
-            }
-            command.Add(m_size);
-            command.Add(m_eye);
-            command.Add(m_target);
-            command.Add(m_fov);
-            command.Add(m_view);
-            command.Add(m_style);
+            command.Add(m_clip);
+            command.Add(m_cut);
         }
+        command.Add(m_size);
+        command.Add(m_eye);
+        command.Add(m_target);
+        command.Add(m_fov);
+        command.Add(m_view);
+        command.Add(m_style);
+    }
 
-        /// <exception cref="UsageException">A value cannot be read, or two of them exclude each other.</exception>
-        public PictureOptions Read(ParseResult parsed)
+    /// <exception cref="UsageException">A value cannot be read, or two of them exclude each other.</exception>
+    public PictureOptions Read(ParseResult parsed)
+    {
+        var options = new PictureOptions();
+        (options.WidthPx, options.HeightPx) = Size(parsed.GetRequiredValue(m_size));
+        options.FovDegrees = parsed.GetValue(m_fov);
+        if (!(options.FovDegrees > 0 && options.FovDegrees < 180))
+            throw new UsageException("--fov: wanted more than 0 and less than 180 degrees");
+        ReadStyle(parsed.GetValue(m_style), options);
+        if (!m_canFilter && options.IsFiltered)
+            throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");
+        foreach (string box in m_canFilter ? parsed.GetValue(m_clip) ?? [] : [])
+            options.ClipBoxes.Add(Box("--clip", box, false));
+        foreach (string box in m_canFilter ? parsed.GetValue(m_cut) ?? [] : [])
+            options.ClipBoxes.Add(Box("--cut", box, true));
+
+        string? eye = parsed.GetValue(m_eye), target = parsed.GetValue(m_target), view = parsed.GetValue(m_view);
+        if ((eye == null) != (target == null))
+            throw new UsageException("--eye and --target belong together");
+        if (eye != null && view != null)
+            throw new UsageException("--view and --eye exclude each other");
+        if (eye != null)
         {
-            var options = new PictureOptions();
-            (options.WidthPx, options.HeightPx) = Size(parsed.GetRequiredValue(m_size));
-            options.FovDegrees = parsed.GetValue(m_fov);
-            if (!(options.FovDegrees > 0 && options.FovDegrees < 180))
-                throw new UsageException("--fov: wanted more than 0 and less than 180 degrees");
-            ReadStyle(parsed.GetValue(m_style), options);
-            if (!m_canFilter && options.IsFiltered)
-                throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");
-            foreach (string box in m_canFilter ? parsed.GetValue(m_clip) ?? [] : [])
-                options.ClipBoxes.Add(Box("--clip", box, false));
-            foreach (string box in m_canFilter ? parsed.GetValue(m_cut) ?? [] : [])
-                options.ClipBoxes.Add(Box("--cut", box, true));
-
-            string? eye = parsed.GetValue(m_eye), target = parsed.GetValue(m_target), view = parsed.GetValue(m_view);
-            if ((eye == null) != (target == null))
-                throw new UsageException("--eye and --target belong together");
-            if (eye != null && view != null)
-                throw new UsageException("--view and --eye exclude each other");
-            if (eye != null)
-            {
-                var up = new double3(0, 0, 0);
-                up[(int)options.UpAxis] = 1;
-                options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up,
-                    options.FovDegrees);
-            }
-            options.View = view switch
-            {
-                null => ViewDirection.Auto,
-                "top" => ViewDirection.Top,
-                "front" => ViewDirection.Front,
-                "iso" => ViewDirection.Iso,
-                _ => throw new UsageException("--view: wanted top, front or iso, got " + view),
-            };
-            return options;
+            var up = new double3(0, 0, 0);
+            up[(int)options.UpAxis] = 1;
+            options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up,
+                options.FovDegrees);
         }
-
-        static void ReadStyle(string? style, PictureOptions options)
+        options.View = view switch
         {
-            if (style == null)
-                return;
-            foreach (string pair in style.Split(','))
-            {
-                int equals = pair.IndexOf('=');
-                if (equals < 1)
-                    throw new UsageException("--style: wanted k=v, got " + pair);
-                if (!options.TrySetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim(), out string error))
-                    throw new UsageException("--style: " + error);
-            }
-        }
+            null => ViewDirection.Auto,
+            "top" => ViewDirection.Top,
+            "front" => ViewDirection.Front,
+            "iso" => ViewDirection.Iso,
+            _ => throw new UsageException("--view: wanted top, front or iso, got " + view),
+        };
+        return options;
+    }
 
-        static (int, int) Size(string text)
+    static void ReadStyle(string? style, PictureOptions options)
+    {
+        if (style == null)
+            return;
+        foreach (string pair in style.Split(','))
         {
-            var parts = text.Split('x');
-            if (parts.Length == 2
-                && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int width)
-                && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int height)
-                && width is >= 1 and <= PictureCanvas.MaxEdgePx && height is >= 1 and <= PictureCanvas.MaxEdgePx)
-                return (width, height);
-            throw new UsageException($"--size: wanted WxH, each 1 to {PictureCanvas.MaxEdgePx}, got {text}");
+            int equals = pair.IndexOf('=');
+            if (equals < 1)
+                throw new UsageException("--style: wanted k=v, got " + pair);
+            if (!options.TrySetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim(), out string error))
+                throw new UsageException("--style: " + error);
         }
+    }
 
-        static double3 Position(string option, string text)
-        {
-            var numbers = Numbers(text);
-            return numbers.Length == 3 ? new double3(numbers[0], numbers[1], numbers[2])
-                : throw new UsageException(option + ": wanted x,y,z, got " + text);
-        }
+    static (int, int) Size(string text)
+    {
+        var parts = text.Split('x');
+        if (parts.Length == 2
+            && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int width)
+            && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int height)
+            && width is >= 1 and <= PictureCanvas.MaxEdgePx && height is >= 1 and <= PictureCanvas.MaxEdgePx)
+            return (width, height);
+        throw new UsageException($"--size: wanted WxH, each 1 to {PictureCanvas.MaxEdgePx}, got {text}");
+    }
 
-        static ClipBox Box(string option, string text, bool cuts)
-        {
-            var numbers = Numbers(text);
-            return numbers.Length == 6 ? new ClipBox(new double3(numbers[0], numbers[1], numbers[2]),
-                new double3(numbers[3], numbers[4], numbers[5]), cuts)
-                : throw new UsageException(option + ": wanted x,y,z,X,Y,Z, got " + text);
-        }
+    static double3 Position(string option, string text)
+    {
+        var numbers = Numbers(text);
+        return numbers.Length == 3 ? new double3(numbers[0], numbers[1], numbers[2])
+            : throw new UsageException(option + ": wanted x,y,z, got " + text);
+    }
 
-        /// <summary>None where any is no number.</summary>
-        static double[] Numbers(string text)
-        {
-            var parts = text.Split(',');
-            var numbers = new double[parts.Length];
-            for (int i = 0; i < parts.Length; i++)
-                if (!double.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i])
-                    || !double.IsFinite(numbers[i]))
-                    return [];
-            return numbers;
-        }
+    static ClipBox Box(string option, string text, bool cuts)
+    {
+        var numbers = Numbers(text);
+        return numbers.Length == 6 ? new ClipBox(new double3(numbers[0], numbers[1], numbers[2]),
+            new double3(numbers[3], numbers[4], numbers[5]), cuts)
+            : throw new UsageException(option + ": wanted x,y,z,X,Y,Z, got " + text);
+    }
+
+    /// <summary>None where any is no number.</summary>
+    static double[] Numbers(string text)
+    {
+        var parts = text.Split(',');
+        var numbers = new double[parts.Length];
+        for (int i = 0; i < parts.Length; i++)
+            if (!double.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i])
+                || !double.IsFinite(numbers[i]))
+                return [];
+        return numbers;
     }
 }

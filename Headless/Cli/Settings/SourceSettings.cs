@@ -1,28 +1,27 @@
-namespace FastPoints.Cli.Settings
+namespace FastPoints.Cli.Settings;
+
+/// <summary>The options of the verbs that read point clouds: what the caller knows of the files.</summary>
+public sealed class SourceSettings
 {
-    /// <summary>The options of the verbs that read point clouds: what the caller knows of the files.</summary>
-    public sealed class SourceSettings
+    readonly Option<string?> m_columns = new("--columns")
     {
-        readonly Option<string?> m_columns = new("--columns")
-        {
-            HelpName = "x,y,z,...",
-            Description = "What the columns of a text file are: x, y, z, i, r, g, b, nx, ny, nz or any "
-                + "other name; - leaves one out (default: by its header, or guessed; info says what was taken).",
-        };
+        HelpName = "x,y,z,...",
+        Description = "What the columns of a text file are: x, y, z, i, r, g, b, nx, ny, nz or any "
+            + "other name; - leaves one out (default: by its header, or guessed; info says what was taken).",
+    };
 
-        public SourceSettings(Command command) => command.Add(m_columns);
+    public SourceSettings(Command command) => command.Add(m_columns);
 
-        /// <exception cref="UsageException">A value cannot be read.</exception>
-        public ReadOptions Read(ParseResult parsed)
-        {
-            string? columns = parsed.GetValue(m_columns);
-            if (columns == null)
-                return new ReadOptions();
-            var names = columns.Split(',');
-            foreach (string axis in new[] { "x", "y", "z" })
-                if (System.Array.FindIndex(names, n => n.Trim().Equals(axis, System.StringComparison.OrdinalIgnoreCase)) < 0)
-                    throw new UsageException("--columns: wanted x, y and z among them, got " + columns);
-            return new ReadOptions { TextColumns = names };
-        }
+    /// <exception cref="UsageException">A value cannot be read.</exception>
+    public ReadOptions Read(ParseResult parsed)
+    {
+        string? columns = parsed.GetValue(m_columns);
+        if (columns == null)
+            return new ReadOptions();
+        var names = columns.Split(',');
+        foreach (string axis in new[] { "x", "y", "z" })
+            if (System.Array.FindIndex(names, n => n.Trim().Equals(axis, System.StringComparison.OrdinalIgnoreCase)) < 0)
+                throw new UsageException("--columns: wanted x, y and z among them, got " + columns);
+        return new ReadOptions { TextColumns = names };
     }
 }

@@ -1,198 +1,197 @@
-namespace FastPoints.Cli.Sources
+namespace FastPoints.Cli.Sources;
+
+/// <summary>What a source is, for people and for the summary: its header's claims, and what a scan found.</summary>
+public sealed class SourceFacts(PointReader reader)
 {
-    /// <summary>What a source is, for people and for the summary: its header's claims, and what a scan found.</summary>
-    public sealed class SourceFacts(PointReader reader)
+    const int NameWidth = 22;
+
+    TreeFacts? m_tree;
+
+    /// <summary>What the scan of all points found, or null without one.</summary>
+    internal CloudSummary? Found { get; set; }
+
+    public SourceInfo Info { get; } = reader.Info;
+
+    /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
+    public long Points => Found?.Points ?? (reader.BlocksAreKnown ? reader.PointCount : Info.PointsReadable);
+
+    public string Kind => Info.Format + (Info.Version != null ? " " + Info.Version : "")
+        + (Info.PointFormat >= 0 ? ", point format " + Info.PointFormat : "")
+        + (Info.RecordBytes > 0 ? ", " + Info.RecordBytes + " bytes a point" : "");
+
+    /// <summary>Name and value, in the order in which people ask for them.</summary>
+    public IEnumerable<(string Name, string Value)> Lines()
     {
-        const int NameWidth = 22;
+        yield return ("format", Kind);
+        yield return ("size", Human.Count(Info.FileBytes) + " bytes");
+        string claimed = Info.HasPointsClaimed
+            ? Human.Count(Info.PointsClaimed) + " by the header"
+            : "the file does not say how many";
+        if (Found != null)
+            yield return ("points", Human.Count(Found.Points) + " found, " + claimed);
+        else if (Info.PointsReadable >= 0 && (ulong)Info.PointsReadable != Info.PointsClaimed && Info.HasPointsClaimed)
+            yield return ("points", Human.Count(Info.PointsReadable) + " in the file, " + claimed);
+        else
+            yield return ("points", claimed);
+        if (Found is { NonFinite: > 0 })
+            yield return ("not finite", Human.Count(Found.NonFinite) + " points have a coordinate that is no number");
+        if (Info.HasBoundsClaimed)
+            foreach (var line in BoundsLines(Found == null ? "bounds" : "bounds (header)", Info.BoundsClaimed))
+                yield return line;
+        if (Found != null)
+            foreach (var line in BoundsLines("bounds (found)", Found.Bounds))
+                yield return line;
+        yield return ("crs", Info.Crs.Summary ?? "unknown");
+        TakeTree();
+        if (m_tree is { } tree)
+            yield return ("octree", Human.Count(tree.Nodes) + " nodes on " + tree.Levels.Count + " levels"
+                + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints) + " of them without points"
+                + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages) + " pages of hierarchy" : ""));
+    }
 
-        TreeFacts? m_tree;
+    /// <summary>Keeps what is known of the source's own octree: the summary is written when the source is closed.</summary>
+    void TakeTree()
+    {
+        if (reader.Tree != null)
+            m_tree ??= TreeFacts.Of(reader.Tree);
+    }
 
-        /// <summary>What the scan of all points found, or null without one.</summary>
-        internal CloudSummary? Found { get; set; }
+    /// <summary>The source's own octree level by level, or null where it has none.</summary>
+    public TextTable? Levels()
+    {
+        TakeTree();
+        if (m_tree is not { } tree)
+            return null;
+        var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
+        foreach (var level in tree.Levels)
+            table.Add(level.Level.ToString(CultureInfo.InvariantCulture), Human.Count(level.Nodes), Human.Count(level.Points),
+                Human.Count(level.MostPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
+        return table;
+    }
 
-        public SourceInfo Info { get; } = reader.Info;
-
-        /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
-        public long Points => Found?.Points ?? (reader.BlocksAreKnown ? reader.PointCount : Info.PointsReadable);
-
-        public string Kind => Info.Format + (Info.Version != null ? " " + Info.Version : "")
-            + (Info.PointFormat >= 0 ? ", point format " + Info.PointFormat : "")
-            + (Info.RecordBytes > 0 ? ", " + Info.RecordBytes + " bytes a point" : "");
-
-        /// <summary>Name and value, in the order in which people ask for them.</summary>
-        public IEnumerable<(string Name, string Value)> Lines()
+    IEnumerable<(string, string)> BoundsLines(string name, BoundsGeo bounds)
+    {
+        if (bounds.IsEmpty)
         {
-            yield return ("format", Kind);
-            yield return ("size", Human.Count(Info.FileBytes) + " bytes");
-            string claimed = Info.HasPointsClaimed
-                ? Human.Count(Info.PointsClaimed) + " by the header"
-                : "the file does not say how many";
-            if (Found != null)
-                yield return ("points", Human.Count(Found.Points) + " found, " + claimed);
-            else if (Info.PointsReadable >= 0 && (ulong)Info.PointsReadable != Info.PointsClaimed && Info.HasPointsClaimed)
-                yield return ("points", Human.Count(Info.PointsReadable) + " in the file, " + claimed);
-            else
-                yield return ("points", claimed);
-            if (Found is { NonFinite: > 0 })
-                yield return ("not finite", Human.Count(Found.NonFinite) + " points have a coordinate that is no number");
-            if (Info.HasBoundsClaimed)
-                foreach (var line in BoundsLines(Found == null ? "bounds" : "bounds (header)", Info.BoundsClaimed))
-                    yield return line;
-            if (Found != null)
-                foreach (var line in BoundsLines("bounds (found)", Found.Bounds))
-                    yield return line;
-            yield return ("crs", Info.Crs.Summary ?? "unknown");
-            TakeTree();
-            if (m_tree is { } tree)
-                yield return ("octree", Human.Count(tree.Nodes) + " nodes on " + tree.Levels.Count + " levels"
-                    + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints) + " of them without points"
-                    + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages) + " pages of hierarchy" : ""));
+            yield return (name, "empty");
+            yield break;
         }
-
-        /// <summary>Keeps what is known of the source's own octree: the summary is written when the source is closed.</summary>
-        void TakeTree()
+        for (int axis = 0; axis < 3; axis++)
         {
-            if (reader.Tree != null)
-                m_tree ??= TreeFacts.Of(reader.Tree);
+            double step = Info.Schema.Has(AttributeNames.X) &&
+                !Info.Schema[Info.Schema.IndexOf(AttributeNames.X)].Type.IsFloat()
+                ? Info.Transform.Scale[axis] : 0.001;
+            string low = Human.Coordinate(bounds.Min[axis], step), high = Human.Coordinate(bounds.Max[axis], step);
+            yield return (axis == 0 ? name : "", "xyz"[axis] + "  " + low + " to " + high + "   ("
+                + Human.Coordinate(bounds.Max[axis] - bounds.Min[axis], step) + ")");
         }
+    }
 
-        /// <summary>The source's own octree level by level, or null where it has none.</summary>
-        public TextTable? Levels()
+    public TextTable Attributes()
+    {
+        var table = Found == null ? new TextTable("attribute", "type") : new TextTable("attribute", "type", "min", "max");
+        for (int i = 0; i < Info.Schema.Count; i++)
         {
-            TakeTree();
-            if (m_tree is not { } tree)
-                return null;
-            var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
-            foreach (var level in tree.Levels)
-                table.Add(level.Level.ToString(CultureInfo.InvariantCulture), Human.Count(level.Nodes), Human.Count(level.Points),
-                    Human.Count(level.MostPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
-            return table;
-        }
-
-        IEnumerable<(string, string)> BoundsLines(string name, BoundsGeo bounds)
-        {
-            if (bounds.IsEmpty)
-            {
-                yield return (name, "empty");
-                yield break;
-            }
-            for (int axis = 0; axis < 3; axis++)
-            {
-                double step = Info.Schema.Has(AttributeNames.X) &&
-                    !Info.Schema[Info.Schema.IndexOf(AttributeNames.X)].Type.IsFloat()
-                    ? Info.Transform.Scale[axis] : 0.001;
-                string low = Human.Coordinate(bounds.Min[axis], step), high = Human.Coordinate(bounds.Max[axis], step);
-                yield return (axis == 0 ? name : "", "xyz"[axis] + "  " + low + " to " + high + "   ("
-                    + Human.Coordinate(bounds.Max[axis] - bounds.Min[axis], step) + ")");
-            }
-        }
-
-        public TextTable Attributes()
-        {
-            var table = Found == null ? new TextTable("attribute", "type") : new TextTable("attribute", "type", "min", "max");
-            for (int i = 0; i < Info.Schema.Count; i++)
-            {
-                var attribute = Info.Schema[i];
-                if (Found == null)
-                    table.Add(attribute.Name, attribute.Type.ToString());
-                else
-                    table.Add(attribute.Name, attribute.Type.ToString(), Found.Columns[i].MinText ?? "",
-                        Found.Columns[i].MaxText ?? "");
-            }
-            return table;
-        }
-
-        public void Write(TextWriter writer)
-        {
-            writer.WriteLine(Info.Path);
-            foreach (var (name, value) in Lines())
-                writer.WriteLine("  " + name.PadRight(NameWidth) + value);
-            foreach (var fact in Info.Facts)
-                writer.WriteLine("  " + (fact.Key + " ").PadRight(NameWidth) + fact.Value);
-            writer.WriteLine();
-            Attributes().Write(writer, "  ");
-            if (Levels() is { } levels)
-            {
-                writer.WriteLine();
-                levels.Write(writer, "  ");
-            }
-            if (Info.Warnings.Count > 0)
-                writer.WriteLine();
-            foreach (var warning in Info.Warnings)
-                writer.WriteLine("  warning: " + (warning.Path != Info.Path ? warning.ToString() : (warning.ByteOffset >= 0
-                    ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
-        }
-
-        void WriteTree(Utf8JsonWriter json)
-        {
-            if (m_tree is not { } tree)
-            {
-                json.WriteNull("tree");
-                return;
-            }
-            json.WriteStartObject("tree");
-            json.WriteNumber("nodes", tree.Nodes);
-            json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints);
-            json.WriteBoolean("isWhole", tree.IsWhole);
-            json.WriteNumber("pages", tree.Pages);
-            json.WriteStartArray("levels");
-            foreach (var level in tree.Levels)
-            {
-                json.WriteStartObject();
-                json.WriteNumber("level", level.Level);
-                json.WriteNumber("nodes", level.Nodes);
-                json.WriteInteger("points", level.Points);
-                json.WriteReal("spacing", level.Spacing);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
-
-        /// <summary>The keys of <c>info</c>, into an object that is open.</summary>
-        public void WriteKeys(Utf8JsonWriter json)
-        {
-            json.WriteString("format", Info.Format);
-            json.WriteString("version", Info.Version);
-            if (Info.PointFormat >= 0)
-                json.WriteNumber("pointFormat", Info.PointFormat);
-            else
-                json.WriteNull("pointFormat");
-            if (Info.HasPointsClaimed)
-                json.WriteInteger("pointsClaimed", Info.PointsClaimed);
-            else
-                json.WriteNull("pointsClaimed");
-            if (Found != null)
-                json.WriteInteger("points", Found.Points);
-            else
-                json.WriteNull("points");
-            json.WriteBounds("boundsClaimed", Info.HasBoundsClaimed ? Info.BoundsClaimed : BoundsGeo.Empty);
-            json.WriteBounds("bounds", Found?.Bounds ?? BoundsGeo.Empty);
-            json.WriteVector("scale", Info.Transform.Scale);
-            json.WriteVector("offset", Info.Transform.Offset);
-            json.WriteStartArray("attributes");
-            for (int i = 0; i < Info.Schema.Count; i++)
-            {
-                json.WriteStartObject();
-                json.WriteString("name", Info.Schema[i].Name);
-                json.WriteString("type", Info.Schema[i].Type.ToString());
-                bool hasRange = Found != null && Found.Columns[i].Finite > 0;
-                json.WriteReal("min", hasRange ? Found!.Columns[i].Min : double.NaN);
-                json.WriteReal("max", hasRange ? Found!.Columns[i].Max : double.NaN);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WriteString("crs", Info.Crs.Summary);
-            WriteTree(json);
+            var attribute = Info.Schema[i];
             if (Found == null)
-            {
-                json.WriteNull("columnSums");
-                return;
-            }
-            json.WriteStartObject("columnSums");
-            for (int i = 0; i < Info.Schema.Count; i++)
-                json.WriteString(Info.Schema[i].Name, Found.Columns[i].Sum.ToString(CultureInfo.InvariantCulture));
+                table.Add(attribute.Name, attribute.Type.ToString());
+            else
+                table.Add(attribute.Name, attribute.Type.ToString(), Found.Columns[i].MinText ?? "",
+                    Found.Columns[i].MaxText ?? "");
+        }
+        return table;
+    }
+
+    public void Write(TextWriter writer)
+    {
+        writer.WriteLine(Info.Path);
+        foreach (var (name, value) in Lines())
+            writer.WriteLine("  " + name.PadRight(NameWidth) + value);
+        foreach (var fact in Info.Facts)
+            writer.WriteLine("  " + (fact.Key + " ").PadRight(NameWidth) + fact.Value);
+        writer.WriteLine();
+        Attributes().Write(writer, "  ");
+        if (Levels() is { } levels)
+        {
+            writer.WriteLine();
+            levels.Write(writer, "  ");
+        }
+        if (Info.Warnings.Count > 0)
+            writer.WriteLine();
+        foreach (var warning in Info.Warnings)
+            writer.WriteLine("  warning: " + (warning.Path != Info.Path ? warning.ToString() : (warning.ByteOffset >= 0
+                ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
+    }
+
+    void WriteTree(Utf8JsonWriter json)
+    {
+        if (m_tree is not { } tree)
+        {
+            json.WriteNull("tree");
+            return;
+        }
+        json.WriteStartObject("tree");
+        json.WriteNumber("nodes", tree.Nodes);
+        json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints);
+        json.WriteBoolean("isWhole", tree.IsWhole);
+        json.WriteNumber("pages", tree.Pages);
+        json.WriteStartArray("levels");
+        foreach (var level in tree.Levels)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("level", level.Level);
+            json.WriteNumber("nodes", level.Nodes);
+            json.WriteInteger("points", level.Points);
+            json.WriteReal("spacing", level.Spacing);
             json.WriteEndObject();
         }
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    /// <summary>The keys of <c>info</c>, into an object that is open.</summary>
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        json.WriteString("format", Info.Format);
+        json.WriteString("version", Info.Version);
+        if (Info.PointFormat >= 0)
+            json.WriteNumber("pointFormat", Info.PointFormat);
+        else
+            json.WriteNull("pointFormat");
+        if (Info.HasPointsClaimed)
+            json.WriteInteger("pointsClaimed", Info.PointsClaimed);
+        else
+            json.WriteNull("pointsClaimed");
+        if (Found != null)
+            json.WriteInteger("points", Found.Points);
+        else
+            json.WriteNull("points");
+        json.WriteBounds("boundsClaimed", Info.HasBoundsClaimed ? Info.BoundsClaimed : BoundsGeo.Empty);
+        json.WriteBounds("bounds", Found?.Bounds ?? BoundsGeo.Empty);
+        json.WriteVector("scale", Info.Transform.Scale);
+        json.WriteVector("offset", Info.Transform.Offset);
+        json.WriteStartArray("attributes");
+        for (int i = 0; i < Info.Schema.Count; i++)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", Info.Schema[i].Name);
+            json.WriteString("type", Info.Schema[i].Type.ToString());
+            bool hasRange = Found != null && Found.Columns[i].Finite > 0;
+            json.WriteReal("min", hasRange ? Found!.Columns[i].Min : double.NaN);
+            json.WriteReal("max", hasRange ? Found!.Columns[i].Max : double.NaN);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        json.WriteString("crs", Info.Crs.Summary);
+        WriteTree(json);
+        if (Found == null)
+        {
+            json.WriteNull("columnSums");
+            return;
+        }
+        json.WriteStartObject("columnSums");
+        for (int i = 0; i < Info.Schema.Count; i++)
+            json.WriteString(Info.Schema[i].Name, Found.Columns[i].Sum.ToString(CultureInfo.InvariantCulture));
+        json.WriteEndObject();
     }
 }

@@ -1,49 +1,48 @@
-namespace FastPoints.Cli.Sources
+namespace FastPoints.Cli.Sources;
+
+/// <summary>A source's own octree as far as it was read, for when the source itself is closed.</summary>
+public sealed class TreeFacts
 {
-    /// <summary>A source's own octree as far as it was read, for when the source itself is closed.</summary>
-    public sealed class TreeFacts
+    public required int Nodes { get; init; }
+    public required int NodesWithoutPoints { get; init; }
+
+    /// <summary>Of the hierarchy; 0 where it has none.</summary>
+    public required int Pages { get; init; }
+
+    public required bool IsWhole { get; init; }
+    public required IReadOnlyList<TreeLevel> Levels { get; init; }
+
+    internal static TreeFacts Of(SourceTree tree) => new()
     {
-        public required int Nodes { get; init; }
-        public required int NodesWithoutPoints { get; init; }
+        Nodes = tree.NodeCount,
+        NodesWithoutPoints = tree.NodesWithoutPoints(),
+        Pages = tree.PageCount,
+        IsWhole = tree.IsWhole,
+        Levels = TreeLevel.Of(tree),
+    };
+}
 
-        /// <summary>Of the hierarchy; 0 where it has none.</summary>
-        public required int Pages { get; init; }
+/// <summary>One level of a source's own octree, as its hierarchy claims it.</summary>
+public sealed class TreeLevel
+{
+    public required int Level { get; init; }
+    public required double Spacing { get; init; }
+    public int Nodes { get; private set; }
+    public long Points { get; private set; }
+    public int MostPoints { get; private set; }
 
-        public required bool IsWhole { get; init; }
-        public required IReadOnlyList<TreeLevel> Levels { get; init; }
-
-        internal static TreeFacts Of(SourceTree tree) => new()
-        {
-            Nodes = tree.NodeCount,
-            NodesWithoutPoints = tree.NodesWithoutPoints(),
-            Pages = tree.PageCount,
-            IsWhole = tree.IsWhole,
-            Levels = TreeLevel.Of(tree),
-        };
-    }
-
-    /// <summary>One level of a source's own octree, as its hierarchy claims it.</summary>
-    public sealed class TreeLevel
+    internal static IReadOnlyList<TreeLevel> Of(SourceTree tree)
     {
-        public required int Level { get; init; }
-        public required double Spacing { get; init; }
-        public int Nodes { get; private set; }
-        public long Points { get; private set; }
-        public int MostPoints { get; private set; }
-
-        internal static IReadOnlyList<TreeLevel> Of(SourceTree tree)
+        var levels = new List<TreeLevel>();
+        for (int i = 0; i < tree.LevelCount; i++)
+            levels.Add(new TreeLevel { Level = i, Spacing = tree.Spacing / Math.Pow(2, i) });
+        for (int i = 0; i < tree.NodeCount; i++)
         {
-            var levels = new List<TreeLevel>();
-            for (int i = 0; i < tree.LevelCount; i++)
-                levels.Add(new TreeLevel { Level = i, Spacing = tree.Spacing / Math.Pow(2, i) });
-            for (int i = 0; i < tree.NodeCount; i++)
-            {
-                var level = levels[tree[i].Level];
-                level.Nodes++;
-                level.Points += tree[i].PointCount;
-                level.MostPoints = Math.Max(level.MostPoints, tree[i].PointCount);
-            }
-            return levels;
+            var level = levels[tree[i].Level];
+            level.Nodes++;
+            level.Points += tree[i].PointCount;
+            level.MostPoints = Math.Max(level.MostPoints, tree[i].PointCount);
         }
+        return levels;
     }
 }

@@ -1,53 +1,52 @@
-namespace FastPoints.Cli.Stability
+namespace FastPoints.Cli.Stability;
+
+/// <summary>What a camera needs of a stored cloud, drawn by the renderer that a game would use, beside the software
+/// rasteriser's picture of the same.</summary>
+static class CardStage
 {
-    /// <summary>What a camera needs of a stored cloud, drawn by the renderer that a game would use, beside the software
-    /// rasteriser's picture of the same.</summary>
-    static class CardStage
+    const int MostBytes = 256 << 20;
+
+    /// <summary>Of covered pixels: discs are cut out pixel by pixel, see Documentation~/rendering.md.</summary>
+    const double MostThatDiffer = 0.002;
+
+    /// <summary>In 255ths: of entries of the palette that lie beside one another. Places on a lattice often lie at the border
+    /// of two, which floats and doubles round to either side.</summary>
+    const int MostPerChannel = 4;
+
+    /// <returns>Share of the covered pixels that differ.</returns>
+    public static double Run(string target, PictureOptions from, List<string> problems)
     {
-        const int MostBytes = 256 << 20;
-
-        /// <summary>Of covered pixels: discs are cut out pixel by pixel, see Documentation~/rendering.md.</summary>
-        const double MostThatDiffer = 0.002;
-
-        /// <summary>In 255ths: of entries of the palette that lie beside one another. Places on a lattice often lie at the border
-        /// of two, which floats and doubles round to either side.</summary>
-        const int MostPerChannel = 4;
-
-        /// <returns>Share of the covered pixels that differ.</returns>
-        public static double Run(string target, PictureOptions from, List<string> problems)
+        var options = new PictureOptions
         {
-            var options = new PictureOptions
-            {
-                WidthPx = from.WidthPx,
-                HeightPx = from.HeightPx,
-                Camera = from.Camera,
-                // By place: of points in one place a card shows the last, the software rasteriser that of the smallest colour.
-                Color = ColorMode.Elevation,
-                PointSizePx = 3,
-                RoundPoints = true,
-                EdlStrength = 0,
-            };
-            var shaders = new GpuShaders();
-            using var memory = new StreamContext(new MemoryNodePool(MostBytes));
-            using var card = new StreamContext(shaders.CreatePool(MostBytes, 8 << 20, 4 << 20));
-            using var software = new CpuPicture(memory, options);
-            using var drawn = new GpuPicture(shaders, card, options);
-            var wanted = Draw(target, memory, software, options, problems);
-            var got = Draw(target, card, drawn, options, problems);
-            double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MostPerChannel);
-            // A picture of a few pixels may have one beside its place.
-            if (differ > MostThatDiffer && differ * covered > 1.5)
-                problems.Add("card: " + differ * covered + " of " + covered + " pixels are not the software rasteriser's");
-            return differ;
-        }
+            WidthPx = from.WidthPx,
+            HeightPx = from.HeightPx,
+            Camera = from.Camera,
+            // By place: of points in one place a card shows the last, the software rasteriser that of the smallest colour.
+            Color = ColorMode.Elevation,
+            PointSizePx = 3,
+            RoundPoints = true,
+            EdlStrength = 0,
+        };
+        var shaders = new GpuShaders();
+        using var memory = new StreamContext(new MemoryNodePool(MostBytes));
+        using var card = new StreamContext(shaders.CreatePool(MostBytes, 8 << 20, 4 << 20));
+        using var software = new CpuPicture(memory, options);
+        using var drawn = new GpuPicture(shaders, card, options);
+        var wanted = Draw(target, memory, software, options, problems);
+        var got = Draw(target, card, drawn, options, problems);
+        double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MostPerChannel);
+        // A picture of a few pixels may have one beside its place.
+        if (differ > MostThatDiffer && differ * covered > 1.5)
+            problems.Add("card: " + differ * covered + " of " + covered + " pixels are not the software rasteriser's");
+        return differ;
+    }
 
-        static RgbaImage Draw(string target, StreamContext stream, FlightPicture picture, PictureOptions options,
-            List<string> problems)
-        {
-            var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud);
-            picture.Add(cloud, plan);
-            StreamStage.Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems, picture.EndFrame);
-            return picture.Draw(plan.Camera);
-        }
+    static RgbaImage Draw(string target, StreamContext stream, FlightPicture picture, PictureOptions options,
+        List<string> problems)
+    {
+        var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud);
+        picture.Add(cloud, plan);
+        StreamStage.Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems, picture.EndFrame);
+        return picture.Draw(plan.Camera);
     }
 }

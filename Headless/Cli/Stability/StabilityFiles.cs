@@ -1,79 +1,78 @@
-namespace FastPoints.Cli.Stability
+namespace FastPoints.Cli.Stability;
+
+/// <summary>Small writers of the files of stability cases.</summary>
+static class StabilityFiles
 {
-    /// <summary>Small writers of the files of stability cases.</summary>
-    static class StabilityFiles
+    const int RecordBytes = 26;
+    const int CountAt = 107;
+    const int BoundsAt = 179;
+
+    /// <summary>A coloured LAS 1.2 file, point format 2.</summary>
+    public static unsafe string Las(string folder, string name, int count, double scale,
+        double offset, Func<int, int3> placeOf)
     {
-        const int RecordBytes = 26;
-        const int CountAt = 107;
-        const int BoundsAt = 179;
-
-        /// <summary>A coloured LAS 1.2 file, point format 2.</summary>
-        public static unsafe string Las(string folder, string name, int count, double scale,
-            double offset, Func<int, int3> placeOf)
+        string path = Path.Combine(folder, name + ".las");
+        var settings = new LasWriterSettings
         {
-            string path = Path.Combine(folder, name + ".las");
-            var settings = new LasWriterSettings
+            VersionMinor = 2,
+            PointFormat = 2,
+            Scale = new double3(scale, scale, scale),
+            Offset = new double3(offset, offset, 0),
+        };
+        const int atOnce = 10000;
+        var records = new byte[atOnce * RecordBytes];
+        using var writer = LasWriter.Create(path, settings);
+        for (int first = 0; first < count; first += atOnce)
+        {
+            int some = Math.Min(atOnce, count - first);
+            fixed (byte* start = records)
             {
-                VersionMinor = 2,
-                PointFormat = 2,
-                Scale = new double3(scale, scale, scale),
-                Offset = new double3(offset, offset, 0),
-            };
-            const int atOnce = 10000;
-            var records = new byte[atOnce * RecordBytes];
-            using var writer = LasWriter.Create(path, settings);
-            for (int first = 0; first < count; first += atOnce)
-            {
-                int some = Math.Min(atOnce, count - first);
-                fixed (byte* start = records)
+                for (int i = 0; i < some; i++)
                 {
-                    for (int i = 0; i < some; i++)
-                    {
-                        byte* record = start + i * RecordBytes;
-                        *(int3*)record = placeOf(first + i);
-                        ((ushort*)record)[6] = (ushort)(first + i);
-                        for (int c = 0; c < 3; c++)
-                            ((ushort*)record)[10 + c] = (ushort)(((first + i) * (c + 3) & 255) * 257);
-                    }
+                    byte* record = start + i * RecordBytes;
+                    *(int3*)record = placeOf(first + i);
+                    ((ushort*)record)[6] = (ushort)(first + i);
+                    for (int c = 0; c < 3; c++)
+                        ((ushort*)record)[10 + c] = (ushort)(((first + i) * (c + 3) & 255) * 257);
                 }
-                writer.AppendRecords(records, some);
             }
-            writer.Complete();
-            return path;
+            writer.AppendRecords(records, some);
         }
+        writer.Complete();
+        return path;
+    }
 
-        /// <summary>Puts another number of points into the header.</summary>
-        public static void ClaimCount(string path, uint count) => Patch(path, CountAt, BitConverter.GetBytes(count));
+    /// <summary>Puts another number of points into the header.</summary>
+    public static void ClaimCount(string path, uint count) => Patch(path, CountAt, BitConverter.GetBytes(count));
 
-        /// <summary>Puts one number into all six bounds of the header.</summary>
-        public static void ClaimBounds(string path, double value)
+    /// <summary>Puts one number into all six bounds of the header.</summary>
+    public static void ClaimBounds(string path, double value)
+    {
+        for (int i = 0; i < 6; i++)
+            Patch(path, BoundsAt + i * sizeof(double), BitConverter.GetBytes(value));
+    }
+
+    /// <summary>A little-endian PLY file with doubles.</summary>
+    public static string Ply(string folder, string name, int count, Func<int, double3> placeOf)
+    {
+        string path = Path.Combine(folder, name + ".ply");
+        using var file = new BinaryWriter(File.Create(path));
+        file.Write(System.Text.Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex " + count
+            + "\nproperty double x\nproperty double y\nproperty double z\nend_header\n"));
+        for (int i = 0; i < count; i++)
         {
-            for (int i = 0; i < 6; i++)
-                Patch(path, BoundsAt + i * sizeof(double), BitConverter.GetBytes(value));
+            var place = placeOf(i);
+            file.Write(place.x);
+            file.Write(place.y);
+            file.Write(place.z);
         }
+        return path;
+    }
 
-        /// <summary>A little-endian PLY file with doubles.</summary>
-        public static string Ply(string folder, string name, int count, Func<int, double3> placeOf)
-        {
-            string path = Path.Combine(folder, name + ".ply");
-            using var file = new BinaryWriter(File.Create(path));
-            file.Write(System.Text.Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex " + count
-                + "\nproperty double x\nproperty double y\nproperty double z\nend_header\n"));
-            for (int i = 0; i < count; i++)
-            {
-                var place = placeOf(i);
-                file.Write(place.x);
-                file.Write(place.y);
-                file.Write(place.z);
-            }
-            return path;
-        }
-
-        static void Patch(string path, long at, byte[] bytes)
-        {
-            using var file = new FileStream(path, FileMode.Open);
-            file.Position = at;
-            file.Write(bytes);
-        }
+    static void Patch(string path, long at, byte[] bytes)
+    {
+        using var file = new FileStream(path, FileMode.Open);
+        file.Position = at;
+        file.Write(bytes);
     }
 }

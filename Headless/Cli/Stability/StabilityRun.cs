@@ -1,165 +1,164 @@
 using System.Diagnostics;
 
-namespace FastPoints.Cli.Stability
+namespace FastPoints.Cli.Stability;
+
+/// <summary>One case through all stages: each with outcome, error, time and memory.</summary>
+public sealed class StabilityRun
 {
-    /// <summary>One case through all stages: each with outcome, error, time and memory.</summary>
-    public sealed class StabilityRun
+    const int PictureWidthPx = 320, PictureHeightPx = 200;
+
+    /// <summary>What one stage came to.</summary>
+    /// <param name="Outcome">"ok", "error" for a failure that says what it wanted, or what went wrong.</param>
+    /// <param name="Error">Read and build: points too many or too few. Preview and draw: share of the pixels of a picture
+    /// of all points that are left uncovered. Card: share of the covered pixels that differ from the software
+    /// rasteriser's.</param>
+    public sealed record StageResult(string Stage, string Outcome, double Error, double Seconds, long ResidentBytes);
+
+    readonly StabilityCase m_case;
+    readonly string m_folder;
+    readonly Sampler m_sampler;
+
+    StabilityRun(StabilityCase stabilityCase, string folder, Sampler sampler)
     {
-        const int PictureWidthPx = 320, PictureHeightPx = 200;
+        m_case = stabilityCase;
+        m_folder = folder;
+        m_sampler = sampler;
+    }
 
-        /// <summary>What one stage came to.</summary>
-        /// <param name="Outcome">"ok", "error" for a failure that says what it wanted, or what went wrong.</param>
-        /// <param name="Error">Read and build: points too many or too few. Preview and draw: share of the pixels of a picture
-        /// of all points that are left uncovered. Card: share of the covered pixels that differ from the software
-        /// rasteriser's.</param>
-        public sealed record StageResult(string Stage, string Outcome, double Error, double Seconds, long ResidentBytes);
+    public string Name => m_case.Name;
+    public List<StageResult> Stages { get; } = [];
 
-        readonly StabilityCase m_case;
-        readonly string m_folder;
-        readonly Sampler m_sampler;
+    /// <summary>What is not as it must be; empty for a case that holds.</summary>
+    public List<string> Problems { get; } = [];
 
-        StabilityRun(StabilityCase stabilityCase, string folder, Sampler sampler)
+    /// <param name="scratch">A folder of the run's own is made in it, and deleted.</param>
+    public static StabilityRun Run(StabilityCase stabilityCase, int points, string scratch, Sampler sampler)
+    {
+        string folder = Path.Combine(scratch, "case");
+        Directory.CreateDirectory(folder);
+        try
         {
-            m_case = stabilityCase;
-            m_folder = folder;
-            m_sampler = sampler;
+            var run = new StabilityRun(stabilityCase, folder, sampler);
+            run.RunStages(stabilityCase.Make(folder, points));
+            return run;
         }
-
-        public string Name => m_case.Name;
-        public List<StageResult> Stages { get; } = [];
-
-        /// <summary>What is not as it must be; empty for a case that holds.</summary>
-        public List<string> Problems { get; } = [];
-
-        /// <param name="scratch">A folder of the run's own is made in it, and deleted.</param>
-        public static StabilityRun Run(StabilityCase stabilityCase, int points, string scratch, Sampler sampler)
+        finally
         {
-            string folder = Path.Combine(scratch, "case");
-            Directory.CreateDirectory(folder);
-            try
-            {
-                var run = new StabilityRun(stabilityCase, folder, sampler);
-                run.RunStages(stabilityCase.Make(folder, points));
-                return run;
-            }
-            finally
-            {
-                Directory.Delete(folder, recursive: true);
-            }
+            Directory.Delete(folder, recursive: true);
         }
+    }
 
-        void RunStages(StabilityInput input)
-        {
-            string target = m_case.Target?.Invoke(m_folder) ?? Path.Combine(m_folder, "cloud" + StoreFormat.FolderExtension);
-            RgbaImage? reference = null;
-            var options = new PictureOptions { WidthPx = PictureWidthPx, HeightPx = PictureHeightPx, View = ViewDirection.Iso };
-            Take("read", () =>
-            {
-                using var reader = PointReaders.Open(input.Files);
-                var scan = new SummariseCloud(reader);
-                WorkPump.RunToEnd(scan.Run(null));
-                var all = new DrawCloud(reader, options);
-                WorkPump.RunToEnd(all.Run(null));
-                reference = all.Image;
-                options.Camera = all.Plan.Camera;
-                options.Color = all.Plan.Mode;
-                return Math.Abs(scan.Summary.Points - input.Points) + Math.Abs(scan.Summary.NonFinite - input.LeftOut);
-            });
-            Take("preview", () =>
-            {
-                using var reader = PointReaders.Open(input.Files);
-                using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50000, Picture = options });
-                WorkPump.RunToEnd(preview.Run(null));
-                return ImageError.Compare(preview.Image, reference!, options.Background).Uncovered;
-            });
-            Take("build", () => Build(input, target));
-            if (m_case.IsCloud)
-            {
-                Take("draw", () =>
-                {
-                    using var folder = CloudFolder.Open(target);
-                    var draw = new DrawStored(folder, options);
-                    WorkPump.RunToEnd(draw.Run(null));
-                    return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
-                });
-                Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
-                if (HeadlessGraphics.IsAvailable)
-                    Take("card", () => CardStage.Run(target, options, Problems));
-            }
-        }
-
-        double Build(StabilityInput input, string target)
+    void RunStages(StabilityInput input)
+    {
+        string target = m_case.Target?.Invoke(m_folder) ?? Path.Combine(m_folder, "cloud" + StoreFormat.FolderExtension);
+        RgbaImage? reference = null;
+        var options = new PictureOptions { WidthPx = PictureWidthPx, HeightPx = PictureHeightPx, View = ViewDirection.Iso };
+        Take("read", () =>
         {
             using var reader = PointReaders.Open(input.Files);
-            ConvertResult? made = null;
-            var settings = new ConvertSettings { Sampler = m_sampler };
-            using var work = new WorkSteps(ConvertCloud.Run([reader], target, settings, r => made = r, null));
-            if (m_case.IsBuiltTwice)
-            {
-                using var other = PointReaders.Open(input.Files);
-                Step(work, 5);
-                try
-                {
-                    WorkPump.RunToEnd(ConvertCloud.Run([other], target, settings, r => { }, null));
-                    Problems.Add("a second build of the same target was let in");
-                }
-                catch (PointCloudException)
-                {
-                    // As it must be.
-                }
-            }
-            Step(work, int.MaxValue);
-            var verified = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(target, [reader], verified, null));
-            Problems.AddRange(verified.Problems);
-            if (m_sampler != Sampler.Random)
-            {
-                foreach (var level in verified.Levels)
-                    if (level.MinDistance < 0.99 * level.Spacing)
-                        Problems.Add(string.Format(CultureInfo.InvariantCulture, "points at {0} where the spacing is {1}",
-                            level.MinDistance, level.Spacing));
-            }
-            return Math.Abs(made!.Manifest.Points + input.LeftOut - input.Points)
-                + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);
-        }
-
-        static void Step(WorkSteps work, int steps)
+            var scan = new SummariseCloud(reader);
+            WorkPump.RunToEnd(scan.Run(null));
+            var all = new DrawCloud(reader, options);
+            WorkPump.RunToEnd(all.Run(null));
+            reference = all.Image;
+            options.Camera = all.Plan.Camera;
+            options.Color = all.Plan.Mode;
+            return Math.Abs(scan.Summary.Points - input.Points) + Math.Abs(scan.Summary.NonFinite - input.LeftOut);
+        });
+        Take("preview", () =>
         {
-            for (int i = 0; i < steps && work.MoveNext(); i++)
-            {
-                work.Current.Complete();
-                // A step that awaits no job may wait for another thread.
-                Thread.Yield();
-            }
-        }
-
-        void Take(string stage, Func<double> run)
+            using var reader = PointReaders.Open(input.Files);
+            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50000, Picture = options });
+            WorkPump.RunToEnd(preview.Run(null));
+            return ImageError.Compare(preview.Image, reference!, options.Background).Uncovered;
+        });
+        Take("build", () => Build(input, target));
+        if (m_case.IsCloud)
         {
-            long begin = Stopwatch.GetTimestamp();
-            string outcome = "ok";
-            double error = 0;
+            Take("draw", () =>
+            {
+                using var folder = CloudFolder.Open(target);
+                var draw = new DrawStored(folder, options);
+                WorkPump.RunToEnd(draw.Run(null));
+                return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
+            });
+            Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
+            if (HeadlessGraphics.IsAvailable)
+                Take("card", () => CardStage.Run(target, options, Problems));
+        }
+    }
+
+    double Build(StabilityInput input, string target)
+    {
+        using var reader = PointReaders.Open(input.Files);
+        ConvertResult? made = null;
+        var settings = new ConvertSettings { Sampler = m_sampler };
+        using var work = new WorkSteps(ConvertCloud.Run([reader], target, settings, r => made = r, null));
+        if (m_case.IsBuiltTwice)
+        {
+            using var other = PointReaders.Open(input.Files);
+            Step(work, 5);
             try
             {
-                error = run();
-                if (stage is "read" or "build" && error != 0)
-                    Problems.Add(stage + ": " + error + " points too many or too few");
-                if (!m_case.IsCloud && stage == "build")
-                    Problems.Add("build: wanted an error, got a cloud");
+                WorkPump.RunToEnd(ConvertCloud.Run([other], target, settings, r => { }, null));
+                Problems.Add("a second build of the same target was let in");
             }
-            catch (PointCloudException e)
+            catch (PointCloudException)
             {
-                outcome = "error: " + e.Code;
-                if (m_case.IsCloud)
-                    Problems.Add(stage + ": " + e.Message);
+                // As it must be.
             }
-            catch (Exception e) when (e is not OutOfMemoryException)
-            {
-                outcome = e.GetType().Name;
-                Problems.Add(stage + ": " + e);
-            }
-            using var process = Process.GetCurrentProcess();
-            Stages.Add(new StageResult(stage, outcome, error, Stopwatch.GetElapsedTime(begin).TotalSeconds,
-                process.WorkingSet64));
         }
+        Step(work, int.MaxValue);
+        var verified = new VerifyResult();
+        WorkPump.RunToEnd(VerifyCloud.Run(target, [reader], verified, null));
+        Problems.AddRange(verified.Problems);
+        if (m_sampler != Sampler.Random)
+        {
+            foreach (var level in verified.Levels)
+                if (level.MinDistance < 0.99 * level.Spacing)
+                    Problems.Add(string.Format(CultureInfo.InvariantCulture, "points at {0} where the spacing is {1}",
+                        level.MinDistance, level.Spacing));
+        }
+        return Math.Abs(made!.Manifest.Points + input.LeftOut - input.Points)
+            + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);
+    }
+
+    static void Step(WorkSteps work, int steps)
+    {
+        for (int i = 0; i < steps && work.MoveNext(); i++)
+        {
+            work.Current.Complete();
+            // A step that awaits no job may wait for another thread.
+            Thread.Yield();
+        }
+    }
+
+    void Take(string stage, Func<double> run)
+    {
+        long begin = Stopwatch.GetTimestamp();
+        string outcome = "ok";
+        double error = 0;
+        try
+        {
+            error = run();
+            if (stage is "read" or "build" && error != 0)
+                Problems.Add(stage + ": " + error + " points too many or too few");
+            if (!m_case.IsCloud && stage == "build")
+                Problems.Add("build: wanted an error, got a cloud");
+        }
+        catch (PointCloudException e)
+        {
+            outcome = "error: " + e.Code;
+            if (m_case.IsCloud)
+                Problems.Add(stage + ": " + e.Message);
+        }
+        catch (Exception e) when (e is not OutOfMemoryException)
+        {
+            outcome = e.GetType().Name;
+            Problems.Add(stage + ": " + e);
+        }
+        using var process = Process.GetCurrentProcess();
+        Stages.Add(new StageResult(stage, outcome, error, Stopwatch.GetElapsedTime(begin).TotalSeconds,
+            process.WorkingSet64));
     }
 }

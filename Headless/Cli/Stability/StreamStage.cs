@@ -1,45 +1,44 @@
-namespace FastPoints.Cli.Stability
+namespace FastPoints.Cli.Stability;
+
+/// <summary>A stored cloud streamed until nothing more comes: all of it, then what a camera needs.</summary>
+static class StreamStage
 {
-    /// <summary>A stored cloud streamed until nothing more comes: all of it, then what a camera needs.</summary>
-    static class StreamStage
+    /// <summary>A read that never ends is a failure, not a hang.</summary>
+    const int MostFrames = 100_000_000;
+
+    /// <returns>Share of the reference's pixels that the picture leaves bare.</returns>
+    public static double Run(string target, PictureOptions options, RgbaImage reference, List<string> problems)
     {
-        /// <summary>A read that never ends is a failure, not a hang.</summary>
-        const int MostFrames = 100_000_000;
+        using var stream = new StreamContext(new MemoryNodePool(256 << 20));
+        using var picture = new StreamedPicture(options);
+        var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud);
+        picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
+        stream.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
+        long points = ((FolderSource)stream.Clouds[cloud].Source).Folder.Manifest.Points;
+        var all = Settle(stream, StreamView.Everything(1), problems);
+        if (all.DrawnPoints != points)
+            problems.Add("stream: " + all.DrawnPoints + " points of " + points);
+        stream.Settings.Selection = SelectionSettings.Default;
+        Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems);
+        while (stream.TryTakeFailure(out var failure))
+            problems.Add("stream: " + failure);
+        return ImageError.Compare(picture.Draw(plan.Camera), reference, options.Background).Uncovered;
+    }
 
-        /// <returns>Share of the reference's pixels that the picture leaves bare.</returns>
-        public static double Run(string target, PictureOptions options, RgbaImage reference, List<string> problems)
+    /// <summary>Frames until nothing more comes.</summary>
+    public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems,
+        Action? endFrame = null)
+    {
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = view };
+        for (int frame = 0; frame < MostFrames; frame++)
         {
-            using var stream = new StreamContext(new MemoryNodePool(256 << 20));
-            using var picture = new StreamedPicture(options);
-            var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud);
-            picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
-            stream.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
-            long points = ((FolderSource)stream.Clouds[cloud].Source).Folder.Manifest.Points;
-            var all = Settle(stream, StreamView.Everything(1), problems);
-            if (all.DrawnPoints != points)
-                problems.Add("stream: " + all.DrawnPoints + " points of " + points);
-            stream.Settings.Selection = SelectionSettings.Default;
-            Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems);
-            while (stream.TryTakeFailure(out var failure))
-                problems.Add("stream: " + failure);
-            return ImageError.Compare(picture.Draw(plan.Camera), reference, options.Background).Uncovered;
+            var stats = FrameStep.Run(stream, views);
+            endFrame?.Invoke();
+            if (stats.IsSettled)
+                return stats;
+            Thread.Yield();
         }
-
-        /// <summary>Frames until nothing more comes.</summary>
-        public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems,
-            Action? endFrame = null)
-        {
-            using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = view };
-            for (int frame = 0; frame < MostFrames; frame++)
-            {
-                var stats = FrameStep.Run(stream, views);
-                endFrame?.Invoke();
-                if (stats.IsSettled)
-                    return stats;
-                Thread.Yield();
-            }
-            problems.Add("stream: does not come to rest");
-            return default;
-        }
+        problems.Add("stream: does not come to rest");
+        return default;
     }
 }

@@ -1,100 +1,99 @@
 using FastPoints.Cli.Convert;
 
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>Files into one octree on disk.</summary>
+public sealed class ConvertVerb : Verb
 {
-    /// <summary>Files into one octree on disk.</summary>
-    public sealed class ConvertVerb : Verb
+    readonly Argument<string[]> m_files = new("FILE")
     {
-        readonly Argument<string[]> m_files = new("FILE")
-        {
-            Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds, or folders of them. Several become one cloud with the attributes of all.",
-        };
-        readonly Option<string> m_output = new("--output", "-o")
-        {
-            HelpName = "NAME.fastpoints",
-            Required = true,
-            Description = "The folder to make; a cloud that is there is replaced when the new one is whole.",
-        };
-        readonly Option<string> m_sampler = new("--sampler")
-        {
-            HelpName = "NAME",
-            Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly "
-                + "spaced; average, as poisson with colour and intensity averaged besides (default: random).",
-            DefaultValueFactory = _ => "random",
-        };
-        readonly Option<string?> m_memory = new("--memory")
-        {
-            HelpName = "SIZE",
-            Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). "
-                + "What does not fit goes to temporary files beside the target; with little memory the "
-                + "stored chunks are smaller.",
-        };
-        readonly Option<string?> m_attributes = new("--attributes")
-        {
-            HelpName = "A,B,...",
-            Description = "Attributes to keep beside the position (default: all).",
-        };
+        Arity = ArgumentArity.OneOrMore,
+        Description = "Point clouds, or folders of them. Several become one cloud with the attributes of all.",
+    };
+    readonly Option<string> m_output = new("--output", "-o")
+    {
+        HelpName = "NAME.fastpoints",
+        Required = true,
+        Description = "The folder to make; a cloud that is there is replaced when the new one is whole.",
+    };
+    readonly Option<string> m_sampler = new("--sampler")
+    {
+        HelpName = "NAME",
+        Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly "
+            + "spaced; average, as poisson with colour and intensity averaged besides (default: random).",
+        DefaultValueFactory = _ => "random",
+    };
+    readonly Option<string?> m_memory = new("--memory")
+    {
+        HelpName = "SIZE",
+        Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). "
+            + "What does not fit goes to temporary files beside the target; with little memory the "
+            + "stored chunks are smaller.",
+    };
+    readonly Option<string?> m_attributes = new("--attributes")
+    {
+        HelpName = "A,B,...",
+        Description = "Attributes to keep beside the position (default: all).",
+    };
 
-        readonly Option<bool> m_report = new("--report")
+    readonly Option<bool> m_report = new("--report")
+    {
+        Description = "Also build with every sampler and several spacings, and write their errors beside their times into "
+            + "NAME-samplers/: CSV, SVG and report.html.",
+    };
+    readonly SourceSettings m_source;
+
+    public ConvertVerb() : base(new Command("convert",
+        "Build the octree that is streamed from: every point, every attribute, nothing rounded."))
+    {
+        Command.Add(m_files);
+        Command.Add(m_output);
+        Command.Add(m_sampler);
+        Command.Add(m_memory);
+        Command.Add(m_attributes);
+        Command.Add(m_report);
+        m_source = new SourceSettings(Command);
+        AddCommonOptions();
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints convert scan.las -o scan.fastpoints", "all attributes"),
+        ("./fastpoints convert big.laz -o big.fastpoints --memory 300MiB", "in little memory; killed, the same line goes on"),
+        ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
+        ("./fastpoints convert scan.las -o scan.fastpoints --report", "what each sampler costs and gains"),
+        ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var files = parsed.GetRequiredValue(m_files);
+        string name = parsed.GetValue(m_sampler)!;
+        if (!System.Enum.TryParse<Sampler>(name, ignoreCase: true, out var sampler) || !System.Enum.IsDefined(sampler))
+            throw new UsageException("--sampler: wanted random, poisson or average, got " + name);
+        var settings = new ConvertSettings
         {
-            Description = "Also build with every sampler and several spacings, and write their errors beside their times into "
-                + "NAME-samplers/: CSV, SVG and report.html.",
+            Sampler = sampler,
+            Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
         };
-        readonly SourceSettings m_source;
-
-        public ConvertVerb() : base(new Command("convert",
-            "Build the octree that is streamed from: every point, every attribute, nothing rounded."))
-        {
-            Command.Add(m_files);
-            Command.Add(m_output);
-            Command.Add(m_sampler);
-            Command.Add(m_memory);
-            Command.Add(m_attributes);
-            Command.Add(m_report);
-            m_source = new SourceSettings(Command);
-            AddCommonOptions();
-        }
-
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints convert scan.las -o scan.fastpoints", "all attributes"),
-            ("./fastpoints convert big.laz -o big.fastpoints --memory 300MiB", "in little memory; killed, the same line goes on"),
-            ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
-            ("./fastpoints convert scan.las -o scan.fastpoints --report", "what each sampler costs and gains"),
-            ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
-        ];
-
-        public override void Run(ParseResult parsed, CliRun run)
-        {
-            var files = parsed.GetRequiredValue(m_files);
-            string name = parsed.GetValue(m_sampler)!;
-            if (!System.Enum.TryParse<Sampler>(name, ignoreCase: true, out var sampler) || !System.Enum.IsDefined(sampler))
-                throw new UsageException("--sampler: wanted random, poisson or average, got " + name);
-            var settings = new ConvertSettings
-            {
-                Sampler = sampler,
-                Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
-            };
-            if (parsed.GetValue(m_memory) is { } memory)
-                settings.MemoryBytes = Memory.ForBuild(memory);
-            string output = parsed.GetRequiredValue(m_output);
-            OutputNames.RefuseFile(output);
-            run.Begin(files, output);
-            using var reader = PointReaders.Open(files, m_source.Read(parsed));
-            run.Warn(reader.Info);
-            if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
-                throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
-                    + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
-            var result = ConvertStep.Run([reader], output, settings, run);
-            run.WriteKeys = result.WriteKeys;
-            run.Out.WriteLine(output + ": " + result.Describe());
-            StageTable.Of(run.Progress).Write(run.Out, "  ");
-            if (!parsed.GetValue(m_report))
-                return;
-            string folder = Path.ChangeExtension(output, null) + "-samplers";
-            new SamplerReport(reader, folder, settings, run).Write();
-            run.Out.WriteLine(Path.Combine(folder, "report.html"));
-        }
+        if (parsed.GetValue(m_memory) is { } memory)
+            settings.MemoryBytes = Memory.ForBuild(memory);
+        string output = parsed.GetRequiredValue(m_output);
+        OutputNames.RefuseFile(output);
+        run.Begin(files, output);
+        using var reader = PointReaders.Open(files, m_source.Read(parsed));
+        run.Warn(reader.Info);
+        if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
+            throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
+                + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+        var result = ConvertStep.Run([reader], output, settings, run);
+        run.WriteKeys = result.WriteKeys;
+        run.Out.WriteLine(output + ": " + result.Describe());
+        StageTable.Of(run.Progress).Write(run.Out, "  ");
+        if (!parsed.GetValue(m_report))
+            return;
+        string folder = Path.ChangeExtension(output, null) + "-samplers";
+        new SamplerReport(reader, folder, settings, run).Write();
+        run.Out.WriteLine(Path.Combine(folder, "report.html"));
     }
 }

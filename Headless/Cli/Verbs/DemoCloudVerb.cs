@@ -1,137 +1,136 @@
 using FastPoints.Cli.Demo;
 
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>Makes a cloud to try things on, or a larger one of a file.</summary>
+public sealed class DemoCloudVerb : Verb
 {
-    /// <summary>Makes a cloud to try things on, or a larger one of a file.</summary>
-    public sealed class DemoCloudVerb : Verb
+    readonly Option<string> m_output = new("--output", "-o")
     {
-        readonly Option<string> m_output = new("--output", "-o")
-        {
-            HelpName = "FILE",
-            Required = true,
-            Description = "What to write: .las or .laz (1.4, point format 7) or .ply (binary).",
-        };
-        readonly Option<long> m_points = new("--points")
-        {
-            HelpName = "N",
-            Description = "Points, exactly (default: 5,000,000).",
-            DefaultValueFactory = _ => DemoCloud.DefaultPoints,
-        };
-        readonly Option<uint> m_seed = new("--seed")
-        {
-            HelpName = "S",
-            Description = "Another seed is another street; the same seed gives the same bytes, whatever "
-                + "the threads (default: 1).",
-            DefaultValueFactory = _ => 1,
-        };
-        readonly Option<string> m_order = new("--order")
-        {
-            HelpName = "ORDER",
-            Description = "strip: as acquired, station by station and line by line (default); tile: by tiles "
-                + "of 50 m; class: by class; random: shuffled. All but strip keep the points in memory: at most 32,000,000.",
-            DefaultValueFactory = _ => "strip",
-        };
-        readonly Option<string?> m_tile = new("--tile")
-        {
-            HelpName = "FILE",
-            Description = "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid "
-                + "steps; to .las, or from LAZ to .laz without decoding.",
-        };
-        readonly Option<bool> m_force = new("--force") { Description = "Replace a scan that this tool did not make." };
-        readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
+        HelpName = "FILE",
+        Required = true,
+        Description = "What to write: .las or .laz (1.4, point format 7) or .ply (binary).",
+    };
+    readonly Option<long> m_points = new("--points")
+    {
+        HelpName = "N",
+        Description = "Points, exactly (default: 5,000,000).",
+        DefaultValueFactory = _ => DemoCloud.DefaultPoints,
+    };
+    readonly Option<uint> m_seed = new("--seed")
+    {
+        HelpName = "S",
+        Description = "Another seed is another street; the same seed gives the same bytes, whatever "
+            + "the threads (default: 1).",
+        DefaultValueFactory = _ => 1,
+    };
+    readonly Option<string> m_order = new("--order")
+    {
+        HelpName = "ORDER",
+        Description = "strip: as acquired, station by station and line by line (default); tile: by tiles "
+            + "of 50 m; class: by class; random: shuffled. All but strip keep the points in memory: at most 32,000,000.",
+        DefaultValueFactory = _ => "strip",
+    };
+    readonly Option<string?> m_tile = new("--tile")
+    {
+        HelpName = "FILE",
+        Description = "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid "
+            + "steps; to .las, or from LAZ to .laz without decoding.",
+    };
+    readonly Option<bool> m_force = new("--force") { Description = "Replace a scan that this tool did not make." };
+    readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
 
-        public DemoCloudVerb() : base(
-            new Command("demo-cloud", "Make a seeded terrestrial laser scan of a street (houses, trees, cars; "
-            + "colour, intensity, classes, several returns; UTM-sized coordinates), or a larger file of a file."))
-        {
-            Command.Add(m_output);
-            Command.Add(m_points);
-            Command.Add(m_seed);
-            Command.Add(m_order);
-            Command.Add(m_tile);
-            Command.Add(m_times);
-            Command.Add(m_force);
-            AddCommonOptions();
-        }
-
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints demo-cloud -o demo.las", "5 million points"),
-            ("./fastpoints demo-cloud -o demo.laz --points 1000000", "compressed"),
-            ("./fastpoints demo-cloud -o demo.ply --points 200000 --seed 7", "a small one, as PLY"),
-            ("./fastpoints demo-cloud -o big.las --tile demo.las --times 100", "half a billion points"),
-        ];
-
-        public override void Run(ParseResult parsed, CliRun run)
-        {
-            string output = parsed.GetRequiredValue(m_output);
-            long written;
-            if (parsed.GetValue(m_tile) is { } tile)
-            {
-                int times = parsed.GetValue(m_times);
-                if (times < 1)
-                    throw new UsageException("--tile wants --times, at least 1");
-                run.Begin([tile], output);
-                written = Tile(tile, output, times, run);
-            }
-            else
-            {
-                if (parsed.GetValue(m_times) != 0)
-                    throw new UsageException("--times belongs to --tile");
-                written = parsed.GetValue(m_points);
-                if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) ||
-                    !Enum.IsDefined(order))
-                    throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
-                if (written < 1)
-                    throw new UsageException("--points is at least 1");
-                if (order != ScanOrder.Strip && written > DemoCloud.MostOrderedPoints)
-                    throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
-                        + Human.Count(DemoCloud.MostOrderedPoints));
-                if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
-                    throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
-                OutputNames.RefuseForeign(output, parsed.GetValue(m_force));
-                DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
-            }
-            long bytes = new FileInfo(output).Length;
-            run.WriteKeys = json =>
-            {
-                json.WriteInteger("points", written);
-                json.WriteInteger("bytes", bytes);
-            };
-            run.Out.WriteLine(output + ": " + Human.Count(written) + " points, " + Human.Bytes(bytes));
-            StageTable.Of(run.Progress).Write(run.Out, "  ");
-        }
-
-        /// <returns>Points written.</returns>
-        static long Tile(string tile, string output, int times, CliRun run)
-        {
-            bool toLaz = HasExtension(output, ".laz");
-            if (!toLaz && !HasExtension(output, ".las"))
-                throw new UsageException("--tile writes .las and .laz files: " + output);
-            using var reader = PointReaders.Open(tile);
-            bool isPlain = reader.Info.Format == "LAS";
-            if (toLaz && !isPlain)
-                return LazTiling.Write(tile, output, times, run.Progress, run.Cancellation);
-            if (toLaz)
-                throw new UsageException("--tile makes a .laz file of a .laz file only: " + tile);
-            if (isPlain)
-                return LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
-            if (reader.Info.PointFormat < 0)
-                throw new PointCloudException(FailureCode.Unsupported, tile, -1, "only LAS and LAZ files are tiled, this is "
-                    + reader.Info.Format);
-            string unpacked = output + "." + Environment.ProcessId + ".las";
-            try
-            {
-                LasUnpacking.Write(reader, unpacked, run);
-                return LasTiling.Write(unpacked, output, times, run.Progress, run.Cancellation);
-            }
-            finally
-            {
-                File.Delete(unpacked);
-            }
-        }
-
-        static bool HasExtension(string path, string extension) =>
-            Path.GetExtension(path).Equals(extension, StringComparison.OrdinalIgnoreCase);
+    public DemoCloudVerb() : base(
+        new Command("demo-cloud", "Make a seeded terrestrial laser scan of a street (houses, trees, cars; "
+        + "colour, intensity, classes, several returns; UTM-sized coordinates), or a larger file of a file."))
+    {
+        Command.Add(m_output);
+        Command.Add(m_points);
+        Command.Add(m_seed);
+        Command.Add(m_order);
+        Command.Add(m_tile);
+        Command.Add(m_times);
+        Command.Add(m_force);
+        AddCommonOptions();
     }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints demo-cloud -o demo.las", "5 million points"),
+        ("./fastpoints demo-cloud -o demo.laz --points 1000000", "compressed"),
+        ("./fastpoints demo-cloud -o demo.ply --points 200000 --seed 7", "a small one, as PLY"),
+        ("./fastpoints demo-cloud -o big.las --tile demo.las --times 100", "half a billion points"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        string output = parsed.GetRequiredValue(m_output);
+        long written;
+        if (parsed.GetValue(m_tile) is { } tile)
+        {
+            int times = parsed.GetValue(m_times);
+            if (times < 1)
+                throw new UsageException("--tile wants --times, at least 1");
+            run.Begin([tile], output);
+            written = Tile(tile, output, times, run);
+        }
+        else
+        {
+            if (parsed.GetValue(m_times) != 0)
+                throw new UsageException("--times belongs to --tile");
+            written = parsed.GetValue(m_points);
+            if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) ||
+                !Enum.IsDefined(order))
+                throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
+            if (written < 1)
+                throw new UsageException("--points is at least 1");
+            if (order != ScanOrder.Strip && written > DemoCloud.MostOrderedPoints)
+                throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
+                    + Human.Count(DemoCloud.MostOrderedPoints));
+            if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
+                throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
+            OutputNames.RefuseForeign(output, parsed.GetValue(m_force));
+            DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
+        }
+        long bytes = new FileInfo(output).Length;
+        run.WriteKeys = json =>
+        {
+            json.WriteInteger("points", written);
+            json.WriteInteger("bytes", bytes);
+        };
+        run.Out.WriteLine(output + ": " + Human.Count(written) + " points, " + Human.Bytes(bytes));
+        StageTable.Of(run.Progress).Write(run.Out, "  ");
+    }
+
+    /// <returns>Points written.</returns>
+    static long Tile(string tile, string output, int times, CliRun run)
+    {
+        bool toLaz = HasExtension(output, ".laz");
+        if (!toLaz && !HasExtension(output, ".las"))
+            throw new UsageException("--tile writes .las and .laz files: " + output);
+        using var reader = PointReaders.Open(tile);
+        bool isPlain = reader.Info.Format == "LAS";
+        if (toLaz && !isPlain)
+            return LazTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+        if (toLaz)
+            throw new UsageException("--tile makes a .laz file of a .laz file only: " + tile);
+        if (isPlain)
+            return LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+        if (reader.Info.PointFormat < 0)
+            throw new PointCloudException(FailureCode.Unsupported, tile, -1, "only LAS and LAZ files are tiled, this is "
+                + reader.Info.Format);
+        string unpacked = output + "." + Environment.ProcessId + ".las";
+        try
+        {
+            LasUnpacking.Write(reader, unpacked, run);
+            return LasTiling.Write(unpacked, output, times, run.Progress, run.Cancellation);
+        }
+        finally
+        {
+            File.Delete(unpacked);
+        }
+    }
+
+    static bool HasExtension(string path, string extension) =>
+        Path.GetExtension(path).Equals(extension, StringComparison.OrdinalIgnoreCase);
 }

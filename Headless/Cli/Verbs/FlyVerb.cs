@@ -1,245 +1,244 @@
 using System.Diagnostics;
 
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>Streams converted clouds along a camera path, as a player would.</summary>
+public sealed class FlyVerb : Verb
 {
-    /// <summary>Streams converted clouds along a camera path, as a player would.</summary>
-    public sealed class FlyVerb : Verb
+    const double FrameSeconds = 1 / 60.0;
+
+    /// <summary>An animation shows a picture for a minute at most: 65,535 ms.</summary>
+    const int MostFramesAPicture = 3600;
+
+    readonly Argument<string[]> m_clouds = new("CLOUD")
     {
-        const double FrameSeconds = 1 / 60.0;
+        Arity = ArgumentArity.OneOrMore,
+        Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are "
+            + "flown over at once, where their coordinates put them.",
+    };
+    readonly Option<string?> m_path = new("--path")
+    {
+        HelpName = "FILE",
+        Description = "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] "
+            + "(default: an overview, a dive, a way along the ground, a cut).",
+    };
+    readonly Option<int> m_frames = new("--frames")
+    {
+        HelpName = "N",
+        Description = "Frames, 60 a second (default: 360, or as many as the path has).",
+    };
+    readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (default)." };
+    readonly Option<bool> m_gpu =
+        new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
+    readonly Option<string?> m_output = new("--output", "-o")
+    {
+        HelpName = "DIR",
+        Description = "Draw: frames.csv, flight.png (an animation that browsers play) and last.png. "
+            + "Without it nothing is drawn.",
+    };
+    readonly Option<int> m_every = new("--every")
+    {
+        HelpName = "N",
+        Description = "Draw every Nth frame (default: 6, ten pictures a second).",
+        DefaultValueFactory = _ => 6,
+    };
+    readonly Option<long> m_budget = new("--budget")
+    {
+        HelpName = "N",
+        Description = "Points of all clouds at once (default: 2,000,000).",
+        DefaultValueFactory = _ => 2_000_000,
+    };
+    readonly Option<int> m_pool = new("--pool")
+    {
+        HelpName = "MIB",
+        Description = "Memory of what is resident (default: 256 MiB). A hard limit.",
+        DefaultValueFactory = _ => 256,
+    };
+    readonly Option<int> m_upload = new("--upload")
+    {
+        HelpName = "KIB",
+        Description = "Copied into it in one frame at most (default: 4096 KiB).",
+        DefaultValueFactory = _ => 4096,
+    };
+    readonly PictureSettings m_picture;
 
-        /// <summary>An animation shows a picture for a minute at most: 65,535 ms.</summary>
-        const int MostFramesAPicture = 3600;
+    public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
+        + "selected, read, copied and drew, and how long it took."))
+    {
+        Command.Add(m_clouds);
+        Command.Add(m_path);
+        Command.Add(m_frames);
+        Command.Add(m_cpu);
+        Command.Add(m_gpu);
+        Command.Add(m_output);
+        Command.Add(m_every);
+        Command.Add(m_budget);
+        Command.Add(m_pool);
+        Command.Add(m_upload);
+        m_picture = new PictureSettings(Command, canFilter: true);
+        AddCommonOptions();
+    }
 
-        readonly Argument<string[]> m_clouds = new("CLOUD")
-        {
-            Arity = ArgumentArity.OneOrMore,
-            Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are "
-                + "flown over at once, where their coordinates put them.",
-        };
-        readonly Option<string?> m_path = new("--path")
-        {
-            HelpName = "FILE",
-            Description = "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] "
-                + "(default: an overview, a dive, a way along the ground, a cut).",
-        };
-        readonly Option<int> m_frames = new("--frames")
-        {
-            HelpName = "N",
-            Description = "Frames, 60 a second (default: 360, or as many as the path has).",
-        };
-        readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (default)." };
-        readonly Option<bool> m_gpu =
-            new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
-        readonly Option<string?> m_output = new("--output", "-o")
-        {
-            HelpName = "DIR",
-            Description = "Draw: frames.csv, flight.png (an animation that browsers play) and last.png. "
-                + "Without it nothing is drawn.",
-        };
-        readonly Option<int> m_every = new("--every")
-        {
-            HelpName = "N",
-            Description = "Draw every Nth frame (default: 6, ten pictures a second).",
-            DefaultValueFactory = _ => 6,
-        };
-        readonly Option<long> m_budget = new("--budget")
-        {
-            HelpName = "N",
-            Description = "Points of all clouds at once (default: 2,000,000).",
-            DefaultValueFactory = _ => 2_000_000,
-        };
-        readonly Option<int> m_pool = new("--pool")
-        {
-            HelpName = "MIB",
-            Description = "Memory of what is resident (default: 256 MiB). A hard limit.",
-            DefaultValueFactory = _ => 256,
-        };
-        readonly Option<int> m_upload = new("--upload")
-        {
-            HelpName = "KIB",
-            Description = "Copied into it in one frame at most (default: 4096 KiB).",
-            DefaultValueFactory = _ => 4096,
-        };
-        readonly PictureSettings m_picture;
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints fly scan.fastpoints -o flight", "look at it"),
+        ("./fastpoints fly a.fastpoints b.copc.laz --frames 1200", "figures only"),
+    ];
 
-        public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
-            + "selected, read, copied and drew, and how long it took."))
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var clouds = parsed.GetRequiredValue(m_clouds);
+        string? output = parsed.GetValue(m_output);
+        if (output != null)
+            OutputNames.RefuseCloud("--output", "a folder of pictures", output);
+        run.Begin(clouds, output != null ? [output] : []);
+        var options = m_picture.Read(parsed);
+        int every = parsed.GetValue(m_every), asked = parsed.GetValue(m_frames);
+        if (asked < 0 || parsed.GetValue(m_budget) < 1 || parsed.GetValue(m_pool) < 1 || parsed.GetValue(m_upload) < 1)
+            throw new UsageException("--frames, --budget, --pool and --upload are at least 1");
+        if (every < 1 || every > MostFramesAPicture)
+            throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
+        if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
+            throw new UsageException("--cpu or --gpu, not both");
+        if (output != null)
+            Directory.CreateDirectory(output);
+
+        long pool = (long)parsed.GetValue(m_pool) << 20;
+        int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 30, (long)parsed.GetValue(m_upload) << 10);
+        var shaders = parsed.GetValue(m_gpu) ? new GpuShaders() : null;
+        using var stream = new StreamContext(shaders?.CreatePool(pool, bank, upload) ?? new MemoryNodePool(pool, bank));
+        stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
+        stream.Settings.UploadBytesPerFrame = upload;
+        stream.SetClipBoxes(options.ClipBoxes);
+        using var picture = shaders != null
+            ? new GpuPicture(shaders, stream, options)
+            : (FlightPicture)new CpuPicture(stream, options);
+        var bounds = BoundsGeo.Empty;
+        foreach (string cloud in clouds)
         {
-            Command.Add(m_clouds);
-            Command.Add(m_path);
-            Command.Add(m_frames);
-            Command.Add(m_cpu);
-            Command.Add(m_gpu);
-            Command.Add(m_output);
-            Command.Add(m_every);
-            Command.Add(m_budget);
-            Command.Add(m_pool);
-            Command.Add(m_upload);
-            m_picture = new PictureSettings(Command, canFilter: true);
-            AddCommonOptions();
+            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
+            picture.Add(number, plan);
+            if (!ranges.Robust.IsEmpty)
+                bounds = bounds.IsEmpty ? ranges.Robust
+                    : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
         }
+        if (bounds.IsEmpty)
+            throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to fly over");
+        var up = new double3(0, 0, 0);
+        up[(int)options.UpAxis] = 1;
+        var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
+            : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : 360, options.FovDegrees);
+        int frames = asked > 0 ? asked : path.FrameCount;
 
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints fly scan.fastpoints -o flight", "look at it"),
-            ("./fastpoints fly a.fastpoints b.copc.laz --frames 1200", "figures only"),
-        ];
+        var log = new FlightLog(frames);
+        double disposeMs = 0;
+        run.WriteKeys = json => WriteKeys(json, log, disposeMs);
+        Fly(stream, path, frames, options, picture, output, every, log, run);
+        if (output != null)
+            OutputFile.Write(Path.Combine(output, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
+        long end = Stopwatch.GetTimestamp();
+        stream.Dispose();
+        disposeMs = Stopwatch.GetElapsedTime(end).TotalMilliseconds;
+        while (stream.TryTakeFailure(out var failure))
+            run.Warnings.Add(failure.ToString());
+        Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
+    }
 
-        public override void Run(ParseResult parsed, CliRun run)
+    static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options,
+        FlightPicture picture, string? output, int every, FlightLog log, CliRun run)
+    {
+        run.Progress.Begin("fly");
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+        var view = views;
+        // The end of each stretch: at its beginning the first has nothing to show yet.
+        every = Math.Min(every, frames);
+        using var animation = output == null ? null : new AnimatedPng(Path.Combine(output!, "flight.png"), options.WidthPx,
+            options.HeightPx, frames / every, (int)(every * FrameSeconds * 1000));
+        RgbaImage? last = null;
+        double begin = run.Seconds;
+        for (int frame = 0; frame < frames; frame++)
         {
-            var clouds = parsed.GetRequiredValue(m_clouds);
-            string? output = parsed.GetValue(m_output);
-            if (output != null)
-                OutputNames.RefuseCloud("--output", "a folder of pictures", output);
-            run.Begin(clouds, output != null ? [output] : []);
-            var options = m_picture.Read(parsed);
-            int every = parsed.GetValue(m_every), asked = parsed.GetValue(m_frames);
-            if (asked < 0 || parsed.GetValue(m_budget) < 1 || parsed.GetValue(m_pool) < 1 || parsed.GetValue(m_upload) < 1)
-                throw new UsageException("--frames, --budget, --pool and --upload are at least 1");
-            if (every < 1 || every > MostFramesAPicture)
-                throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
-            if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
-                throw new UsageException("--cpu or --gpu, not both");
-            if (output != null)
-                Directory.CreateDirectory(output);
-
-            long pool = (long)parsed.GetValue(m_pool) << 20;
-            int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 30, (long)parsed.GetValue(m_upload) << 10);
-            var shaders = parsed.GetValue(m_gpu) ? new GpuShaders() : null;
-            using var stream = new StreamContext(shaders?.CreatePool(pool, bank, upload) ?? new MemoryNodePool(pool, bank));
-            stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
-            stream.Settings.UploadBytesPerFrame = upload;
-            stream.SetClipBoxes(options.ClipBoxes);
-            using var picture = shaders != null
-                ? new GpuPicture(shaders, stream, options)
-                : (FlightPicture)new CpuPicture(stream, options);
-            var bounds = BoundsGeo.Empty;
-            foreach (string cloud in clouds)
+            run.Cancellation.ThrowIfCancellationRequested();
+            var camera = path.CameraAt(frame);
+            view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
+            long garbage = GC.GetAllocatedBytesForCurrentThread(), start = Stopwatch.GetTimestamp();
+            var stats = FrameStep.Run(stream, view);
+            double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+            garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
+            JobHandle.ScheduleBatchedJobs();
+            if (output != null && ((frame + 1) % every == 0 || frame == frames - 1))
             {
-                var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
-                picture.Add(number, plan);
-                if (!ranges.Robust.IsEmpty)
-                    bounds = bounds.IsEmpty ? ranges.Robust
-                        : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
+                last = picture.Draw(camera);
+                if ((frame + 1) % every == 0)
+                    animation!.Add(last);
             }
-            if (bounds.IsEmpty)
-                throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to fly over");
-            var up = new double3(0, 0, 0);
-            up[(int)options.UpAxis] = 1;
-            var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
-                : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : 360, options.FovDegrees);
-            int frames = asked > 0 ? asked : path.FrameCount;
-
-            var log = new FlightLog(frames);
-            double disposeMs = 0;
-            run.WriteKeys = json => WriteKeys(json, log, disposeMs);
-            Fly(stream, path, frames, options, picture, output, every, log, run);
-            if (output != null)
-                OutputFile.Write(Path.Combine(output, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
-            long end = Stopwatch.GetTimestamp();
-            stream.Dispose();
-            disposeMs = Stopwatch.GetElapsedTime(end).TotalMilliseconds;
-            while (stream.TryTakeFailure(out var failure))
-                run.Warnings.Add(failure.ToString());
-            Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
+            picture.EndFrame();
+            // A frame of 60 a second: whoever has nothing to draw waits for the screen.
+            double rest = FrameSeconds - Stopwatch.GetElapsedTime(start).TotalSeconds;
+            if (rest > 0)
+                Thread.Sleep(TimeSpan.FromSeconds(rest));
+            log.Add(stats, mainThreadMs, Stopwatch.GetElapsedTime(start).TotalMilliseconds, garbage, run.Seconds - begin,
+                frame == 0 || path.IsCut(frame));
+            run.Progress.Report((frame + 1.0) / frames, stats.DrawnPoints, 0);
         }
+        run.Progress.End();
+        if (last != null)
+            OutputFile.Write(Path.Combine(output!, "last.png"), Png.Encode(last));
+    }
 
-        static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options,
-            FlightPicture picture, string? output, int every, FlightLog log, CliRun run)
+    static void Describe(CliRun run, FlightLog log, int uploadBytes, double disposeMs)
+    {
+        static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
+        run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints) + " points of "
+            + Human.Count(log.Last.DrawnNodes) + " nodes, "
+            + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
+        var main = log.MainThreadMs;
+        run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(main[2])} (selection p99 "
+            + $"{Ms(log.SelectMs[1])}, "
+            + $"requests p99 {Ms(log.RequestMs[1])}); {log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage");
+        foreach (var (frame, toFull, bytes) in log.Cuts())
+            run.Out.WriteLine($"from frame {frame}: "
+                + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
+                + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
+        run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");
+        foreach (string warning in run.Warnings)
+            run.Out.WriteLine("  " + warning);
+    }
+
+    static void WriteKeys(Utf8JsonWriter json, FlightLog log, double disposeMs)
+    {
+        void Write(string name, double[] values)
         {
-            run.Progress.Begin("fly");
-            using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-            var view = views;
-            // The end of each stretch: at its beginning the first has nothing to show yet.
-            every = Math.Min(every, frames);
-            using var animation = output == null ? null : new AnimatedPng(Path.Combine(output!, "flight.png"), options.WidthPx,
-                options.HeightPx, frames / every, (int)(every * FrameSeconds * 1000));
-            RgbaImage? last = null;
-            double begin = run.Seconds;
-            for (int frame = 0; frame < frames; frame++)
-            {
-                run.Cancellation.ThrowIfCancellationRequested();
-                var camera = path.CameraAt(frame);
-                view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
-                long garbage = GC.GetAllocatedBytesForCurrentThread(), start = Stopwatch.GetTimestamp();
-                var stats = FrameStep.Run(stream, view);
-                double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
-                garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
-                JobHandle.ScheduleBatchedJobs();
-                if (output != null && ((frame + 1) % every == 0 || frame == frames - 1))
-                {
-                    last = picture.Draw(camera);
-                    if ((frame + 1) % every == 0)
-                        animation!.Add(last);
-                }
-                picture.EndFrame();
-                // A frame of 60 a second: whoever has nothing to draw waits for the screen.
-                double rest = FrameSeconds - Stopwatch.GetElapsedTime(start).TotalSeconds;
-                if (rest > 0)
-                    Thread.Sleep(TimeSpan.FromSeconds(rest));
-                log.Add(stats, mainThreadMs, Stopwatch.GetElapsedTime(start).TotalMilliseconds, garbage, run.Seconds - begin,
-                    frame == 0 || path.IsCut(frame));
-                run.Progress.Report((frame + 1.0) / frames, stats.DrawnPoints, 0);
-            }
-            run.Progress.End();
-            if (last != null)
-                OutputFile.Write(Path.Combine(output!, "last.png"), Png.Encode(last));
+            json.WriteStartObject(name);
+            json.WriteReal("p50", values[0]);
+            json.WriteReal("p99", values[1]);
+            json.WriteReal("max", values[2]);
+            json.WriteEndObject();
         }
-
-        static void Describe(CliRun run, FlightLog log, int uploadBytes, double disposeMs)
+        json.WriteInteger("frames", log.Count);
+        if (log.Count == 0)
+            return;
+        Write("frameMs", log.FrameMs);
+        Write("mainThreadMs", log.MainThreadMs);
+        Write("selectMs", log.SelectMs);
+        Write("requestMs", log.RequestMs);
+        json.WriteInteger("hitches", log.Hitches);
+        json.WriteInteger("garbageBytes", log.GarbageBytes);
+        json.WriteInteger("pointsDrawn", log.Last.DrawnPoints);
+        json.WriteInteger("nodesDrawn", log.Last.DrawnNodes);
+        json.WriteInteger("bytesRead", log.BytesRead);
+        json.WriteInteger("poolBytesPeak", log.PoolBytesPeak);
+        json.WriteReal("secondsToFull", log.SecondsToFull);
+        json.WriteStartArray("cuts");
+        foreach (var (frame, toFull, bytes) in log.Cuts())
         {
-            static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
-            run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints) + " points of "
-                + Human.Count(log.Last.DrawnNodes) + " nodes, "
-                + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
-            var main = log.MainThreadMs;
-            run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(main[2])} (selection p99 "
-                + $"{Ms(log.SelectMs[1])}, "
-                + $"requests p99 {Ms(log.RequestMs[1])}); {log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage");
-            foreach (var (frame, toFull, bytes) in log.Cuts())
-                run.Out.WriteLine($"from frame {frame}: "
-                    + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
-                    + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
-            run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");
-            foreach (string warning in run.Warnings)
-                run.Out.WriteLine("  " + warning);
+            json.WriteStartObject();
+            json.WriteInteger("frame", frame);
+            json.WriteInteger("framesToFull", toFull);
+            json.WriteInteger("bytes", bytes);
+            json.WriteEndObject();
         }
-
-        static void WriteKeys(Utf8JsonWriter json, FlightLog log, double disposeMs)
-        {
-            void Write(string name, double[] values)
-            {
-                json.WriteStartObject(name);
-                json.WriteReal("p50", values[0]);
-                json.WriteReal("p99", values[1]);
-                json.WriteReal("max", values[2]);
-                json.WriteEndObject();
-            }
-            json.WriteInteger("frames", log.Count);
-            if (log.Count == 0)
-                return;
-            Write("frameMs", log.FrameMs);
-            Write("mainThreadMs", log.MainThreadMs);
-            Write("selectMs", log.SelectMs);
-            Write("requestMs", log.RequestMs);
-            json.WriteInteger("hitches", log.Hitches);
-            json.WriteInteger("garbageBytes", log.GarbageBytes);
-            json.WriteInteger("pointsDrawn", log.Last.DrawnPoints);
-            json.WriteInteger("nodesDrawn", log.Last.DrawnNodes);
-            json.WriteInteger("bytesRead", log.BytesRead);
-            json.WriteInteger("poolBytesPeak", log.PoolBytesPeak);
-            json.WriteReal("secondsToFull", log.SecondsToFull);
-            json.WriteStartArray("cuts");
-            foreach (var (frame, toFull, bytes) in log.Cuts())
-            {
-                json.WriteStartObject();
-                json.WriteInteger("frame", frame);
-                json.WriteInteger("framesToFull", toFull);
-                json.WriteInteger("bytes", bytes);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WriteReal("disposeMs", disposeMs);
-        }
+        json.WriteEndArray();
+        json.WriteReal("disposeMs", disposeMs);
     }
 }

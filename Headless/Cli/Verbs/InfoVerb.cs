@@ -1,86 +1,85 @@
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>What files say of themselves, and, with a scan, what they hold.</summary>
+public sealed class InfoVerb : Verb
 {
-    /// <summary>What files say of themselves, and, with a scan, what they hold.</summary>
-    public sealed class InfoVerb : Verb
+    readonly Argument<string[]> m_files = new("FILE")
     {
-        readonly Argument<string[]> m_files = new("FILE")
+        Arity = ArgumentArity.OneOrMore,
+        Description = "Point clouds, or folders of them.",
+    };
+    readonly Option<bool> m_scan = new("--scan")
+    {
+        Description = "Decode every point: how many there are, their bounds, each attribute's range and sum.",
+    };
+
+    readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
+
+    readonly SourceSettings m_source;
+
+    public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
+        + "system, anomalies."))
+    {
+        Command.Add(m_files);
+        Command.Add(m_scan);
+        Command.Add(m_asOne);
+        m_source = new SourceSettings(Command);
+        AddCommonOptions();
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints info scan.las", "from the header, whatever the size"),
+        ("./fastpoints info --scan scan.ply --json facts.json", "from every point"),
+        ("./fastpoints info *.las --json - | jq '.files[].points'", "many files, for a script"),
+        ("./fastpoints info tiles/", "all clouds in a folder as one"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var files = parsed.GetRequiredValue(m_files);
+        bool scan = parsed.GetValue(m_scan);
+        run.Begin(files);
+        var all = new List<SourceFacts>();
+        var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
+        run.WriteKeys = json => WriteKeys(json, clouds.Length, all);
+        foreach (var cloud in clouds)
         {
-            Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds, or folders of them.",
-        };
-        readonly Option<bool> m_scan = new("--scan")
-        {
-            Description = "Decode every point: how many there are, their bounds, each attribute's range and sum.",
-        };
-
-        readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
-
-        readonly SourceSettings m_source;
-
-        public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
-            + "system, anomalies."))
-        {
-            Command.Add(m_files);
-            Command.Add(m_scan);
-            Command.Add(m_asOne);
-            m_source = new SourceSettings(Command);
-            AddCommonOptions();
-        }
-
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints info scan.las", "from the header, whatever the size"),
-            ("./fastpoints info --scan scan.ply --json facts.json", "from every point"),
-            ("./fastpoints info *.las --json - | jq '.files[].points'", "many files, for a script"),
-            ("./fastpoints info tiles/", "all clouds in a folder as one"),
-        ];
-
-        public override void Run(ParseResult parsed, CliRun run)
-        {
-            var files = parsed.GetRequiredValue(m_files);
-            bool scan = parsed.GetValue(m_scan);
-            run.Begin(files);
-            var all = new List<SourceFacts>();
-            var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
-            run.WriteKeys = json => WriteKeys(json, clouds.Length, all);
-            foreach (var cloud in clouds)
-            {
-                using var reader = PointReaders.Open(cloud, m_source.Read(parsed));
-                var facts = new SourceFacts(reader);
-                all.Add(facts);
-                if (reader.Tree != null && !reader.BlocksAreKnown)
-                    run.Pump(reader.FindBlocks());
-                if (scan)
-                {
-                    var summarise = new SummariseCloud(reader);
-                    run.Pump(summarise.Run(run.Progress));
-                    facts.Found = summarise.Summary;
-                }
-                facts.Write(run.Out);
-                run.Out.WriteLine();
-                run.Warn(reader.Info, isShown: true);
-            }
+            using var reader = PointReaders.Open(cloud, m_source.Read(parsed));
+            var facts = new SourceFacts(reader);
+            all.Add(facts);
+            if (reader.Tree != null && !reader.BlocksAreKnown)
+                run.Pump(reader.FindBlocks());
             if (scan)
-                StageTable.Of(run.Progress).Write(run.Out, "  ");
+            {
+                var summarise = new SummariseCloud(reader);
+                run.Pump(summarise.Run(run.Progress));
+                facts.Found = summarise.Summary;
+            }
+            facts.Write(run.Out);
+            run.Out.WriteLine();
+            run.Warn(reader.Info, isShown: true);
         }
+        if (scan)
+            StageTable.Of(run.Progress).Write(run.Out, "  ");
+    }
 
-        /// <summary>One file's keys stand in the summary itself, those of several in a list.</summary>
-        static void WriteKeys(Utf8JsonWriter json, int files, List<SourceFacts> all)
+    /// <summary>One file's keys stand in the summary itself, those of several in a list.</summary>
+    static void WriteKeys(Utf8JsonWriter json, int files, List<SourceFacts> all)
+    {
+        if (files == 1)
         {
-            if (files == 1)
-            {
-                all.FirstOrDefault()?.WriteKeys(json);
-                return;
-            }
-            json.WriteStartArray("files");
-            foreach (var facts in all)
-            {
-                json.WriteStartObject();
-                json.WriteString("input", facts.Info.Path);
-                facts.WriteKeys(json);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
+            all.FirstOrDefault()?.WriteKeys(json);
+            return;
         }
+        json.WriteStartArray("files");
+        foreach (var facts in all)
+        {
+            json.WriteStartObject();
+            json.WriteString("input", facts.Info.Path);
+            facts.WriteKeys(json);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
     }
 }

@@ -1,111 +1,110 @@
 using FastPoints.Gpu;
 
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>A picture of every point.</summary>
+public sealed class PictureVerb : Verb
 {
-    /// <summary>A picture of every point.</summary>
-    public sealed class PictureVerb : Verb
+    readonly Argument<string[]> m_clouds = new("CLOUD")
     {
-        readonly Argument<string[]> m_clouds = new("CLOUD")
-        {
-            Arity = ArgumentArity.OneOrMore,
-            Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With "
-                + "--budget, COPC, Potree and EPT are drawn from their own octrees; so are converted clouds and these together.",
-        };
-        readonly Option<string> m_output =
-            new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
-        readonly Option<long> m_budget = new("--budget")
-        {
-            HelpName = "N",
-            Description = "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).",
-        };
-        readonly Option<string?> m_against = new("--against")
-        {
-            HelpName = "Q.png",
-            Description = "Another picture of the same size: say how far the new one is from it (PSNR, SSIM, uncovered pixels).",
-        };
-        readonly Option<bool> m_gpu = new("--gpu")
-        {
-            Description = "Stream a converted cloud to a graphics card and draw it there, by Vulkan; Mesa's lavapipe will do.",
-        };
-        readonly PictureSettings m_picture;
-        readonly SourceSettings m_source;
+        Arity = ArgumentArity.OneOrMore,
+        Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With "
+            + "--budget, COPC, Potree and EPT are drawn from their own octrees; so are converted clouds and these together.",
+    };
+    readonly Option<string> m_output =
+        new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+    readonly Option<long> m_budget = new("--budget")
+    {
+        HelpName = "N",
+        Description = "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).",
+    };
+    readonly Option<string?> m_against = new("--against")
+    {
+        HelpName = "Q.png",
+        Description = "Another picture of the same size: say how far the new one is from it (PSNR, SSIM, uncovered pixels).",
+    };
+    readonly Option<bool> m_gpu = new("--gpu")
+    {
+        Description = "Stream a converted cloud to a graphics card and draw it there, by Vulkan; Mesa's lavapipe will do.",
+    };
+    readonly PictureSettings m_picture;
+    readonly SourceSettings m_source;
 
-        public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
-        {
-            Command.Add(m_clouds);
-            Command.Add(m_output);
-            m_picture = new PictureSettings(Command, canFilter: true);
-            Command.Add(m_budget);
-            Command.Add(m_against);
-            Command.Add(m_gpu);
-            m_source = new SourceSettings(Command);
-            AddCommonOptions();
-        }
+    public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
+    {
+        Command.Add(m_clouds);
+        Command.Add(m_output);
+        m_picture = new PictureSettings(Command, canFilter: true);
+        Command.Add(m_budget);
+        Command.Add(m_against);
+        Command.Add(m_gpu);
+        m_source = new SourceSettings(Command);
+        AddCommonOptions();
+    }
 
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints picture scan.las -o top.png --view top", "a map"),
-            ("./fastpoints picture scan.fastpoints -o p.png --budget 1000000", "from the octree"),
-            ("./fastpoints picture scan.fastpoints -o p.png --gpu", "by the renderer that a game would use"),
-            ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
-            ("./fastpoints picture scan.fastpoints -o g.png --style classes=2,size=adaptive",
-                "the ground alone, its surface closed"),
-            ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
-        ];
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints picture scan.las -o top.png --view top", "a map"),
+        ("./fastpoints picture scan.fastpoints -o p.png --budget 1000000", "from the octree"),
+        ("./fastpoints picture scan.fastpoints -o p.png --gpu", "by the renderer that a game would use"),
+        ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
+        ("./fastpoints picture scan.fastpoints -o g.png --style classes=2,size=adaptive",
+            "the ground alone, its surface closed"),
+        ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
+    ];
 
-        public override void Run(ParseResult parsed, CliRun run)
-        {
-            var clouds = parsed.GetRequiredValue(m_clouds);
-            string output = parsed.GetRequiredValue(m_output);
-            string? against = parsed.GetValue(m_against);
-            var options = m_picture.Read(parsed);
-            long budget = parsed.GetValue(m_budget);
-            if (budget < 0)
-                throw new UsageException("--budget is at least 1");
-            OutputNames.RefuseCloud("--output", "a picture", output);
-            run.Begin(against != null ? clouds.Append(against) : clouds, output);
-            var reference = against != null ? Png.Read(against) : null;
-            if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
-                throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
-                    options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var clouds = parsed.GetRequiredValue(m_clouds);
+        string output = parsed.GetRequiredValue(m_output);
+        string? against = parsed.GetValue(m_against);
+        var options = m_picture.Read(parsed);
+        long budget = parsed.GetValue(m_budget);
+        if (budget < 0)
+            throw new UsageException("--budget is at least 1");
+        OutputNames.RefuseCloud("--output", "a picture", output);
+        run.Begin(against != null ? clouds.Append(against) : clouds, output);
+        var reference = against != null ? Png.Read(against) : null;
+        if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
+            throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
+                options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
 
-            var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
-                : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
-                ? DrawStep.RunStored(clouds[0], options, budget, run)
-                : clouds.Any(CloudFolder.IsCloud) || (budget > 0 || options.IsFiltered) && clouds.All(BringsOctree)
-                ? StreamedPictureStep.Run(clouds, options, budget, run)
-                : options.IsFiltered
-                ? throw new UsageException("--clip, --cut and classes want clouds that are converted, or bring octrees along")
-                : Draw(clouds, m_source.Read(parsed), options, budget, run);
-            if (reference != null)
-                result.Error = ImageError.Compare(result.Image, reference, options.Background);
-            run.WriteKeys = result.WriteKeys;
-            OutputFile.Write(output, result.Png);
+        var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
+            : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
+            ? DrawStep.RunStored(clouds[0], options, budget, run)
+            : clouds.Any(CloudFolder.IsCloud) || (budget > 0 || options.IsFiltered) && clouds.All(BringsOctree)
+            ? StreamedPictureStep.Run(clouds, options, budget, run)
+            : options.IsFiltered
+            ? throw new UsageException("--clip, --cut and classes want clouds that are converted, or bring octrees along")
+            : Draw(clouds, m_source.Read(parsed), options, budget, run);
+        if (reference != null)
+            result.Error = ImageError.Compare(result.Image, reference, options.Background);
+        run.WriteKeys = result.WriteKeys;
+        OutputFile.Write(output, result.Png);
 
-            run.Out.WriteLine(output + ": " + result.Describe());
-            foreach (string assumption in result.Assumptions)
-                run.Out.WriteLine("  " + assumption);
-            if (result.Error is { } error)
-                run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr)
-                    + " dB, SSIM " + Human.Value(error.Ssim) + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
-            StageTable.Of(run.Progress).Write(run.Out, "  ");
-        }
+        run.Out.WriteLine(output + ": " + result.Describe());
+        foreach (string assumption in result.Assumptions)
+            run.Out.WriteLine("  " + assumption);
+        if (result.Error is { } error)
+            run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr)
+                + " dB, SSIM " + Human.Value(error.Ssim) + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
+        StageTable.Of(run.Progress).Write(run.Out, "  ");
+    }
 
-        /// <summary>Whether there is more to it than drawing each node's points.</summary>
-        static bool IsForStream(PictureOptions options) =>
-            options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
+    /// <summary>Whether there is more to it than drawing each node's points.</summary>
+    static bool IsForStream(PictureOptions options) =>
+        options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
 
-        static bool BringsOctree(string path)
-        {
-            using var reader = PointReaders.Open(path);
-            return reader.Tree != null;
-        }
+    static bool BringsOctree(string path)
+    {
+        using var reader = PointReaders.Open(path);
+        return reader.Tree != null;
+    }
 
-        static DrawStep Draw(string[] files, ReadOptions source, PictureOptions options, long budget, CliRun run)
-        {
-            using var reader = PointReaders.Open(files, source);
-            run.Warn(reader.Info);
-            return DrawStep.Run(reader, options, budget, run);
-        }
+    static DrawStep Draw(string[] files, ReadOptions source, PictureOptions options, long budget, CliRun run)
+    {
+        using var reader = PointReaders.Open(files, source);
+        run.Warn(reader.Info);
+        return DrawStep.Run(reader, options, budget, run);
     }
 }

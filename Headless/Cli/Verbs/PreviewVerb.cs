@@ -1,111 +1,110 @@
 using FastPoints.Cli.Preview;
 
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>A first picture from a sample that costs the same whatever the file's size.</summary>
+public sealed class PreviewVerb : Verb
 {
-    /// <summary>A first picture from a sample that costs the same whatever the file's size.</summary>
-    public sealed class PreviewVerb : Verb
+    readonly Argument<string[]> m_files = new("FILE")
     {
-        readonly Argument<string[]> m_files = new("FILE")
-        {
-            Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds, or folders of them; several are drawn as one.",
-        };
-        readonly Option<string> m_output =
-            new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
-        readonly Option<int> m_points = new("--points")
-        {
-            HelpName = "N",
-            Description = "Points of the sample (default: 1,000,000).",
-            DefaultValueFactory = _ => new PreviewOptions().Points,
-        };
-        readonly Option<bool> m_exact = new("--exact")
-        {
-            Description = "Choose from a scan of all points, not from short runs of them: the reference.",
-        };
-        readonly Option<bool> m_quick = new("--quick")
-        {
-            Description = "Stop at the first N points. Of LAZ, text and several files, these are the "
-                + "prefixes of blocks: all of them are read in the end without this.",
-        };
-        readonly Option<bool> m_report = new("--report")
-        {
-            Description = "Measure the error over time, of this and of other ways to sample, against all "
-                + "points: distances, empty cells, evenness, pictures. Writes a page with charts, and a table. Reads "
-                + "the file some dozen times.",
-        };
-        readonly Option<string?> m_out = new("--out")
-        {
-            HelpName = "DIR",
-            Description = "Where --report goes (default: ./NAME-preview-report).",
-        };
-        readonly PictureSettings m_picture;
+        Arity = ArgumentArity.OneOrMore,
+        Description = "Point clouds, or folders of them; several are drawn as one.",
+    };
+    readonly Option<string> m_output =
+        new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+    readonly Option<int> m_points = new("--points")
+    {
+        HelpName = "N",
+        Description = "Points of the sample (default: 1,000,000).",
+        DefaultValueFactory = _ => new PreviewOptions().Points,
+    };
+    readonly Option<bool> m_exact = new("--exact")
+    {
+        Description = "Choose from a scan of all points, not from short runs of them: the reference.",
+    };
+    readonly Option<bool> m_quick = new("--quick")
+    {
+        Description = "Stop at the first N points. Of LAZ, text and several files, these are the "
+            + "prefixes of blocks: all of them are read in the end without this.",
+    };
+    readonly Option<bool> m_report = new("--report")
+    {
+        Description = "Measure the error over time, of this and of other ways to sample, against all "
+            + "points: distances, empty cells, evenness, pictures. Writes a page with charts, and a table. Reads "
+            + "the file some dozen times.",
+    };
+    readonly Option<string?> m_out = new("--out")
+    {
+        HelpName = "DIR",
+        Description = "Where --report goes (default: ./NAME-preview-report).",
+    };
+    readonly PictureSettings m_picture;
 
-        readonly SourceSettings m_source;
+    readonly SourceSettings m_source;
 
-        public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))
+    public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))
+    {
+        Command.Add(m_files);
+        Command.Add(m_output);
+        Command.Add(m_points);
+        Command.Add(m_exact);
+        Command.Add(m_quick);
+        Command.Add(m_report);
+        Command.Add(m_out);
+        m_picture = new PictureSettings(Command, canFilter: false);
+        m_source = new SourceSettings(Command);
+        AddCommonOptions();
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints preview scan.las -o scan.png", "a million points"),
+        ("./fastpoints preview scan.las -o scan.png --report", "and how far it is from the truth"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var files = parsed.GetRequiredValue(m_files);
+        int points = parsed.GetValue(m_points);
+        if (points < 1)
+            throw new UsageException("--points is at least 1");
+        var options = new PreviewOptions
         {
-            Command.Add(m_files);
-            Command.Add(m_output);
-            Command.Add(m_points);
-            Command.Add(m_exact);
-            Command.Add(m_quick);
-            Command.Add(m_report);
-            Command.Add(m_out);
-            m_picture = new PictureSettings(Command, canFilter: false);
-            m_source = new SourceSettings(Command);
-            AddCommonOptions();
+            Points = points,
+            Exact = parsed.GetValue(m_exact),
+            Quick = parsed.GetValue(m_quick),
+            Picture = m_picture.Read(parsed),
+        };
+        string? outFolder = parsed.GetValue(m_out);
+        if (outFolder != null && !parsed.GetValue(m_report))
+            throw new UsageException("--out belongs to --report");
+        string output = parsed.GetRequiredValue(m_output);
+        OutputNames.RefuseCloud("--output", "a picture", output);
+        run.Begin(files, output);
+        var source = m_source.Read(parsed);
+        using var reader = PointReaders.Open(files, source);
+        run.Warn(reader.Info);
+        var result = PreviewStep.Run(reader, options, run);
+        OutputFile.Write(output, result.Png);
+        run.WriteKeys = json => result.WriteKeys(json);
+        if (parsed.GetValue(m_report))
+        {
+            // Once more, now that all code is compiled: the first runs of jobs took that along.
+            using (var again = PointReaders.Open(files, source))
+                result.Slices = PreviewStep.Run(again, options, run).Slices;
+            result.Error = ErrorStep.Run(() => PointReaders.Open(files, source), options, run);
+            ErrorReport.Write(outFolder ?? CloudName.Of(files[0]) + "-preview-report", result.Error, reader.Info);
         }
 
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints preview scan.las -o scan.png", "a million points"),
-            ("./fastpoints preview scan.las -o scan.png --report", "and how far it is from the truth"),
-        ];
-
-        public override void Run(ParseResult parsed, CliRun run)
+        run.Out.WriteLine(output + ": " + result.Describe());
+        if (result.Error is { } error)
         {
-            var files = parsed.GetRequiredValue(m_files);
-            int points = parsed.GetValue(m_points);
-            if (points < 1)
-                throw new UsageException("--points is at least 1");
-            var options = new PreviewOptions
-            {
-                Points = points,
-                Exact = parsed.GetValue(m_exact),
-                Quick = parsed.GetValue(m_quick),
-                Picture = m_picture.Read(parsed),
-            };
-            string? outFolder = parsed.GetValue(m_out);
-            if (outFolder != null && !parsed.GetValue(m_report))
-                throw new UsageException("--out belongs to --report");
-            string output = parsed.GetRequiredValue(m_output);
-            OutputNames.RefuseCloud("--output", "a picture", output);
-            run.Begin(files, output);
-            var source = m_source.Read(parsed);
-            using var reader = PointReaders.Open(files, source);
-            run.Warn(reader.Info);
-            var result = PreviewStep.Run(reader, options, run);
-            OutputFile.Write(output, result.Png);
-            run.WriteKeys = json => result.WriteKeys(json);
-            if (parsed.GetValue(m_report))
-            {
-                // Once more, now that all code is compiled: the first runs of jobs took that along.
-                using (var again = PointReaders.Open(files, source))
-                    result.Slices = PreviewStep.Run(again, options, run).Slices;
-                result.Error = ErrorStep.Run(() => PointReaders.Open(files, source), options, run);
-                ErrorReport.Write(outFolder ?? CloudName.Of(files[0]) + "-preview-report", result.Error, reader.Info);
-            }
-
-            run.Out.WriteLine(output + ": " + result.Describe());
-            if (result.Error is { } error)
-            {
-                run.Out.WriteLine();
-                error.ToTable().Write(run.Out, "  ");
-                run.Out.WriteLine();
-                run.Out.WriteLine(error.Page);
-                return;
-            }
-            StageTable.Of(run.Progress).Write(run.Out, "  ");
+            run.Out.WriteLine();
+            error.ToTable().Write(run.Out, "  ");
+            run.Out.WriteLine();
+            run.Out.WriteLine(error.Page);
+            return;
         }
+        StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 }

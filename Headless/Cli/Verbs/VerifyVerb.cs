@@ -1,118 +1,117 @@
-namespace FastPoints.Cli.Verbs
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>The proof that a converted cloud is whole, and the same as its sources.</summary>
+public sealed class VerifyVerb : Verb
 {
-    /// <summary>The proof that a converted cloud is whole, and the same as its sources.</summary>
-    public sealed class VerifyVerb : Verb
+    readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
+    readonly Option<string[]> m_against = new("--against")
     {
-        readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
-        readonly Option<string[]> m_against = new("--against")
-        {
-            HelpName = "FILE...",
-            Arity = ArgumentArity.OneOrMore,
-            AllowMultipleArgumentsPerToken = true,
-            Description = "The files (or their folder) that it was made from: the points are the same, position and every "
-                + "attribute, or it fails.",
-        };
+        HelpName = "FILE...",
+        Arity = ArgumentArity.OneOrMore,
+        AllowMultipleArgumentsPerToken = true,
+        Description = "The files (or their folder) that it was made from: the points are the same, position and every "
+            + "attribute, or it fails.",
+    };
 
-        readonly SourceSettings m_source;
+    readonly SourceSettings m_source;
 
-        public VerifyVerb() : base(new Command("verify",
-            "Read every byte of a converted cloud: structure, hashes, each point in its cube, counts."))
+    public VerifyVerb() : base(new Command("verify",
+        "Read every byte of a converted cloud: structure, hashes, each point in its cube, counts."))
+    {
+        Command.Add(m_cloud);
+        Command.Add(m_against);
+        m_source = new SourceSettings(Command);
+        AddCommonOptions();
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints verify scan.fastpoints", "is it whole?"),
+        ("./fastpoints verify scan.fastpoints --against scan.las", "is it the same?"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        string cloud = parsed.GetRequiredValue(m_cloud);
+        run.Begin([cloud]);
+        var result = new VerifyResult();
+        var readers = new List<PointReader>();
+        run.WriteKeys = json => WriteKeys(json, result);
+        try
         {
-            Command.Add(m_cloud);
-            Command.Add(m_against);
-            m_source = new SourceSettings(Command);
-            AddCommonOptions();
+            if (parsed.GetValue(m_against) is { Length: > 0 } files)
+            {
+                run.Begin(files);
+                readers.Add(PointReaders.Open(files, m_source.Read(parsed)));
+                run.Warn(readers[0].Info);
+            }
+            run.Pump(VerifyCloud.Run(cloud, readers, result, run.Progress));
+        }
+        finally
+        {
+            readers.ForEach(r => r.Dispose());
         }
 
-        public override IReadOnlyList<(string, string)> Examples =>
-        [
-            ("./fastpoints verify scan.fastpoints", "is it whole?"),
-            ("./fastpoints verify scan.fastpoints --against scan.las", "is it the same?"),
-        ];
-
-        public override void Run(ParseResult parsed, CliRun run)
+        foreach (string problem in result.Problems)
+            run.Out.WriteLine(problem);
+        if (result.ProblemCount > result.Problems.Count)
+            run.Out.WriteLine("and " + Human.Count(result.ProblemCount - result.Problems.Count) + " more");
+        var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance",
+            "across chunks", "share too near");
+        for (int level = 0; level < result.Levels.Count; level++)
         {
-            string cloud = parsed.GetRequiredValue(m_cloud);
-            run.Begin([cloud]);
-            var result = new VerifyResult();
-            var readers = new List<PointReader>();
-            run.WriteKeys = json => WriteKeys(json, result);
-            try
-            {
-                if (parsed.GetValue(m_against) is { Length: > 0 } files)
-                {
-                    run.Begin(files);
-                    readers.Add(PointReaders.Open(files, m_source.Read(parsed)));
-                    run.Warn(readers[0].Info);
-                }
-                run.Pump(VerifyCloud.Run(cloud, readers, result, run.Progress));
-            }
-            finally
-            {
-                readers.ForEach(r => r.Dispose());
-            }
-
-            foreach (string problem in result.Problems)
-                run.Out.WriteLine(problem);
-            if (result.ProblemCount > result.Problems.Count)
-                run.Out.WriteLine("and " + Human.Count(result.ProblemCount - result.Problems.Count) + " more");
-            var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance",
-                "across chunks", "share too near");
-            for (int level = 0; level < result.Levels.Count; level++)
-            {
-                var at = result.Levels[level];
-                if (at.Nodes > 0)
-                    table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points),
-                        at.Spacing > 0 ? Human.Value(at.Spacing) : "",
-                        double.IsFinite(at.MinDistance) ? Human.Value(at.MinDistance) : "",
-                        double.IsFinite(at.MinDistanceAcrossChunks) ? Human.Value(at.MinDistanceAcrossChunks) : "",
-                        at.SampledPoints > 0
-                            ? Human.Value(Math.Round(100.0 * at.NearAcrossChunks / at.SampledPoints, 3)) + " %"
-                            : "");
-            }
-            table.Write(run.Out, "  ");
-            if (!result.Ok)
-                throw new PointCloudException(FailureCode.BadInput, cloud, -1,
-                    result.ProblemCount == 1 ? "1 problem" : Human.Count(result.ProblemCount) + " problems");
-            run.Out.WriteLine(cloud + ": " + Human.Count(result.Points)
-                + (result.IsBuilding ? " points so far (it is being built), all there" : " points, all there")
-                + (readers.Count > 0 ? ", the same as in the source" : ""));
+            var at = result.Levels[level];
+            if (at.Nodes > 0)
+                table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points),
+                    at.Spacing > 0 ? Human.Value(at.Spacing) : "",
+                    double.IsFinite(at.MinDistance) ? Human.Value(at.MinDistance) : "",
+                    double.IsFinite(at.MinDistanceAcrossChunks) ? Human.Value(at.MinDistanceAcrossChunks) : "",
+                    at.SampledPoints > 0
+                        ? Human.Value(Math.Round(100.0 * at.NearAcrossChunks / at.SampledPoints, 3)) + " %"
+                        : "");
         }
+        table.Write(run.Out, "  ");
+        if (!result.Ok)
+            throw new PointCloudException(FailureCode.BadInput, cloud, -1,
+                result.ProblemCount == 1 ? "1 problem" : Human.Count(result.ProblemCount) + " problems");
+        run.Out.WriteLine(cloud + ": " + Human.Count(result.Points)
+            + (result.IsBuilding ? " points so far (it is being built), all there" : " points, all there")
+            + (readers.Count > 0 ? ", the same as in the source" : ""));
+    }
 
-        static void WriteKeys(Utf8JsonWriter json, VerifyResult result)
+    static void WriteKeys(Utf8JsonWriter json, VerifyResult result)
+    {
+        json.WriteBoolean("ok", result.Ok);
+        json.WriteStartArray("problems");
+        foreach (string problem in result.Problems)
+            json.WriteStringValue(problem);
+        json.WriteEndArray();
+        json.WriteInteger("points", result.Points);
+        json.WriteStartArray("levels");
+        for (int level = 0; level < result.Levels.Count; level++)
         {
-            json.WriteBoolean("ok", result.Ok);
-            json.WriteStartArray("problems");
-            foreach (string problem in result.Problems)
-                json.WriteStringValue(problem);
-            json.WriteEndArray();
-            json.WriteInteger("points", result.Points);
-            json.WriteStartArray("levels");
-            for (int level = 0; level < result.Levels.Count; level++)
-            {
-                var at = result.Levels[level];
-                if (at.Nodes == 0)
-                    continue;
-                json.WriteStartObject();
-                json.WriteInteger("level", level);
-                json.WriteInteger("nodes", at.Nodes);
-                json.WriteInteger("points", at.Points);
-                WriteLength(json, "spacing", at.Spacing > 0 ? at.Spacing : double.NaN);
-                WriteLength(json, "minDistance", at.MinDistance);
-                WriteLength(json, "minDistanceAcrossChunks", at.MinDistanceAcrossChunks);
-                WriteLength(json, "shareNearAcrossChunks",
-                    at.SampledPoints > 0 ? at.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
+            var at = result.Levels[level];
+            if (at.Nodes == 0)
+                continue;
+            json.WriteStartObject();
+            json.WriteInteger("level", level);
+            json.WriteInteger("nodes", at.Nodes);
+            json.WriteInteger("points", at.Points);
+            WriteLength(json, "spacing", at.Spacing > 0 ? at.Spacing : double.NaN);
+            WriteLength(json, "minDistance", at.MinDistance);
+            WriteLength(json, "minDistanceAcrossChunks", at.MinDistanceAcrossChunks);
+            WriteLength(json, "shareNearAcrossChunks",
+                at.SampledPoints > 0 ? at.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
+            json.WriteEndObject();
         }
+        json.WriteEndArray();
+    }
 
-        static void WriteLength(Utf8JsonWriter json, string key, double value)
-        {
-            if (double.IsFinite(value))
-                json.WriteReal(key, value);
-            else
-                json.WriteNull(key);
-        }
+    static void WriteLength(Utf8JsonWriter json, string key, double value)
+    {
+        if (double.IsFinite(value))
+            json.WriteReal(key, value);
+        else
+            json.WriteNull(key);
     }
 }

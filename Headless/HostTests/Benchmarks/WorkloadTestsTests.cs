@@ -2,50 +2,49 @@ using FastPoints.Benchmarks;
 using FastPoints.Cli.Bench;
 using Unity.PerformanceTesting;
 
-namespace FastPoints.HostTests.Benchmarks
+namespace FastPoints.HostTests.Benchmarks;
+
+/// <summary>The driver that Unity's test runner calls, called here: it and the command line say the same of a
+/// workload.</summary>
+public sealed class WorkloadTestsTests
 {
-    /// <summary>The driver that Unity's test runner calls, called here: it and the command line say the same of a
-    /// workload.</summary>
-    public sealed class WorkloadTestsTests
+    [TearDown]
+    public void EndTest() => PerformanceTest.Active = null;
+
+    [Test]
+    public void Run_AWorkload_SavesTheGroupsThatTheCommandLineWrites()
     {
-        [TearDown]
-        public void EndTest() => PerformanceTest.Active = null;
+        var test = new PerformanceTest();
+        new WorkloadTests().Run("loop over native arrays");
 
-        [Test]
-        public void Run_AWorkload_SavesTheGroupsThatTheCommandLineWrites()
-        {
-            var test = new PerformanceTest();
-            new WorkloadTests().Run("loop over native arrays");
+        var all = WorkloadList.All();
+        var group = WorkloadTurns.Groups(all, all.Where(w => w.Name == "loop over native arrays")).Single();
+        var samples = WorkloadTurns.Take(group, new WorkloadContext { Points = 1000 }, new TurnSettings());
+        var written = PerformanceResults.Of(samples).Results.Single(r => r.Name.Contains("native"));
 
-            var all = WorkloadList.All();
-            var group = WorkloadTurns.Groups(all, all.Where(w => w.Name == "loop over native arrays")).Single();
-            var samples = WorkloadTurns.Take(group, new WorkloadContext { Points = 1000 }, new TurnSettings());
-            var written = PerformanceResults.Of(samples).Results.Single(r => r.Name.Contains("native"));
-
-            Assert.That(test.SampleGroups.Select(g => (g.Name, (int)g.Unit, g.IncreaseIsBetter, g.Samples.Count)),
-                Is.EqualTo(written.SampleGroups.Select(g => (g.Name, g.Unit, g.IncreaseIsBetter, g.Samples.Count))));
-            Assert.That(written.ClassName, Is.EqualTo(typeof(WorkloadTests).FullName));
-            Assert.That(written.MethodName, Is.EqualTo(nameof(WorkloadTests.Run)));
-        }
-
-        [Test]
-        public void CompileBurstFirst_ThenAsBefore_LeavesTheOptionAsItWas([Values] bool was)
-        {
-            var tests = new WorkloadTests();
-            BurstCompiler.Options.EnableBurstCompileSynchronously = was;
-
-            tests.CompileBurstFirst();
-            Assert.That(BurstCompiler.Options.EnableBurstCompileSynchronously, Is.True);
-            tests.CompileBurstAsBefore();
-
-            Assert.That(BurstCompiler.Options.EnableBurstCompileSynchronously, Is.EqualTo(was));
-        }
-
-        /// <summary>Numbers in the JSON are this enum's, which the shared code does not see.</summary>
-        [TestCase(SeriesUnit.Millisecond, SampleUnit.Millisecond)]
-        [TestCase(SeriesUnit.Byte, SampleUnit.Byte)]
-        [TestCase(SeriesUnit.Undefined, SampleUnit.Undefined)]
-        public void Units_OfTheSeries_AreThoseOfThePackage(SeriesUnit ours, SampleUnit unitys) =>
-            Assert.That((int)ours, Is.EqualTo((int)unitys));
+        Assert.That(test.SampleGroups.Select(g => (g.Name, (int)g.Unit, g.IncreaseIsBetter, g.Samples.Count)),
+            Is.EqualTo(written.SampleGroups.Select(g => (g.Name, g.Unit, g.IncreaseIsBetter, g.Samples.Count))));
+        Assert.That(written.ClassName, Is.EqualTo(typeof(WorkloadTests).FullName));
+        Assert.That(written.MethodName, Is.EqualTo(nameof(WorkloadTests.Run)));
     }
+
+    [Test]
+    public void CompileBurstFirst_ThenAsBefore_LeavesTheOptionAsItWas([Values] bool was)
+    {
+        var tests = new WorkloadTests();
+        BurstCompiler.Options.EnableBurstCompileSynchronously = was;
+
+        tests.CompileBurstFirst();
+        Assert.That(BurstCompiler.Options.EnableBurstCompileSynchronously, Is.True);
+        tests.CompileBurstAsBefore();
+
+        Assert.That(BurstCompiler.Options.EnableBurstCompileSynchronously, Is.EqualTo(was));
+    }
+
+    /// <summary>Numbers in the JSON are this enum's, which the shared code does not see.</summary>
+    [TestCase(SeriesUnit.Millisecond, SampleUnit.Millisecond)]
+    [TestCase(SeriesUnit.Byte, SampleUnit.Byte)]
+    [TestCase(SeriesUnit.Undefined, SampleUnit.Undefined)]
+    public void Units_OfTheSeries_AreThoseOfThePackage(SeriesUnit ours, SampleUnit unitys) =>
+        Assert.That((int)ours, Is.EqualTo((int)unitys));
 }

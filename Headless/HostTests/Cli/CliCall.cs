@@ -1,25 +1,24 @@
-namespace FastPoints.HostTests.Cli
+namespace FastPoints.HostTests.Cli;
+
+/// <summary>One call of the command line within the test's process: what it returned and what it said.</summary>
+sealed class CliCall
 {
-    /// <summary>One call of the command line within the test's process: what it returned and what it said.</summary>
-    sealed class CliCall
+    public int Status { get; private set; }
+    public string Output { get; private set; }
+    public string Error { get; private set; }
+
+    public static CliCall Of(params string[] args) => Of(CancellationToken.None, args);
+
+    public static CliCall Of(CancellationToken cancellation, params string[] args)
     {
-        public int Status { get; private set; }
-        public string Output { get; private set; }
-        public string Error { get; private set; }
-
-        public static CliCall Of(params string[] args) => Of(CancellationToken.None, args);
-
-        public static CliCall Of(CancellationToken cancellation, params string[] args)
-        {
-            using var output = new StringWriter();
-            using var error = new StringWriter();
-            int status = CommandLine.Run(args, output, error, false, cancellation);
-            return new CliCall { Status = status, Output = output.ToString(), Error = error.ToString() };
-        }
-
-        /// <summary>The summary, called with <c>--json -</c>: all of standard output.</summary>
-        public JsonElement Json => JsonDocument.Parse(Output).RootElement;
-
-        public int ErrorLines => Error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Length;
+        using var output = new StringWriter();
+        using var error = new StringWriter();
+        int status = CommandLine.Run(args, output, error, false, cancellation);
+        return new CliCall { Status = status, Output = output.ToString(), Error = error.ToString() };
     }
+
+    /// <summary>The summary, called with <c>--json -</c>: all of standard output.</summary>
+    public JsonElement Json => JsonDocument.Parse(Output).RootElement;
+
+    public int ErrorLines => Error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Length;
 }

@@ -1,87 +1,86 @@
-namespace FastPoints.HostTests.Cli
+namespace FastPoints.HostTests.Cli;
+
+public sealed class FailureTests
 {
-    public sealed class FailureTests
+    ScratchFolder m_scratch;
+
+    [SetUp]
+    public void MakeScratch() => m_scratch = new ScratchFolder();
+
+    [TearDown]
+    public void RemoveScratch() => m_scratch.Dispose();
+
+    static void FailsInOneLine(CliCall call, int status, string file)
     {
-        ScratchFolder m_scratch;
+        Assert.That(call.Status, Is.EqualTo(status), call.Error);
+        Assert.That(call.ErrorLines, Is.EqualTo(1), call.Error);
+        Assert.That(call.Error, Does.StartWith("fastpoints: " + file + ": "));
+    }
 
-        [SetUp]
-        public void MakeScratch() => m_scratch = new ScratchFolder();
+    [Test]
+    public void Info_OfNoFile_IsBadInput() =>
+        FailsInOneLine(CliCall.Of("info", m_scratch["none.las"]), ExitStatus.BadInput, m_scratch["none.las"]);
 
-        [TearDown]
-        public void RemoveScratch() => m_scratch.Dispose();
+    [Test]
+    public void Info_OfAFolder_IsBadInput() =>
+        FailsInOneLine(CliCall.Of("info", m_scratch.Root), ExitStatus.BadInput, m_scratch.Root);
 
-        static void FailsInOneLine(CliCall call, int status, string file)
-        {
-            Assert.That(call.Status, Is.EqualTo(status), call.Error);
-            Assert.That(call.ErrorLines, Is.EqualTo(1), call.Error);
-            Assert.That(call.Error, Does.StartWith("fastpoints: " + file + ": "));
-        }
+    [TestCase("")]
+    [TestCase("LASF")]
+    [TestCase("this is no point cloud, but long enough for a header of any kind that one might think of")]
+    public void Info_OfSomethingElse_IsBadInput(string content)
+    {
+        File.WriteAllText(m_scratch["bad.las"], content);
+        FailsInOneLine(CliCall.Of("info", m_scratch["bad.las"]), ExitStatus.BadInput, m_scratch["bad.las"]);
+    }
 
-        [Test]
-        public void Info_OfNoFile_IsBadInput() =>
-            FailsInOneLine(CliCall.Of("info", m_scratch["none.las"]), ExitStatus.BadInput, m_scratch["none.las"]);
+    [Test]
+    public void Failure_WithJson_IsInTheSummary()
+    {
+        File.WriteAllText(m_scratch["bad.las"], "LASF");
+        var call = CliCall.Of("info", m_scratch["bad.las"], "--json", "-");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
+        var failure = call.Json.GetProperty("failure");
+        Assert.That(failure.GetProperty("code").GetString(), Is.EqualTo("Truncated"));
+        Assert.That(failure.GetProperty("file").GetString(), Is.EqualTo(m_scratch["bad.las"]));
+        Assert.That(failure.GetProperty("message").GetString(), Does.StartWith(m_scratch["bad.las"]));
+        Assert.That(failure.GetProperty("offset").ValueKind, Is.EqualTo(JsonValueKind.Number));
+        Assert.That(call.Json.GetProperty("inputs")[0].GetString(), Is.EqualTo(m_scratch["bad.las"]));
+    }
 
-        [Test]
-        public void Info_OfAFolder_IsBadInput() =>
-            FailsInOneLine(CliCall.Of("info", m_scratch.Root), ExitStatus.BadInput, m_scratch.Root);
+    [Test]
+    public void Output_IntoAFolderThatIsNotThere_Fails()
+    {
+        string demo = m_scratch.Demo();
+        FailsInOneLine(CliCall.Of("preview", demo, "-o", m_scratch["no/such/p.png"], "--size", "16x16"), ExitStatus.Failed,
+            m_scratch["no/such/p.png"]);
+        FailsInOneLine(CliCall.Of("demo-cloud", "-o", m_scratch["no/such/d.las"], "--points", "10"), ExitStatus.Failed,
+            m_scratch["no/such/d.las"]);
+    }
 
-        [TestCase("")]
-        [TestCase("LASF")]
-        [TestCase("this is no point cloud, but long enough for a header of any kind that one might think of")]
-        public void Info_OfSomethingElse_IsBadInput(string content)
-        {
-            File.WriteAllText(m_scratch["bad.las"], content);
-            FailsInOneLine(CliCall.Of("info", m_scratch["bad.las"]), ExitStatus.BadInput, m_scratch["bad.las"]);
-        }
+    [Test]
+    public void Picture_AgainstAnotherSize_IsBadInput()
+    {
+        string demo = m_scratch.Demo(), small = m_scratch["small.png"];
+        Assert.That(CliCall.Of("picture", demo, "-o", small, "--size", "16x16").Status, Is.EqualTo(ExitStatus.Done));
+        FailsInOneLine(CliCall.Of("picture", demo, "-o", m_scratch["p.png"], "--size", "32x16", "--against", small),
+            ExitStatus.BadInput, small);
+    }
 
-        [Test]
-        public void Failure_WithJson_IsInTheSummary()
-        {
-            File.WriteAllText(m_scratch["bad.las"], "LASF");
-            var call = CliCall.Of("info", m_scratch["bad.las"], "--json", "-");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
-            var failure = call.Json.GetProperty("failure");
-            Assert.That(failure.GetProperty("code").GetString(), Is.EqualTo("Truncated"));
-            Assert.That(failure.GetProperty("file").GetString(), Is.EqualTo(m_scratch["bad.las"]));
-            Assert.That(failure.GetProperty("message").GetString(), Does.StartWith(m_scratch["bad.las"]));
-            Assert.That(failure.GetProperty("offset").ValueKind, Is.EqualTo(JsonValueKind.Number));
-            Assert.That(call.Json.GetProperty("inputs")[0].GetString(), Is.EqualTo(m_scratch["bad.las"]));
-        }
-
-        [Test]
-        public void Output_IntoAFolderThatIsNotThere_Fails()
-        {
-            string demo = m_scratch.Demo();
-            FailsInOneLine(CliCall.Of("preview", demo, "-o", m_scratch["no/such/p.png"], "--size", "16x16"), ExitStatus.Failed,
-                m_scratch["no/such/p.png"]);
-            FailsInOneLine(CliCall.Of("demo-cloud", "-o", m_scratch["no/such/d.las"], "--points", "10"), ExitStatus.Failed,
-                m_scratch["no/such/d.las"]);
-        }
-
-        [Test]
-        public void Picture_AgainstAnotherSize_IsBadInput()
-        {
-            string demo = m_scratch.Demo(), small = m_scratch["small.png"];
-            Assert.That(CliCall.Of("picture", demo, "-o", small, "--size", "16x16").Status, Is.EqualTo(ExitStatus.Done));
-            FailsInOneLine(CliCall.Of("picture", demo, "-o", m_scratch["p.png"], "--size", "32x16", "--against", small),
-                ExitStatus.BadInput, small);
-        }
-
-        [TestCase("demo-cloud", "-o", "OUT/made.las", "--points", "100000")]
-        [TestCase("demo-cloud", "-o", "OUT/made.ply", "--points", "100000", "--order", "random")]
-        [TestCase("preview", "DEMO", "-o", "OUT/p.png")]
-        [TestCase("picture", "DEMO", "-o", "OUT/p.png")]
-        [TestCase("convert", "DEMO", "-o", "OUT/made.fastpoints")]
-        [TestCase("demo-cloud", "-o", "OUT/tiled.las", "--tile", "DEMO", "--times", "3")]
-        public void Work_ThatIsCancelled_LeavesNothing(params string[] args)
-        {
-            string demo = m_scratch.Demo();
-            Directory.CreateDirectory(m_scratch["out"]);
-            var call = CliCall.Of(new CancellationToken(true),
-                args.Select(a => a == "DEMO" ? demo : a.Replace("OUT", m_scratch["out"], StringComparison.Ordinal)).ToArray());
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Cancelled), call.Error);
-            Assert.That(call.Error, Is.EqualTo("fastpoints: cancelled" + Environment.NewLine));
-            Assert.That(Directory.GetFileSystemEntries(m_scratch["out"]), Is.Empty);
-        }
+    [TestCase("demo-cloud", "-o", "OUT/made.las", "--points", "100000")]
+    [TestCase("demo-cloud", "-o", "OUT/made.ply", "--points", "100000", "--order", "random")]
+    [TestCase("preview", "DEMO", "-o", "OUT/p.png")]
+    [TestCase("picture", "DEMO", "-o", "OUT/p.png")]
+    [TestCase("convert", "DEMO", "-o", "OUT/made.fastpoints")]
+    [TestCase("demo-cloud", "-o", "OUT/tiled.las", "--tile", "DEMO", "--times", "3")]
+    public void Work_ThatIsCancelled_LeavesNothing(params string[] args)
+    {
+        string demo = m_scratch.Demo();
+        Directory.CreateDirectory(m_scratch["out"]);
+        var call = CliCall.Of(new CancellationToken(true),
+            args.Select(a => a == "DEMO" ? demo : a.Replace("OUT", m_scratch["out"], StringComparison.Ordinal)).ToArray());
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Cancelled), call.Error);
+        Assert.That(call.Error, Is.EqualTo("fastpoints: cancelled" + Environment.NewLine));
+        Assert.That(Directory.GetFileSystemEntries(m_scratch["out"]), Is.Empty);
     }
 }

@@ -1,20 +1,19 @@
-namespace FastPoints.HostTests.Cli
+namespace FastPoints.HostTests.Cli;
+
+/// <summary>A folder of a test's own, gone afterwards.</summary>
+sealed class ScratchFolder : IDisposable
 {
-    /// <summary>A folder of a test's own, gone afterwards.</summary>
-    sealed class ScratchFolder : IDisposable
+    public string Root { get; } = Directory.CreateTempSubdirectory("fastpoints-test-").FullName;
+
+    public string this[string name] => Path.Combine(Root, name);
+
+    /// <summary>A small scan.</summary>
+    public string Demo(string name = "demo.las", int points = 3000)
     {
-        public string Root { get; } = Directory.CreateTempSubdirectory("fastpoints-test-").FullName;
-
-        public string this[string name] => Path.Combine(Root, name);
-
-        /// <summary>A small scan.</summary>
-        public string Demo(string name = "demo.las", int points = 3000)
-        {
-            var call = CliCall.Of("demo-cloud", "-o", this[name], "--points", points.ToString(), "--quiet");
-            Assert.That(call.Status, Is.EqualTo(0), call.Error);
-            return this[name];
-        }
-
-        public void Dispose() => Directory.Delete(Root, true);
+        var call = CliCall.Of("demo-cloud", "-o", this[name], "--points", points.ToString(), "--quiet");
+        Assert.That(call.Status, Is.EqualTo(0), call.Error);
+        return this[name];
     }
+
+    public void Dispose() => Directory.Delete(Root, true);
 }

@@ -1,31 +1,30 @@
 using FastPoints.Cli.Stability;
 using FastPoints.Samplers;
 
-namespace FastPoints.HostTests.Cli
+namespace FastPoints.HostTests.Cli;
+
+/// <summary>Every extreme at a small size: it ends in a whole cloud, the same as its source, or in a clear error.</summary>
+public sealed class StabilityTests
 {
-    /// <summary>Every extreme at a small size: it ends in a whole cloud, the same as its source, or in a clear error.</summary>
-    public sealed class StabilityTests
+    const int Points = 4000;
+
+    static IEnumerable<TestCaseData> Cases()
     {
-        const int Points = 4000;
+        foreach (var stabilityCase in StabilityCases.All)
+            yield return new TestCaseData(stabilityCase).SetName("Stability_" + stabilityCase.Name);
+    }
 
-        static IEnumerable<TestCaseData> Cases()
+    [TestCaseSource(nameof(Cases))]
+    public void Stability_Case_Holds(StabilityCase stabilityCase)
+    {
+        string scratch = Directory.CreateTempSubdirectory("fastpoints-stability-").FullName;
+        try
         {
-            foreach (var stabilityCase in StabilityCases.All)
-                yield return new TestCaseData(stabilityCase).SetName("Stability_" + stabilityCase.Name);
+            Assert.That(StabilityRun.Run(stabilityCase, Points, scratch, Sampler.Poisson).Problems, Is.Empty);
         }
-
-        [TestCaseSource(nameof(Cases))]
-        public void Stability_Case_Holds(StabilityCase stabilityCase)
+        finally
         {
-            string scratch = Directory.CreateTempSubdirectory("fastpoints-stability-").FullName;
-            try
-            {
-                Assert.That(StabilityRun.Run(stabilityCase, Points, scratch, Sampler.Poisson).Problems, Is.Empty);
-            }
-            finally
-            {
-                Directory.Delete(scratch, true);
-            }
+            Directory.Delete(scratch, true);
         }
     }
 }

@@ -1,275 +1,274 @@
-namespace FastPoints.HostTests.Cli
+namespace FastPoints.HostTests.Cli;
+
+/// <summary>The keys that scripts rely on: each there, each of its type.</summary>
+public sealed class SummaryTests
 {
-    /// <summary>The keys that scripts rely on: each there, each of its type.</summary>
-    public sealed class SummaryTests
+    ScratchFolder m_scratch;
+    string m_demo;
+
+    [OneTimeSetUp]
+    public void MakeDemo()
     {
-        ScratchFolder m_scratch;
-        string m_demo;
+        m_scratch = new ScratchFolder();
+        m_demo = m_scratch.Demo();
+    }
 
-        [OneTimeSetUp]
-        public void MakeDemo()
+    [OneTimeTearDown]
+    public void RemoveDemo() => m_scratch.Dispose();
+
+    static void HasKey(JsonElement of, string name, params JsonValueKind[] kinds)
+    {
+        Assert.That(of.TryGetProperty(name, out var value), Is.True, name);
+        Assert.That(kinds, Does.Contain(value.ValueKind), name);
+    }
+
+    static JsonElement Summary(string verb, params string[] args)
+    {
+        var call = CliCall.Of(args.Append("--json").Append("-").ToArray());
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        var json = call.Json;
+        Assert.That(json.GetProperty("verb").GetString(), Is.EqualTo(verb));
+        HasKey(json, "inputs", JsonValueKind.Array);
+        HasKey(json, "seconds", JsonValueKind.Number);
+        HasKey(json, "peakResidentBytes", JsonValueKind.Number);
+        HasKey(json, "warnings", JsonValueKind.Array);
+        HasKey(json, "stages", JsonValueKind.Array);
+        foreach (var stage in json.GetProperty("stages").EnumerateArray())
         {
-            m_scratch = new ScratchFolder();
-            m_demo = m_scratch.Demo();
+            HasKey(stage, "name", JsonValueKind.String);
+            HasKey(stage, "seconds", JsonValueKind.Number);
+            HasKey(stage, "points", JsonValueKind.Number, JsonValueKind.String);
+            HasKey(stage, "bytes", JsonValueKind.Number, JsonValueKind.String);
         }
+        Assert.That(json.TryGetProperty("failure", out _), Is.False);
+        Assert.That(json.EnumerateObject().Select(p => p.Name), Is.Unique);
+        return json;
+    }
 
-        [OneTimeTearDown]
-        public void RemoveDemo() => m_scratch.Dispose();
-
-        static void HasKey(JsonElement of, string name, params JsonValueKind[] kinds)
+    static void HasInfoKeys(JsonElement json, bool scanned)
+    {
+        Assert.That(json.GetProperty("format").GetString(), Is.EqualTo("LAS"));
+        Assert.That(json.GetProperty("version").GetString(), Is.EqualTo("1.4"));
+        Assert.That(json.GetProperty("pointFormat").GetInt32(), Is.EqualTo(7));
+        Assert.That(json.GetProperty("pointsClaimed").GetInt64(), Is.EqualTo(3000));
+        HasKey(json, "points", scanned ? JsonValueKind.Number : JsonValueKind.Null);
+        HasKey(json, "bounds", scanned ? JsonValueKind.Object : JsonValueKind.Null);
+        Assert.That(json.GetProperty("boundsClaimed").GetProperty("min").GetArrayLength(), Is.EqualTo(3));
+        Assert.That(json.GetProperty("boundsClaimed").GetProperty("max").GetArrayLength(), Is.EqualTo(3));
+        Assert.That(json.GetProperty("scale").GetArrayLength(), Is.EqualTo(3));
+        Assert.That(json.GetProperty("offset").GetArrayLength(), Is.EqualTo(3));
+        Assert.That(json.GetProperty("crs").GetString(), Does.Contain("UTM zone 32N"));
+        HasKey(json, "columnSums", scanned ? JsonValueKind.Object : JsonValueKind.Null);
+        foreach (var attribute in json.GetProperty("attributes").EnumerateArray())
         {
-            Assert.That(of.TryGetProperty(name, out var value), Is.True, name);
-            Assert.That(kinds, Does.Contain(value.ValueKind), name);
+            HasKey(attribute, "name", JsonValueKind.String);
+            HasKey(attribute, "type", JsonValueKind.String);
+            HasKey(attribute, "min", scanned ? JsonValueKind.Number : JsonValueKind.Null);
+            HasKey(attribute, "max", scanned ? JsonValueKind.Number : JsonValueKind.Null);
         }
+    }
 
-        static JsonElement Summary(string verb, params string[] args)
+    [Test]
+    public void Info_FromTheHeader_HasItsKeys() => HasInfoKeys(Summary("info", "info", m_demo), false);
+
+    [Test]
+    public void Info_WithScan_FindsWhatTheHeaderClaims()
+    {
+        var json = Summary("info", "info", m_demo, "--scan");
+        HasInfoKeys(json, true);
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        Assert.That(json.GetProperty("bounds").GetRawText(), Is.EqualTo(json.GetProperty("boundsClaimed").GetRawText()));
+        foreach (var sum in json.GetProperty("columnSums").EnumerateObject())
+            Assert.That(ulong.TryParse(sum.Value.GetString(), out _), Is.True, sum.Name);
+    }
+
+    [Test]
+    public void Info_WithAnyNumberOfThreads_FindsTheSame()
+    {
+        string one = Summary("info", "info", m_demo, "--scan", "--threads", "1").GetProperty("columnSums").GetRawText();
+        string three = Summary("info", "info", m_demo, "--scan", "--threads", "3").GetProperty("columnSums").GetRawText();
+        Assert.That(three, Is.EqualTo(one));
+    }
+
+    [Test]
+    public void Info_OfSeveralFiles_ListsThem()
+    {
+        var json = Summary("info", "info", m_demo, m_demo);
+        Assert.That(json.GetProperty("files").GetArrayLength(), Is.EqualTo(2));
+        HasInfoKeys(json.GetProperty("files")[1], false);
+    }
+
+    [Test]
+    public void Preview_HasItsKeysAndAPicture()
+    {
+        string png = m_scratch["preview.png"];
+        var json = Summary("preview", "preview", m_demo, "-o", png, "--size", "160x90");
+        HasPreviewKeys(json);
+        Assert.That(File.ReadAllBytes(png).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+    }
+
+    [Test]
+    public void PreviewReport_WritesErrorsOverTime()
+    {
+        string folder = m_scratch["errors"];
+        var json = Summary("preview", "preview", m_demo, "-o", m_scratch["p.png"], "--size", "160x90",
+            "--report", "--out", folder);
+        HasPreviewKeys(json);
+        var error = json.GetProperty("error");
+        foreach (string key in new[]
+            { "psnr", "ssim", "uncovered", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64", "uncoveredCells128",
+                "uncoveredCells256", "shareVariation", "bias", "biasByChance" })
+            HasKey(error, key, JsonValueKind.Number, JsonValueKind.Null);
+        Assert.That(error.GetProperty("rms").GetDouble(), Is.Zero, "the sample is the whole");
+        Assert.That(error.GetProperty("uncoveredCells256").GetDouble(), Is.Zero);
+        Assert.That(error.GetProperty("found").GetInt32(), Is.EqualTo(3000));
+        foreach (var curve in error.GetProperty("curves").EnumerateArray())
         {
-            var call = CliCall.Of(args.Append("--json").Append("-").ToArray());
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-            var json = call.Json;
-            Assert.That(json.GetProperty("verb").GetString(), Is.EqualTo(verb));
-            HasKey(json, "inputs", JsonValueKind.Array);
-            HasKey(json, "seconds", JsonValueKind.Number);
-            HasKey(json, "peakResidentBytes", JsonValueKind.Number);
-            HasKey(json, "warnings", JsonValueKind.Array);
-            HasKey(json, "stages", JsonValueKind.Array);
-            foreach (var stage in json.GetProperty("stages").EnumerateArray())
-            {
-                HasKey(stage, "name", JsonValueKind.String);
-                HasKey(stage, "seconds", JsonValueKind.Number);
-                HasKey(stage, "points", JsonValueKind.Number, JsonValueKind.String);
-                HasKey(stage, "bytes", JsonValueKind.Number, JsonValueKind.String);
-            }
-            Assert.That(json.TryGetProperty("failure", out _), Is.False);
-            Assert.That(json.EnumerateObject().Select(p => p.Name), Is.Unique);
-            return json;
+            Assert.That(curve.GetProperty("waves").GetArrayLength(), Is.GreaterThan(0),
+                curve.GetProperty("name").GetString());
+            foreach (var wave in curve.GetProperty("waves").EnumerateArray())
+                Assert.That(wave.GetProperty("found").GetInt32(), Is.EqualTo(wave.GetProperty("lookedUp").GetInt32()));
         }
+        Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
+        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")),
+            Does.Contain("<svg").And.Contain("data:image/png"));
+        string[] table = File.ReadAllLines(Path.Combine(folder, "errors.csv"));
+        Assert.That(table.Select(l => l.Split(',').Length), Is.All.EqualTo(table[0].Split(',').Length));
+        Assert.That(File.Exists(Path.Combine(folder, "rms.svg")), Is.True);
+    }
 
-        static void HasInfoKeys(JsonElement json, bool scanned)
+    static void HasPreviewKeys(JsonElement json)
+    {
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        HasKey(json, "bytesRead", JsonValueKind.Number);
+        foreach (var wave in json.GetProperty("waves").EnumerateArray())
         {
-            Assert.That(json.GetProperty("format").GetString(), Is.EqualTo("LAS"));
-            Assert.That(json.GetProperty("version").GetString(), Is.EqualTo("1.4"));
-            Assert.That(json.GetProperty("pointFormat").GetInt32(), Is.EqualTo(7));
-            Assert.That(json.GetProperty("pointsClaimed").GetInt64(), Is.EqualTo(3000));
-            HasKey(json, "points", scanned ? JsonValueKind.Number : JsonValueKind.Null);
-            HasKey(json, "bounds", scanned ? JsonValueKind.Object : JsonValueKind.Null);
-            Assert.That(json.GetProperty("boundsClaimed").GetProperty("min").GetArrayLength(), Is.EqualTo(3));
-            Assert.That(json.GetProperty("boundsClaimed").GetProperty("max").GetArrayLength(), Is.EqualTo(3));
-            Assert.That(json.GetProperty("scale").GetArrayLength(), Is.EqualTo(3));
-            Assert.That(json.GetProperty("offset").GetArrayLength(), Is.EqualTo(3));
-            Assert.That(json.GetProperty("crs").GetString(), Does.Contain("UTM zone 32N"));
-            HasKey(json, "columnSums", scanned ? JsonValueKind.Object : JsonValueKind.Null);
-            foreach (var attribute in json.GetProperty("attributes").EnumerateArray())
-            {
-                HasKey(attribute, "name", JsonValueKind.String);
-                HasKey(attribute, "type", JsonValueKind.String);
-                HasKey(attribute, "min", scanned ? JsonValueKind.Number : JsonValueKind.Null);
-                HasKey(attribute, "max", scanned ? JsonValueKind.Number : JsonValueKind.Null);
-            }
+            HasKey(wave, "points", JsonValueKind.Number);
+            HasKey(wave, "seconds", JsonValueKind.Number);
         }
+    }
 
-        [Test]
-        public void Info_FromTheHeader_HasItsKeys() => HasInfoKeys(Summary("info", "info", m_demo), false);
+    static void HasPictureKeys(JsonElement json, JsonValueKind nodes = JsonValueKind.Null)
+    {
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        HasKey(json, "nodes", nodes);
+        HasKey(json, "seconds", JsonValueKind.Number);
+        HasKey(json, "device", JsonValueKind.String);
+    }
 
-        [Test]
-        public void Info_WithScan_FindsWhatTheHeaderClaims()
+    [Test]
+    public void Picture_AgainstItself_HasNoError()
+    {
+        string first = m_scratch["first.png"], second = m_scratch["second.png"];
+        HasPictureKeys(Summary("picture", "picture", m_demo, "-o", first, "--size", "160x90", "--view", "iso"));
+        var json = Summary("picture", "picture", m_demo, "-o", second, "--size", "160x90",
+            "--view", "iso", "--against", first);
+        HasPictureKeys(json);
+        Assert.That(json.GetProperty("psnr").ValueKind, Is.EqualTo(JsonValueKind.Null), "infinite");
+        Assert.That(json.GetProperty("ssim").GetDouble(), Is.EqualTo(1).Within(1e-9));
+        Assert.That(json.GetProperty("uncovered").GetDouble(), Is.Zero);
+    }
+
+    [Test]
+    public void ConvertVerifyPicture_OfACloud_HaveTheirKeys()
+    {
+        string cloud = m_scratch["keys.fastpoints"];
+        HasConvertKeys(Summary("convert", "convert", m_demo, "-o", cloud));
+        var json = Summary("verify", "verify", cloud, "--against", m_demo);
+        Assert.That(json.GetProperty("ok").GetBoolean(), Is.True);
+        Assert.That(json.GetProperty("problems").GetArrayLength(), Is.Zero);
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        foreach (var level in json.GetProperty("levels").EnumerateArray())
         {
-            var json = Summary("info", "info", m_demo, "--scan");
-            HasInfoKeys(json, true);
-            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
-            Assert.That(json.GetProperty("bounds").GetRawText(), Is.EqualTo(json.GetProperty("boundsClaimed").GetRawText()));
-            foreach (var sum in json.GetProperty("columnSums").EnumerateObject())
-                Assert.That(ulong.TryParse(sum.Value.GetString(), out _), Is.True, sum.Name);
+            foreach (string number in new[] { "level", "nodes", "points" })
+                HasKey(level, number, JsonValueKind.Number);
+            // Leaves keep all their points: a level of leaves alone has no distance to keep.
+            HasKey(level, "minDistance", JsonValueKind.Number, JsonValueKind.Null);
         }
+        HasPictureKeys(Summary("picture", "picture", cloud, "-o", m_scratch["cloud.png"], "--size", "160x90"),
+            JsonValueKind.Number);
+    }
 
-        [Test]
-        public void Info_WithAnyNumberOfThreads_FindsTheSame()
-        {
-            string one = Summary("info", "info", m_demo, "--scan", "--threads", "1").GetProperty("columnSums").GetRawText();
-            string three = Summary("info", "info", m_demo, "--scan", "--threads", "3").GetProperty("columnSums").GetRawText();
-            Assert.That(three, Is.EqualTo(one));
-        }
+    [Test]
+    public void Verify_OfADamagedCloud_IsBadInput()
+    {
+        string cloud = m_scratch["damaged.fastpoints"];
+        Assert.That(CliCall.Of("convert", m_demo, "-o", cloud).Status, Is.EqualTo(ExitStatus.Done));
+        string upper = Path.Combine(cloud, "upper.bin");
+        byte[] bytes = File.ReadAllBytes(upper);
+        bytes[bytes.Length / 2] ^= 4;
+        File.WriteAllBytes(upper, bytes);
+        var call = CliCall.Of("verify", cloud);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
+        Assert.That(call.Output, Does.Contain("its hash does not fit"));
+    }
 
-        [Test]
-        public void Info_OfSeveralFiles_ListsThem()
-        {
-            var json = Summary("info", "info", m_demo, m_demo);
-            Assert.That(json.GetProperty("files").GetArrayLength(), Is.EqualTo(2));
-            HasInfoKeys(json.GetProperty("files")[1], false);
-        }
+    static void HasConvertKeys(JsonElement json)
+    {
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        foreach (string number in new[] { "pointsLeftOut", "nodes", "levelCount", "bytesOnDisk", "temporaryBytesPeak" })
+            HasKey(json, number, JsonValueKind.Number);
+        HasKey(json, "checksum", JsonValueKind.String);
+        HasKey(json.GetProperty("bytesPerPoint"), "position", JsonValueKind.Number);
+        HasKey(json.GetProperty("bytesPerPoint"), "color", JsonValueKind.Number);
+    }
 
-        [Test]
-        public void Preview_HasItsKeysAndAPicture()
-        {
-            string png = m_scratch["preview.png"];
-            var json = Summary("preview", "preview", m_demo, "-o", png, "--size", "160x90");
-            HasPreviewKeys(json);
-            Assert.That(File.ReadAllBytes(png).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
-        }
+    [Test]
+    public void DemoCloud_HasItsKeys()
+    {
+        string file = m_scratch["keys.las"];
+        var json = Summary("demo-cloud", "demo-cloud", "-o", file, "--points", "1000");
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(1000));
+        Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(file).Length));
+    }
 
-        [Test]
-        public void PreviewReport_WritesErrorsOverTime()
-        {
-            string folder = m_scratch["errors"];
-            var json = Summary("preview", "preview", m_demo, "-o", m_scratch["p.png"], "--size", "160x90",
-                "--report", "--out", folder);
-            HasPreviewKeys(json);
-            var error = json.GetProperty("error");
-            foreach (string key in new[]
-                { "psnr", "ssim", "uncovered", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64", "uncoveredCells128",
-                    "uncoveredCells256", "shareVariation", "bias", "biasByChance" })
-                HasKey(error, key, JsonValueKind.Number, JsonValueKind.Null);
-            Assert.That(error.GetProperty("rms").GetDouble(), Is.Zero, "the sample is the whole");
-            Assert.That(error.GetProperty("uncoveredCells256").GetDouble(), Is.Zero);
-            Assert.That(error.GetProperty("found").GetInt32(), Is.EqualTo(3000));
-            foreach (var curve in error.GetProperty("curves").EnumerateArray())
-            {
-                Assert.That(curve.GetProperty("waves").GetArrayLength(), Is.GreaterThan(0),
-                    curve.GetProperty("name").GetString());
-                foreach (var wave in curve.GetProperty("waves").EnumerateArray())
-                    Assert.That(wave.GetProperty("found").GetInt32(), Is.EqualTo(wave.GetProperty("lookedUp").GetInt32()));
-            }
-            Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
-            Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")),
-                Does.Contain("<svg").And.Contain("data:image/png"));
-            string[] table = File.ReadAllLines(Path.Combine(folder, "errors.csv"));
-            Assert.That(table.Select(l => l.Split(',').Length), Is.All.EqualTo(table[0].Split(',').Length));
-            Assert.That(File.Exists(Path.Combine(folder, "rms.svg")), Is.True);
-        }
+    [Test]
+    public void Bench_HasItsKeys()
+    {
+        var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000", "--out", m_scratch["bench"]);
+        var workload = json.GetProperty("workloads").EnumerateArray().Single();
+        HasKey(workload, "name", JsonValueKind.String);
+        foreach (string number in new[] { "ms", "pointsPerSecond", "bytesPerSecond", "error", "garbageBytes" })
+            HasKey(workload, number, JsonValueKind.Number);
+    }
 
-        static void HasPreviewKeys(JsonElement json)
-        {
-            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
-            HasKey(json, "bytesRead", JsonValueKind.Number);
-            foreach (var wave in json.GetProperty("waves").EnumerateArray())
-            {
-                HasKey(wave, "points", JsonValueKind.Number);
-                HasKey(wave, "seconds", JsonValueKind.Number);
-            }
-        }
+    [Test]
+    public void MainJob_OfAFile_WritesItsReport()
+    {
+        string folder = m_scratch["report"];
+        var json = Summary("", m_demo, "--out", folder);
+        HasInfoKeys(json.GetProperty("info"), false);
+        HasPreviewKeys(json.GetProperty("preview"));
+        HasConvertKeys(json.GetProperty("convert"));
+        HasPictureKeys(json.GetProperty("picture"), JsonValueKind.Number);
+        Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")),
+            Is.True);
+        Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
+        string[] always = ["report.html", "preview.png", "picture.png"];
+        Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
+            Is.EquivalentTo(HeadlessGraphics.IsAvailable ? always.Append("gpu.png") : always));
+        Assert.That(json.TryGetProperty("gpu", out var gpu), Is.EqualTo(HeadlessGraphics.IsAvailable));
+        if (HeadlessGraphics.IsAvailable)
+            HasPictureKeys(gpu, JsonValueKind.Number);
+        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("data:image/png;base64,"));
+    }
 
-        static void HasPictureKeys(JsonElement json, JsonValueKind nodes = JsonValueKind.Null)
-        {
-            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
-            HasKey(json, "nodes", nodes);
-            HasKey(json, "seconds", JsonValueKind.Number);
-            HasKey(json, "device", JsonValueKind.String);
-        }
+    [Test]
+    public void MainJob_WithoutAFile_MakesItsOwn()
+    {
+        string folder = m_scratch["own"];
+        var json = Summary("", "--out", folder, "--points", "3000");
+        HasInfoKeys(json.GetProperty("info"), false);
+        Assert.That(File.Exists(Path.Combine(folder, "demo.las")), Is.True);
+    }
 
-        [Test]
-        public void Picture_AgainstItself_HasNoError()
-        {
-            string first = m_scratch["first.png"], second = m_scratch["second.png"];
-            HasPictureKeys(Summary("picture", "picture", m_demo, "-o", first, "--size", "160x90", "--view", "iso"));
-            var json = Summary("picture", "picture", m_demo, "-o", second, "--size", "160x90",
-                "--view", "iso", "--against", first);
-            HasPictureKeys(json);
-            Assert.That(json.GetProperty("psnr").ValueKind, Is.EqualTo(JsonValueKind.Null), "infinite");
-            Assert.That(json.GetProperty("ssim").GetDouble(), Is.EqualTo(1).Within(1e-9));
-            Assert.That(json.GetProperty("uncovered").GetDouble(), Is.Zero);
-        }
-
-        [Test]
-        public void ConvertVerifyPicture_OfACloud_HaveTheirKeys()
-        {
-            string cloud = m_scratch["keys.fastpoints"];
-            HasConvertKeys(Summary("convert", "convert", m_demo, "-o", cloud));
-            var json = Summary("verify", "verify", cloud, "--against", m_demo);
-            Assert.That(json.GetProperty("ok").GetBoolean(), Is.True);
-            Assert.That(json.GetProperty("problems").GetArrayLength(), Is.Zero);
-            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
-            foreach (var level in json.GetProperty("levels").EnumerateArray())
-            {
-                foreach (string number in new[] { "level", "nodes", "points" })
-                    HasKey(level, number, JsonValueKind.Number);
-                // Leaves keep all their points: a level of leaves alone has no distance to keep.
-                HasKey(level, "minDistance", JsonValueKind.Number, JsonValueKind.Null);
-            }
-            HasPictureKeys(Summary("picture", "picture", cloud, "-o", m_scratch["cloud.png"], "--size", "160x90"),
-                JsonValueKind.Number);
-        }
-
-        [Test]
-        public void Verify_OfADamagedCloud_IsBadInput()
-        {
-            string cloud = m_scratch["damaged.fastpoints"];
-            Assert.That(CliCall.Of("convert", m_demo, "-o", cloud).Status, Is.EqualTo(ExitStatus.Done));
-            string upper = Path.Combine(cloud, "upper.bin");
-            byte[] bytes = File.ReadAllBytes(upper);
-            bytes[bytes.Length / 2] ^= 4;
-            File.WriteAllBytes(upper, bytes);
-            var call = CliCall.Of("verify", cloud);
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
-            Assert.That(call.Output, Does.Contain("its hash does not fit"));
-        }
-
-        static void HasConvertKeys(JsonElement json)
-        {
-            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
-            foreach (string number in new[] { "pointsLeftOut", "nodes", "levelCount", "bytesOnDisk", "temporaryBytesPeak" })
-                HasKey(json, number, JsonValueKind.Number);
-            HasKey(json, "checksum", JsonValueKind.String);
-            HasKey(json.GetProperty("bytesPerPoint"), "position", JsonValueKind.Number);
-            HasKey(json.GetProperty("bytesPerPoint"), "color", JsonValueKind.Number);
-        }
-
-        [Test]
-        public void DemoCloud_HasItsKeys()
-        {
-            string file = m_scratch["keys.las"];
-            var json = Summary("demo-cloud", "demo-cloud", "-o", file, "--points", "1000");
-            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(1000));
-            Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(file).Length));
-        }
-
-        [Test]
-        public void Bench_HasItsKeys()
-        {
-            var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000", "--out", m_scratch["bench"]);
-            var workload = json.GetProperty("workloads").EnumerateArray().Single();
-            HasKey(workload, "name", JsonValueKind.String);
-            foreach (string number in new[] { "ms", "pointsPerSecond", "bytesPerSecond", "error", "garbageBytes" })
-                HasKey(workload, number, JsonValueKind.Number);
-        }
-
-        [Test]
-        public void MainJob_OfAFile_WritesItsReport()
-        {
-            string folder = m_scratch["report"];
-            var json = Summary("", m_demo, "--out", folder);
-            HasInfoKeys(json.GetProperty("info"), false);
-            HasPreviewKeys(json.GetProperty("preview"));
-            HasConvertKeys(json.GetProperty("convert"));
-            HasPictureKeys(json.GetProperty("picture"), JsonValueKind.Number);
-            Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")),
-                Is.True);
-            Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
-            string[] always = ["report.html", "preview.png", "picture.png"];
-            Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
-                Is.EquivalentTo(HeadlessGraphics.IsAvailable ? always.Append("gpu.png") : always));
-            Assert.That(json.TryGetProperty("gpu", out var gpu), Is.EqualTo(HeadlessGraphics.IsAvailable));
-            if (HeadlessGraphics.IsAvailable)
-                HasPictureKeys(gpu, JsonValueKind.Number);
-            Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("data:image/png;base64,"));
-        }
-
-        [Test]
-        public void MainJob_WithoutAFile_MakesItsOwn()
-        {
-            string folder = m_scratch["own"];
-            var json = Summary("", "--out", folder, "--points", "3000");
-            HasInfoKeys(json.GetProperty("info"), false);
-            Assert.That(File.Exists(Path.Combine(folder, "demo.las")), Is.True);
-        }
-
-        [Test]
-        public void JsonFile_IsWrittenBesideTheTextForPeople()
-        {
-            string file = m_scratch["summary.json"];
-            var call = CliCall.Of("info", m_demo, "--json", file);
-            Assert.That(call.Output, Does.Contain("LAS 1.4, point format 7"));
-            Assert.That(JsonDocument.Parse(File.ReadAllBytes(file)).RootElement.GetProperty("verb").GetString(),
-                Is.EqualTo("info"));
-        }
+    [Test]
+    public void JsonFile_IsWrittenBesideTheTextForPeople()
+    {
+        string file = m_scratch["summary.json"];
+        var call = CliCall.Of("info", m_demo, "--json", file);
+        Assert.That(call.Output, Does.Contain("LAS 1.4, point format 7"));
+        Assert.That(JsonDocument.Parse(File.ReadAllBytes(file)).RootElement.GetProperty("verb").GetString(),
+            Is.EqualTo("info"));
     }
 }

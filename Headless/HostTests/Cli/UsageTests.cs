@@ -1,81 +1,80 @@
-namespace FastPoints.HostTests.Cli
+namespace FastPoints.HostTests.Cli;
+
+public sealed class UsageTests
 {
-    public sealed class UsageTests
+    static readonly string[] s_verbs = { "info", "preview", "convert", "verify", "picture", "demo-cloud", "bench" };
+
+    [Test]
+    public void Help_OfTheMainJob_ListsEveryVerbWithExamplesAndExitStatus()
     {
-        static readonly string[] s_verbs = { "info", "preview", "convert", "verify", "picture", "demo-cloud", "bench" };
-
-        [Test]
-        public void Help_OfTheMainJob_ListsEveryVerbWithExamplesAndExitStatus()
+        var call = CliCall.Of("--help");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
+        foreach (string verb in s_verbs)
         {
-            var call = CliCall.Of("--help");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
-            foreach (string verb in s_verbs)
-            {
-                Assert.That(call.Output, Does.Contain("\n  " + verb + " "));
-                Assert.That(call.Output, Does.Contain("./fastpoints " + verb + " "), "an example of " + verb);
-            }
-            Assert.That(call.Output,
-                Does.Contain("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled"));
-            Assert.That(call.Error, Is.Empty);
+            Assert.That(call.Output, Does.Contain("\n  " + verb + " "));
+            Assert.That(call.Output, Does.Contain("./fastpoints " + verb + " "), "an example of " + verb);
         }
+        Assert.That(call.Output,
+            Does.Contain("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled"));
+        Assert.That(call.Error, Is.Empty);
+    }
 
-        [TestCaseSource(nameof(s_verbs))]
-        public void Help_OfAVerb_HasUsageOptionsAndExamples(string verb)
-        {
-            var call = CliCall.Of(verb, "--help");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
-            Assert.That(call.Output, Does.StartWith("usage: ./fastpoints " + verb));
-            Assert.That(call.Output, Does.Contain("Examples:\n  ./fastpoints " + verb));
-            foreach (string option in new[] { "--json FILE", "--threads N", "--quiet" })
-                Assert.That(call.Output, Does.Contain("  " + option));
-        }
+    [TestCaseSource(nameof(s_verbs))]
+    public void Help_OfAVerb_HasUsageOptionsAndExamples(string verb)
+    {
+        var call = CliCall.Of(verb, "--help");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
+        Assert.That(call.Output, Does.StartWith("usage: ./fastpoints " + verb));
+        Assert.That(call.Output, Does.Contain("Examples:\n  ./fastpoints " + verb));
+        foreach (string option in new[] { "--json FILE", "--threads N", "--quiet" })
+            Assert.That(call.Output, Does.Contain("  " + option));
+    }
 
-        [Test]
-        public void Version_IsOneLine()
-        {
-            var call = CliCall.Of("--version");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
-            Assert.That(call.Output.Trim(), Does.Match(@"^\d+\.\d+\.\d+"));
-        }
+    [Test]
+    public void Version_IsOneLine()
+    {
+        var call = CliCall.Of("--version");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
+        Assert.That(call.Output.Trim(), Does.Match(@"^\d+\.\d+\.\d+"));
+    }
 
-        [TestCase("info", "--no-such-option", "x.las")]
-        [TestCase("info")]
-        [TestCase("preview", "x.las")]
-        [TestCase("demo-cloud")]
-        [TestCase("demo-cloud", "-o", "x.las", "--points", "many")]
-        [TestCase("--no-such-option")]
-        public void Arguments_ThatDoNotParse_AreUsageErrorsWithTheUsage(params string[] args)
-        {
-            var call = CliCall.Of(args);
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
-            Assert.That(call.Error, Does.StartWith("fastpoints: "));
-            Assert.That(call.Error, Does.Contain("\nusage: ./fastpoints"));
-            Assert.That(call.Output, Is.Empty);
-        }
+    [TestCase("info", "--no-such-option", "x.las")]
+    [TestCase("info")]
+    [TestCase("preview", "x.las")]
+    [TestCase("demo-cloud")]
+    [TestCase("demo-cloud", "-o", "x.las", "--points", "many")]
+    [TestCase("--no-such-option")]
+    public void Arguments_ThatDoNotParse_AreUsageErrorsWithTheUsage(params string[] args)
+    {
+        var call = CliCall.Of(args);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(call.Error, Does.StartWith("fastpoints: "));
+        Assert.That(call.Error, Does.Contain("\nusage: ./fastpoints"));
+        Assert.That(call.Output, Is.Empty);
+    }
 
-        [TestCase("info", "x.las", "--threads", "0")]
-        [TestCase("preview", "x.las", "-o", "x.png", "--points", "0")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--size", "big")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--size", "1x99999999")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--eye", "1,2,3")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--eye", "1,2,3", "--target", "1,2")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--view", "side")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--view", "top", "--eye", "1,2,3", "--target", "0,0,0")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--fov", "180")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--style", "color=pink")]
-        [TestCase("picture", "x.las", "-o", "x.png", "--style", "shiny")]
-        [TestCase("demo-cloud", "-o", "x.las", "--points", "0")]
-        [TestCase("demo-cloud", "-o", "x.xyz")]
-        [TestCase("demo-cloud", "-o", "x.las", "--order", "spiral")]
-        [TestCase("demo-cloud", "-o", "x.las", "--order", "random", "--points", "99999999999")]
-        [TestCase("demo-cloud", "-o", "x.las", "--times", "3")]
-        [TestCase("demo-cloud", "-o", "x.las", "--tile", "y.las")]
-        [TestCase("bench", "no such workload")]
-        public void Arguments_ThatCannotBeMeant_AreUsageErrors(params string[] args)
-        {
-            var call = CliCall.Of(args);
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
-            Assert.That(call.Error, Does.Contain("\nusage: ./fastpoints " + args[0]));
-        }
+    [TestCase("info", "x.las", "--threads", "0")]
+    [TestCase("preview", "x.las", "-o", "x.png", "--points", "0")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--size", "big")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--size", "1x99999999")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--eye", "1,2,3")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--eye", "1,2,3", "--target", "1,2")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--view", "side")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--view", "top", "--eye", "1,2,3", "--target", "0,0,0")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--fov", "180")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--style", "color=pink")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--style", "shiny")]
+    [TestCase("demo-cloud", "-o", "x.las", "--points", "0")]
+    [TestCase("demo-cloud", "-o", "x.xyz")]
+    [TestCase("demo-cloud", "-o", "x.las", "--order", "spiral")]
+    [TestCase("demo-cloud", "-o", "x.las", "--order", "random", "--points", "99999999999")]
+    [TestCase("demo-cloud", "-o", "x.las", "--times", "3")]
+    [TestCase("demo-cloud", "-o", "x.las", "--tile", "y.las")]
+    [TestCase("bench", "no such workload")]
+    public void Arguments_ThatCannotBeMeant_AreUsageErrors(params string[] args)
+    {
+        var call = CliCall.Of(args);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
+        Assert.That(call.Error, Does.Contain("\nusage: ./fastpoints " + args[0]));
     }
 }

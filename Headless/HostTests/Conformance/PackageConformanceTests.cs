@@ -1,47 +1,46 @@
-namespace FastPoints.HostTests.Conformance
+namespace FastPoints.HostTests.Conformance;
+
+/// <summary>The package as each generation of Unity compiles it, against what that generation has.</summary>
+[TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
+public sealed class PackageConformanceTests(string generation)
 {
-    /// <summary>The package as each generation of Unity compiles it, against what that generation has.</summary>
-    [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
-    public sealed class PackageConformanceTests(string generation)
+    private readonly string m_generation = generation;
+
+    [Test]
+    public void Package_AgainstTheFullList_NamesOnlyWhatUnityHas() => Assert.That(Problems(FullList()), Is.Empty);
+
+    [Test]
+    public void Package_AgainstTheCommittedList_NamesOnlyWhatUnityHas()
     {
-        private readonly string m_generation = generation;
+        Assert.That(Checkout.Repository.UsedApi, Does.Exist, "RepoTools api writes it");
 
-        [Test]
-        public void Package_AgainstTheFullList_NamesOnlyWhatUnityHas() => Assert.That(Problems(FullList()), Is.Empty);
+        Assert.That(Problems(UnityApi.LoadUsed(Checkout.Repository.UsedApi)), Is.Empty);
+    }
 
-        [Test]
-        public void Package_AgainstTheCommittedList_NamesOnlyWhatUnityHas()
-        {
-            Assert.That(Checkout.Repository.UsedApi, Does.Exist, "RepoTools api writes it");
+    /// <summary>Constants, enum values and default arguments leave no name in the IL, so the stand-ins must be
+    /// right.</summary>
+    [Test]
+    public void StandIns_PublicFace_IsUnitys()
+    {
+        var audit = new StandInAudit(FullList());
+        using GenerationBuilds builds = Checkout.Builds(m_generation);
 
-            Assert.That(Problems(UnityApi.LoadUsed(Checkout.Repository.UsedApi)), Is.Empty);
-        }
+        Assert.That(builds.StandIns, Is.Not.Empty);
+        Assert.That(builds.StandIns.SelectMany(audit.Check), Is.Empty);
+    }
 
-        /// <summary>Constants, enum values and default arguments leave no name in the IL, so the stand-ins must be
-        /// right.</summary>
-        [Test]
-        public void StandIns_PublicFace_IsUnitys()
-        {
-            var audit = new StandInAudit(FullList());
-            using GenerationBuilds builds = Checkout.Builds(m_generation);
+    private List<string> Problems(UnityApi api)
+    {
+        AssemblyTable assemblies = AssemblyTable.Load(Checkout.Repository.PackageRoot);
+        using GenerationBuilds builds = Checkout.Builds(m_generation);
+        var conformance = new RepoTools.Api.Conformance(api, m_generation, assemblies);
+        return builds.Package.SelectMany(conformance.Check).ToList();
+    }
 
-            Assert.That(builds.StandIns, Is.Not.Empty);
-            Assert.That(builds.StandIns.SelectMany(audit.Check), Is.Empty);
-        }
-
-        private List<string> Problems(UnityApi api)
-        {
-            AssemblyTable assemblies = AssemblyTable.Load(Checkout.Repository.PackageRoot);
-            using GenerationBuilds builds = Checkout.Builds(m_generation);
-            var conformance = new RepoTools.Api.Conformance(api, m_generation, assemblies);
-            return builds.Package.SelectMany(conformance.Check).ToList();
-        }
-
-        private static UnityApi FullList()
-        {
-            if (!Directory.Exists(Checkout.Repository.FullApi))
-                Assert.Ignore($"no list of Unity's signatures in {Checkout.Repository.FullApi}");
-            return UnityApi.LoadFull(Checkout.Repository.FullApi);
-        }
+    private static UnityApi FullList()
+    {
+        if (!Directory.Exists(Checkout.Repository.FullApi))
+            Assert.Ignore($"no list of Unity's signatures in {Checkout.Repository.FullApi}");
+        return UnityApi.LoadFull(Checkout.Repository.FullApi);
     }
 }

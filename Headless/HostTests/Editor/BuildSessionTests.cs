@@ -1,221 +1,220 @@
 using System.Collections;
 using System.Diagnostics;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+public sealed class BuildSessionTests
 {
-    public sealed class BuildSessionTests
+    ImportProject m_project;
+
+    [SetUp]
+    public void MakeProject() => m_project = new ImportProject();
+
+    [TearDown]
+    public void DeleteProject() => m_project.Dispose();
+
+    BuildSession Begin() => new BuildSession(new[] { m_project.Source }, m_project.Target(), ImportProject.Settings());
+
+    static void UpdateUntil(BuildSession session, Func<bool> isDone) => ImportProject.Updates(() => session.Tick(1), isDone);
+
+    [Test]
+    public void Tick_ToTheEnd_MakesTheCloudAndItsShareNeverFalls()
     {
-        ImportProject m_project;
+        using var session = Begin();
+        double share = 0;
+        UpdateUntil(session, () =>
+        {
+            Assert.That(session.Share, Is.InRange(share, 1));
+            share = session.Share;
+            return session.IsEnded;
+        });
 
-        [SetUp]
-        public void MakeProject() => m_project = new ImportProject();
+        Assert.That(session.State, Is.EqualTo(BuildState.Done), session.Failure?.Message);
+        Assert.That(session.Share, Is.EqualTo(1));
+        Assert.That(session.Source.Format, Is.EqualTo("LAS"));
+        Assert.That(session.Result.Manifest.Points, Is.EqualTo(ImportProject.Points));
+        m_project.AssertIsWhole(m_project.Target());
+    }
 
-        [TearDown]
-        public void DeleteProject() => m_project.Dispose();
+    [TestCase("read")]
+    [TestCase("index")]
+    [TestCase("merge")]
+    public void Suspend_InAnyStage_IsContinuedByTheNextSession(string stage)
+    {
+        using (var first = Begin())
+        {
+            // What was read before the first checkpoint is read again, and there is nothing to continue.
+            string journal = Path.Combine(m_project.Target() + ".part", BuildFiles.JournalName);
+            UpdateUntil(first, () => first.Progress.Current == stage && Appears(journal));
+            first.Suspend();
+            Assert.That(first.State, Is.EqualTo(BuildState.Suspended));
+            Assert.That(first.Tick(1), Is.True, "it is over");
+        }
+        Assert.That(Directory.Exists(m_project.Target() + ".part"), Is.True);
 
-        BuildSession Begin() => new BuildSession(new[] { m_project.Source }, m_project.Target(), ImportProject.Settings());
+        using var second = Begin();
+        UpdateUntil(second, () => second.IsEnded);
 
-        static void UpdateUntil(BuildSession session, Func<bool> isDone) => ImportProject.Updates(() => session.Tick(1), isDone);
+        Assert.That(second.State, Is.EqualTo(BuildState.Done), second.Failure?.Message);
+        Assert.That(second.Result.Note, Does.StartWith("continued a build"));
+        m_project.AssertIsWhole(m_project.Target());
+    }
 
-        [Test]
-        public void Tick_ToTheEnd_MakesTheCloudAndItsShareNeverFalls()
+    /// <summary>Whether the file is there, or comes at once: the thread that writes it may be late.</summary>
+    static bool Appears(string file) => SpinWait.SpinUntil(() => File.Exists(file), 20);
+
+    [Test]
+    public void Cancel_AtAnyMoment_LeavesNothing()
+    {
+        foreach (string stage in new[] { null, "read", "index" })
         {
             using var session = Begin();
-            double share = 0;
-            UpdateUntil(session, () =>
-            {
-                Assert.That(session.Share, Is.InRange(share, 1));
-                share = session.Share;
-                return session.IsEnded;
-            });
-
-            Assert.That(session.State, Is.EqualTo(BuildState.Done), session.Failure?.Message);
-            Assert.That(session.Share, Is.EqualTo(1));
-            Assert.That(session.Source.Format, Is.EqualTo("LAS"));
-            Assert.That(session.Result.Manifest.Points, Is.EqualTo(ImportProject.Points));
-            m_project.AssertIsWhole(m_project.Target());
+            UpdateUntil(session, () => session.Progress.Current == stage || stage == null);
+            session.Cancel();
+            Assert.That(session.State, Is.EqualTo(BuildState.Cancelled));
+            if (Directory.Exists(m_project.Paths.Clouds))
+                Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty, stage);
         }
+    }
 
-        [TestCase("read")]
-        [TestCase("index")]
-        [TestCase("merge")]
-        public void Suspend_InAnyStage_IsContinuedByTheNextSession(string stage)
+    [Test]
+    public void Cancel_OfWhatWasSuspended_LeavesNothing()
+    {
+        using (var first = Begin())
+            UpdateUntil(first, () => first.Progress.Current == "index");
+        Assert.That(Directory.Exists(m_project.Target() + ".part"), Is.True);
+
+        using var second = Begin();
+        second.Cancel();
+
+        Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty);
+    }
+
+    [Test]
+    public void Pause_TakesNoStep()
+    {
+        using var session = Begin();
+        UpdateUntil(session, () => session.Progress.Current == "read" && session.Progress.Points > 0);
+        session.Pause();
+        long points = session.Progress.Points;
+        double seconds = session.Seconds;
+        for (int i = 0; i < 100; i++)
+            Assert.That(session.Tick(5), Is.False);
+        Assert.That(session.Progress.Points, Is.EqualTo(points));
+        Assert.That(session.Seconds, Is.EqualTo(seconds));
+
+        session.Resume();
+        UpdateUntil(session, () => session.IsEnded);
+        Assert.That(session.State, Is.EqualTo(BuildState.Done));
+    }
+
+    [Test]
+    public void Tick_NoSuchSource_Fails()
+    {
+        File.Delete(m_project.Source);
+        using var session = Begin();
+        UpdateUntil(session, () => session.IsEnded);
+
+        Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+        Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.NotFound));
+    }
+
+    sealed class BrokenList : IReadOnlyList<string>
+    {
+        public int Count => 1;
+
+        public string this[int index] => throw new InvalidOperationException("planted");
+
+        public IEnumerator<string> GetEnumerator() => throw new InvalidOperationException("planted");
+
+        IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    }
+
+    [Test]
+    public void Tick_OpeningThrowsWhatNobodyForesaw_FailsAndSaysWhere()
+    {
+        using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
+        UpdateUntil(session, () => session.IsEnded);
+
+        Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+        Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Unexpected));
+        Assert.That(session.Failure,
+            Has.Property("Story").Contains("InvalidOperationException: planted").And.Property("Story")
+            .Contains(nameof(BuildSessionTests)));
+    }
+
+    [Test]
+    public void Suspend_WhenTheOpeningThrowsWhatNobodyForesaw_Ends()
+    {
+        using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
+        session.Suspend();
+        Assert.That(session.State, Is.EqualTo(BuildState.Suspended));
+    }
+
+    [Test]
+    public void Tick_OneOfSeveralSourcesIsBroken_FailsWithItsName()
+    {
+        string broken = m_project.Scratch["broken.las"];
+        File.WriteAllText(broken, "LASF");
+        string[] sources = { m_project.Source, broken };
+        using var session = new BuildSession(sources, m_project.Target(), ImportProject.Settings());
+        UpdateUntil(session, () => session.IsEnded);
+
+        Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Truncated).And.Message.StartsWith(broken));
+    }
+
+    /// <summary>Whatever came before, the build fails with the file's name, and begins anew when the file is there.</summary>
+    [Test]
+    public void Tick_SourceThatShrinksMeanwhile_Fails()
+    {
+        using (var session = Begin())
         {
-            using (var first = Begin())
-            {
-                // What was read before the first checkpoint is read again, and there is nothing to continue.
-                string journal = Path.Combine(m_project.Target() + ".part", BuildFiles.JournalName);
-                UpdateUntil(first, () => first.Progress.Current == stage && Appears(journal));
-                first.Suspend();
-                Assert.That(first.State, Is.EqualTo(BuildState.Suspended));
-                Assert.That(first.Tick(1), Is.True, "it is over");
-            }
-            Assert.That(Directory.Exists(m_project.Target() + ".part"), Is.True);
-
-            using var second = Begin();
-            UpdateUntil(second, () => second.IsEnded);
-
-            Assert.That(second.State, Is.EqualTo(BuildState.Done), second.Failure?.Message);
-            Assert.That(second.Result.Note, Does.StartWith("continued a build"));
-            m_project.AssertIsWhole(m_project.Target());
-        }
-
-        /// <summary>Whether the file is there, or comes at once: the thread that writes it may be late.</summary>
-        static bool Appears(string file) => SpinWait.SpinUntil(() => File.Exists(file), 20);
-
-        [Test]
-        public void Cancel_AtAnyMoment_LeavesNothing()
-        {
-            foreach (string stage in new[] { null, "read", "index" })
-            {
-                using var session = Begin();
-                UpdateUntil(session, () => session.Progress.Current == stage || stage == null);
-                session.Cancel();
-                Assert.That(session.State, Is.EqualTo(BuildState.Cancelled));
-                if (Directory.Exists(m_project.Paths.Clouds))
-                    Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty, stage);
-            }
-        }
-
-        [Test]
-        public void Cancel_OfWhatWasSuspended_LeavesNothing()
-        {
-            using (var first = Begin())
-                UpdateUntil(first, () => first.Progress.Current == "index");
-            Assert.That(Directory.Exists(m_project.Target() + ".part"), Is.True);
-
-            using var second = Begin();
-            second.Cancel();
-
-            Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty);
-        }
-
-        [Test]
-        public void Pause_TakesNoStep()
-        {
-            using var session = Begin();
-            UpdateUntil(session, () => session.Progress.Current == "read" && session.Progress.Points > 0);
-            session.Pause();
-            long points = session.Progress.Points;
-            double seconds = session.Seconds;
-            for (int i = 0; i < 100; i++)
-                Assert.That(session.Tick(5), Is.False);
-            Assert.That(session.Progress.Points, Is.EqualTo(points));
-            Assert.That(session.Seconds, Is.EqualTo(seconds));
-
-            session.Resume();
+            UpdateUntil(session, () => session.Progress.Current == "read");
+            using (var file = new FileStream(m_project.Source, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
+                file.SetLength(2000);
             UpdateUntil(session, () => session.IsEnded);
-            Assert.That(session.State, Is.EqualTo(BuildState.Done));
-        }
-
-        [Test]
-        public void Tick_NoSuchSource_Fails()
-        {
-            File.Delete(m_project.Source);
-            using var session = Begin();
-            UpdateUntil(session, () => session.IsEnded);
-
             Assert.That(session.State, Is.EqualTo(BuildState.Failed));
-            Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.NotFound));
+            Assert.That(session.Failure.Message, Does.StartWith(m_project.Source));
         }
+    }
 
-        sealed class BrokenList : IReadOnlyList<string>
-        {
-            public int Count => 1;
-
-            public string this[int index] => throw new InvalidOperationException("planted");
-
-            public IEnumerator<string> GetEnumerator() => throw new InvalidOperationException("planted");
-
-            IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
-        }
-
-        [Test]
-        public void Tick_OpeningThrowsWhatNobodyForesaw_FailsAndSaysWhere()
-        {
-            using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
-            UpdateUntil(session, () => session.IsEnded);
-
-            Assert.That(session.State, Is.EqualTo(BuildState.Failed));
-            Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Unexpected));
-            Assert.That(session.Failure,
-                Has.Property("Story").Contains("InvalidOperationException: planted").And.Property("Story")
-                .Contains(nameof(BuildSessionTests)));
-        }
-
-        [Test]
-        public void Suspend_WhenTheOpeningThrowsWhatNobodyForesaw_Ends()
-        {
-            using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
-            session.Suspend();
-            Assert.That(session.State, Is.EqualTo(BuildState.Suspended));
-        }
-
-        [Test]
-        public void Tick_OneOfSeveralSourcesIsBroken_FailsWithItsName()
-        {
-            string broken = m_project.Scratch["broken.las"];
-            File.WriteAllText(broken, "LASF");
-            string[] sources = { m_project.Source, broken };
-            using var session = new BuildSession(sources, m_project.Target(), ImportProject.Settings());
-            UpdateUntil(session, () => session.IsEnded);
-
-            Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Truncated).And.Message.StartsWith(broken));
-        }
-
-        /// <summary>Whatever came before, the build fails with the file's name, and begins anew when the file is there.</summary>
-        [Test]
-        public void Tick_SourceThatShrinksMeanwhile_Fails()
+    [Test]
+    public void Tick_FullDisk_FailsAndGoesOnWhenThereIsRoom()
+    {
+        Directory.CreateDirectory(m_project.Paths.Clouds);
+        if (!TryMount("-t tmpfs -o size=3m tmpfs " + m_project.Paths.Clouds))
+            Assert.Ignore("a disk of three megabytes takes a mount, which this user may not make");
+        try
         {
             using (var session = Begin())
             {
-                UpdateUntil(session, () => session.Progress.Current == "read");
-                using (var file = new FileStream(m_project.Source, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
-                    file.SetLength(2000);
                 UpdateUntil(session, () => session.IsEnded);
                 Assert.That(session.State, Is.EqualTo(BuildState.Failed));
-                Assert.That(session.Failure.Message, Does.StartWith(m_project.Source));
+                Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.DiskFull));
             }
+            Assert.That(TryMount("-o remount,size=100m " + m_project.Paths.Clouds), Is.True);
+            using var again = Begin();
+            UpdateUntil(again, () => again.IsEnded);
+            Assert.That(again.State, Is.EqualTo(BuildState.Done), again.Failure?.Message);
+            m_project.AssertIsWhole(m_project.Target());
         }
-
-        [Test]
-        public void Tick_FullDisk_FailsAndGoesOnWhenThereIsRoom()
+        finally
         {
-            Directory.CreateDirectory(m_project.Paths.Clouds);
-            if (!TryMount("-t tmpfs -o size=3m tmpfs " + m_project.Paths.Clouds))
-                Assert.Ignore("a disk of three megabytes takes a mount, which this user may not make");
-            try
-            {
-                using (var session = Begin())
-                {
-                    UpdateUntil(session, () => session.IsEnded);
-                    Assert.That(session.State, Is.EqualTo(BuildState.Failed));
-                    Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.DiskFull));
-                }
-                Assert.That(TryMount("-o remount,size=100m " + m_project.Paths.Clouds), Is.True);
-                using var again = Begin();
-                UpdateUntil(again, () => again.IsEnded);
-                Assert.That(again.State, Is.EqualTo(BuildState.Done), again.Failure?.Message);
-                m_project.AssertIsWhole(m_project.Target());
-            }
-            finally
-            {
-                Process.Start("umount", m_project.Paths.Clouds).WaitForExit();
-            }
+            Process.Start("umount", m_project.Paths.Clouds).WaitForExit();
         }
+    }
 
-        static bool TryMount(string arguments)
+    static bool TryMount(string arguments)
+    {
+        try
         {
-            try
-            {
-                using var mount = Process.Start(new ProcessStartInfo("mount", arguments) { RedirectStandardError = true });
-                mount.WaitForExit();
-                return mount.ExitCode == 0;
-            }
-            catch (System.ComponentModel.Win32Exception)
-            {
-                return false;
-            }
+            using var mount = Process.Start(new ProcessStartInfo("mount", arguments) { RedirectStandardError = true });
+            mount.WaitForExit();
+            return mount.ExitCode == 0;
+        }
+        catch (System.ComponentModel.Win32Exception)
+        {
+            return false;
         }
     }
 }

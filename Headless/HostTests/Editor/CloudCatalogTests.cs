@@ -1,143 +1,142 @@
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+public sealed class CloudCatalogTests
 {
-    public sealed class CloudCatalogTests
+    ScratchFolder m_scratch;
+    ProjectPaths m_paths;
+    CloudCatalog m_catalog;
+
+    [SetUp]
+    public void MakeProject()
     {
-        ScratchFolder m_scratch;
-        ProjectPaths m_paths;
-        CloudCatalog m_catalog;
+        m_scratch = new ScratchFolder();
+        m_paths = new ProjectPaths(m_scratch["project"]);
+        m_catalog = new CloudCatalog(m_paths);
+    }
 
-        [SetUp]
-        public void MakeProject()
+    [TearDown]
+    public void DeleteProject() => m_scratch.Dispose();
+
+    string Convert(string name, int points)
+    {
+        string target = Path.Combine(m_paths.Clouds, name + StoreFormat.FolderExtension);
+        Directory.CreateDirectory(m_paths.Clouds);
+        var call = CliCall.Of("convert", m_scratch.Demo("s" + points + ".las", points), "-o", target, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        return target;
+    }
+
+    CloudHandle Handle(string target) => new CloudHandle { CloudPath = m_paths.Stored(target) };
+
+    [Test]
+    public void Refresh_NoFolder_FindsNothing()
+    {
+        m_catalog.Refresh();
+        Assert.That(m_catalog.Clouds, Is.Empty);
+        var handle = Handle(Path.Combine(m_paths.Clouds, "a.fastpoints"));
+        Assert.That(m_catalog.Find(handle, out _), Is.EqualTo(CatalogMatch.None));
+    }
+
+    [Test]
+    public void Find_CloudThatWasRenamed_IsFoundByItsId()
+    {
+        var handle = Handle(Convert("one", 2000));
+        Convert("two", 3000);
+        m_catalog.Refresh();
+        Assert.That(m_catalog.Clouds, Has.Count.EqualTo(2));
+        Assert.That(m_catalog.Find(handle, out var cloud), Is.EqualTo(CatalogMatch.InPlace));
+        Assert.That(cloud.Manifest.Points, Is.EqualTo(2000));
+        handle.Describe(cloud.Manifest);
+
+        Directory.Move(cloud.Path, Path.Combine(m_paths.Clouds, "renamed.fastpoints"));
+        m_catalog.Refresh();
+        Assert.That(m_catalog.Find(handle, out cloud), Is.EqualTo(CatalogMatch.Moved));
+        Assert.That(cloud.Name, Is.EqualTo("renamed"));
+
+        Directory.Delete(cloud.Path, true);
+        Directory.Move(Path.Combine(m_paths.Clouds, "two.fastpoints"), m_paths.Absolute(handle.CloudPath));
+        m_catalog.Refresh();
+        Assert.That(m_catalog.Find(handle, out _), Is.EqualTo(CatalogMatch.Another));
+    }
+
+    [Test]
+    public void Find_CloudOutsideTheProjectsPlace_IsFoundByPath()
+    {
+        string inside = Convert("one", 2000), outside = m_scratch["far.fastpoints"];
+        Directory.Move(inside, outside);
+        m_catalog.Refresh();
+
+        Assert.That(m_catalog.Find(Handle(outside), out var cloud), Is.EqualTo(CatalogMatch.InPlace));
+        Assert.That(cloud.Manifest.Points, Is.EqualTo(2000));
+    }
+
+    [Test]
+    public void Refresh_UnfinishedAndDamagedClouds_AreToldAsSuch()
+    {
+        string broken = Convert("broken", 2000), building = Convert("building", 3000);
+        File.WriteAllText(Path.Combine(broken, StoreFormat.ManifestName), "{}");
+        Directory.Move(building, building + StoreFormat.PartSuffix);
+
+        m_catalog.Refresh();
+
+        Assert.That(m_catalog.Clouds, Has.Count.EqualTo(2));
+        Assert.That(m_catalog.Clouds[0].Name, Is.EqualTo("broken"));
+        Assert.That(m_catalog.Clouds[0].Problem, Does.Contain("missing"));
+        Assert.That(m_catalog.Clouds[1].Path, Is.EqualTo(building));
+        Assert.That(m_catalog.Clouds[1].IsBuilding, Is.True);
+        Assert.That(m_catalog.Find(Handle(building), out _), Is.EqualTo(CatalogMatch.Building));
+    }
+
+    [Test]
+    public void NewTarget_SourcesOfOneName_NeverCollide()
+    {
+        string taken = Convert("scan", 2000);
+        string second = m_catalog.NewTarget("/elsewhere/SCAN.laz", _ => false);
+        Assert.That(second, Is.EqualTo(Path.Combine(m_paths.Clouds, "SCAN 2.fastpoints")));
+        Assert.That(m_catalog.NewTarget("/third/scan.ply", p => p.Equals(second, StringComparison.OrdinalIgnoreCase)),
+            Is.EqualTo(Path.Combine(m_paths.Clouds, "scan 3.fastpoints")));
+
+        Directory.Move(taken, taken + StoreFormat.PartSuffix);
+        Assert.That(m_catalog.NewTarget("/elsewhere/scan.laz", _ => false), Does.EndWith("scan 2.fastpoints"),
+            "one in the making");
+    }
+
+    [Test]
+    public void Delete_Cloud_LeavesNothing()
+    {
+        string target = Convert("one", 2000);
+        Directory.CreateDirectory(target + StoreFormat.PartSuffix);
+
+        CloudCatalog.Delete(target);
+
+        Assert.That(Directory.GetFileSystemEntries(m_paths.Clouds), Is.Empty);
+    }
+
+    [Test]
+    public void Copy_Cloud_IsTheSameInTheOtherProject()
+    {
+        string from = Convert("one", 2000), to = m_scratch["other.fastpoints"];
+
+        using (var copy = new CloudCopy(from, to))
         {
-            m_scratch = new ScratchFolder();
-            m_paths = new ProjectPaths(m_scratch["project"]);
-            m_catalog = new CloudCatalog(m_paths);
+            copy.Work.GetAwaiter().GetResult();
+            Assert.That(copy.Share, Is.EqualTo(1));
         }
 
-        [TearDown]
-        public void DeleteProject() => m_scratch.Dispose();
+        var verified = CliCall.Of("verify", to, "--against", m_scratch["s2000.las"], "--quiet");
+        Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Output + verified.Error);
+    }
 
-        string Convert(string name, int points)
-        {
-            string target = Path.Combine(m_paths.Clouds, name + StoreFormat.FolderExtension);
-            Directory.CreateDirectory(m_paths.Clouds);
-            var call = CliCall.Of("convert", m_scratch.Demo("s" + points + ".las", points), "-o", target, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-            return target;
-        }
+    [Test]
+    public void Copy_TargetThatIsThereOrSourceThatIsNot_FailsAndLeavesNothing()
+    {
+        string from = Convert("one", 2000), to = Convert("two", 3000);
 
-        CloudHandle Handle(string target) => new CloudHandle { CloudPath = m_paths.Stored(target) };
-
-        [Test]
-        public void Refresh_NoFolder_FindsNothing()
-        {
-            m_catalog.Refresh();
-            Assert.That(m_catalog.Clouds, Is.Empty);
-            var handle = Handle(Path.Combine(m_paths.Clouds, "a.fastpoints"));
-            Assert.That(m_catalog.Find(handle, out _), Is.EqualTo(CatalogMatch.None));
-        }
-
-        [Test]
-        public void Find_CloudThatWasRenamed_IsFoundByItsId()
-        {
-            var handle = Handle(Convert("one", 2000));
-            Convert("two", 3000);
-            m_catalog.Refresh();
-            Assert.That(m_catalog.Clouds, Has.Count.EqualTo(2));
-            Assert.That(m_catalog.Find(handle, out var cloud), Is.EqualTo(CatalogMatch.InPlace));
-            Assert.That(cloud.Manifest.Points, Is.EqualTo(2000));
-            handle.Describe(cloud.Manifest);
-
-            Directory.Move(cloud.Path, Path.Combine(m_paths.Clouds, "renamed.fastpoints"));
-            m_catalog.Refresh();
-            Assert.That(m_catalog.Find(handle, out cloud), Is.EqualTo(CatalogMatch.Moved));
-            Assert.That(cloud.Name, Is.EqualTo("renamed"));
-
-            Directory.Delete(cloud.Path, true);
-            Directory.Move(Path.Combine(m_paths.Clouds, "two.fastpoints"), m_paths.Absolute(handle.CloudPath));
-            m_catalog.Refresh();
-            Assert.That(m_catalog.Find(handle, out _), Is.EqualTo(CatalogMatch.Another));
-        }
-
-        [Test]
-        public void Find_CloudOutsideTheProjectsPlace_IsFoundByPath()
-        {
-            string inside = Convert("one", 2000), outside = m_scratch["far.fastpoints"];
-            Directory.Move(inside, outside);
-            m_catalog.Refresh();
-
-            Assert.That(m_catalog.Find(Handle(outside), out var cloud), Is.EqualTo(CatalogMatch.InPlace));
-            Assert.That(cloud.Manifest.Points, Is.EqualTo(2000));
-        }
-
-        [Test]
-        public void Refresh_UnfinishedAndDamagedClouds_AreToldAsSuch()
-        {
-            string broken = Convert("broken", 2000), building = Convert("building", 3000);
-            File.WriteAllText(Path.Combine(broken, StoreFormat.ManifestName), "{}");
-            Directory.Move(building, building + StoreFormat.PartSuffix);
-
-            m_catalog.Refresh();
-
-            Assert.That(m_catalog.Clouds, Has.Count.EqualTo(2));
-            Assert.That(m_catalog.Clouds[0].Name, Is.EqualTo("broken"));
-            Assert.That(m_catalog.Clouds[0].Problem, Does.Contain("missing"));
-            Assert.That(m_catalog.Clouds[1].Path, Is.EqualTo(building));
-            Assert.That(m_catalog.Clouds[1].IsBuilding, Is.True);
-            Assert.That(m_catalog.Find(Handle(building), out _), Is.EqualTo(CatalogMatch.Building));
-        }
-
-        [Test]
-        public void NewTarget_SourcesOfOneName_NeverCollide()
-        {
-            string taken = Convert("scan", 2000);
-            string second = m_catalog.NewTarget("/elsewhere/SCAN.laz", _ => false);
-            Assert.That(second, Is.EqualTo(Path.Combine(m_paths.Clouds, "SCAN 2.fastpoints")));
-            Assert.That(m_catalog.NewTarget("/third/scan.ply", p => p.Equals(second, StringComparison.OrdinalIgnoreCase)),
-                Is.EqualTo(Path.Combine(m_paths.Clouds, "scan 3.fastpoints")));
-
-            Directory.Move(taken, taken + StoreFormat.PartSuffix);
-            Assert.That(m_catalog.NewTarget("/elsewhere/scan.laz", _ => false), Does.EndWith("scan 2.fastpoints"),
-                "one in the making");
-        }
-
-        [Test]
-        public void Delete_Cloud_LeavesNothing()
-        {
-            string target = Convert("one", 2000);
-            Directory.CreateDirectory(target + StoreFormat.PartSuffix);
-
-            CloudCatalog.Delete(target);
-
-            Assert.That(Directory.GetFileSystemEntries(m_paths.Clouds), Is.Empty);
-        }
-
-        [Test]
-        public void Copy_Cloud_IsTheSameInTheOtherProject()
-        {
-            string from = Convert("one", 2000), to = m_scratch["other.fastpoints"];
-
-            using (var copy = new CloudCopy(from, to))
-            {
-                copy.Work.GetAwaiter().GetResult();
-                Assert.That(copy.Share, Is.EqualTo(1));
-            }
-
-            var verified = CliCall.Of("verify", to, "--against", m_scratch["s2000.las"], "--quiet");
-            Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Output + verified.Error);
-        }
-
-        [Test]
-        public void Copy_TargetThatIsThereOrSourceThatIsNot_FailsAndLeavesNothing()
-        {
-            string from = Convert("one", 2000), to = Convert("two", 3000);
-
-            Assert.That(() => new CloudCopy(from, to).Work.GetAwaiter().GetResult(),
-                Throws.TypeOf<PointCloudException>().With.Message.Contains("already exists"));
-            Assert.That(() => new CloudCopy(from + "-none", m_scratch["x"]).Work.GetAwaiter().GetResult(),
-                Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
-            Assert.That(Directory.GetDirectories(m_paths.Clouds), Has.Length.EqualTo(2));
-            Assert.That(CliCall.Of("verify", to, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
-        }
+        Assert.That(() => new CloudCopy(from, to).Work.GetAwaiter().GetResult(),
+            Throws.TypeOf<PointCloudException>().With.Message.Contains("already exists"));
+        Assert.That(() => new CloudCopy(from + "-none", m_scratch["x"]).Work.GetAwaiter().GetResult(),
+            Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
+        Assert.That(Directory.GetDirectories(m_paths.Clouds), Has.Length.EqualTo(2));
+        Assert.That(CliCall.Of("verify", to, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
     }
 }

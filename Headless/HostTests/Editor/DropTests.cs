@@ -1,170 +1,169 @@
 using System.Reflection;
 using UnityEditor.AssetImporters;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+public sealed class DropTests
 {
-    public sealed class DropTests
+    EditorProject m_project;
+
+    [SetUp]
+    public void OpenProject() => m_project = new EditorProject();
+
+    [TearDown]
+    public void CloseProject() => m_project.Dispose();
+
+    string Made(string name, int bytes = 10)
     {
-        EditorProject m_project;
+        string path = m_project.Scratch[name];
+        Directory.CreateDirectory(Path.GetDirectoryName(path));
+        File.WriteAllBytes(path, new byte[bytes]);
+        return path;
+    }
 
-        [SetUp]
-        public void OpenProject() => m_project = new EditorProject();
+    DropKind Of(params string[] paths) => CloudSources.Of(paths, m_project.Paths, 100);
 
-        [TearDown]
-        public void CloseProject() => m_project.Dispose();
+    [Test]
+    public void Of_DroppedFiles_DecidesByKindAndSize()
+    {
+        string small = Made("a.las"), large = Made("b.LAZ", 101), scan = Made("c.e57"), text = Made("d.txt");
+        Assert.That(Of(small), Is.EqualTo(DropKind.Copy));
+        Assert.That(Of(large), Is.EqualTo(DropKind.Handle));
+        Assert.That(Of(small, large), Is.EqualTo(DropKind.Handle));
+        Assert.That(Of(scan), Is.EqualTo(DropKind.Handle), "no importer takes it");
+        Assert.That(Of(small, text), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.NotOurs), "it is in the project");
+    }
 
-        string Made(string name, int bytes = 10)
+    [Test]
+    public void Of_DroppedFolders_TakesOctreesAndNoOthers()
+    {
+        Made("potree/metadata.json");
+        Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.NotOurs), "any folder may have one");
+        Made("potree/octree.bin");
+        Made("ept/ept.json");
+        Made("models/mesh.fbx");
+        Made("done.fastpoints/cloud.json");
+        Assert.That(Of(m_project.Scratch["potree"], m_project.Scratch["ept"], m_project.Scratch["done.fastpoints"]),
+            Is.EqualTo(DropKind.Handle));
+        Assert.That(Of(m_project.Scratch["models"]), Is.EqualTo(DropKind.NotOurs));
+    }
+
+    [Test]
+    public void Handlers_OfAllThreeWindows_AreThere()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
+        Assert.That(DragAndDrop.Handlers.Select(h => h.GetType().Name), Is.EquivalentTo(new[]
         {
-            string path = m_project.Scratch[name];
-            Directory.CreateDirectory(Path.GetDirectoryName(path));
-            File.WriteAllBytes(path, new byte[bytes]);
-            return path;
-        }
+            "ProjectBrowserDropHandler", "HierarchyDropHandler", "SceneDropHandler",
+        }));
+        Assert.That(() => DragAndDrop.AddDropHandler((DragAndDrop.SceneDropHandler)DragAndDrop.Handlers
+            .Single(h => h is DragAndDrop.SceneDropHandler)), Throws.Exception, "a handler is there once");
+    }
 
-        DropKind Of(params string[] paths) => CloudSources.Of(paths, m_project.Paths, 100);
-
-        [Test]
-        public void Of_DroppedFiles_DecidesByKindAndSize()
+    /// <summary>
+    /// The windows ask: the handler that was added last, and the one before where it does not want the drop.
+    /// </summary>
+    [Test]
+    public void Drop_AnotherPackagesHandlerIsAskedFirst_OursWhereItWantsNothing()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
+        DragAndDrop.paths = new[] { Made("scan.e57") };
+        var theirs = DragAndDropVisualMode.None;
+        DragAndDrop.ProjectBrowserDropHandler another = (_, _, _) => theirs;
+        DragAndDrop.AddDropHandler(another);
+        try
         {
-            string small = Made("a.las"), large = Made("b.LAZ", 101), scan = Made("c.e57"), text = Made("d.txt");
-            Assert.That(Of(small), Is.EqualTo(DropKind.Copy));
-            Assert.That(Of(large), Is.EqualTo(DropKind.Handle));
-            Assert.That(Of(small, large), Is.EqualTo(DropKind.Handle));
-            Assert.That(Of(scan), Is.EqualTo(DropKind.Handle), "no importer takes it");
-            Assert.That(Of(small, text), Is.EqualTo(DropKind.NotOurs));
-            Assert.That(Of(), Is.EqualTo(DropKind.NotOurs));
-            Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.NotOurs), "it is in the project");
-        }
-
-        [Test]
-        public void Of_DroppedFolders_TakesOctreesAndNoOthers()
-        {
-            Made("potree/metadata.json");
-            Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.NotOurs), "any folder may have one");
-            Made("potree/octree.bin");
-            Made("ept/ept.json");
-            Made("models/mesh.fbx");
-            Made("done.fastpoints/cloud.json");
-            Assert.That(Of(m_project.Scratch["potree"], m_project.Scratch["ept"], m_project.Scratch["done.fastpoints"]),
-                Is.EqualTo(DropKind.Handle));
-            Assert.That(Of(m_project.Scratch["models"]), Is.EqualTo(DropKind.NotOurs));
-        }
-
-        [Test]
-        public void Handlers_OfAllThreeWindows_AreThere()
-        {
-            System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
-            Assert.That(DragAndDrop.Handlers.Select(h => h.GetType().Name), Is.EquivalentTo(new[]
-            {
-                "ProjectBrowserDropHandler", "HierarchyDropHandler", "SceneDropHandler",
-            }));
-            Assert.That(() => DragAndDrop.AddDropHandler((DragAndDrop.SceneDropHandler)DragAndDrop.Handlers
-                .Single(h => h is DragAndDrop.SceneDropHandler)), Throws.Exception, "a handler is there once");
-        }
-
-        /// <summary>
-        /// The windows ask: the handler that was added last, and the one before where it does not want the drop.
-        /// </summary>
-        [Test]
-        public void Drop_AnotherPackagesHandlerIsAskedFirst_OursWhereItWantsNothing()
-        {
-            System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
-            DragAndDrop.paths = new[] { Made("scan.e57") };
-            var theirs = DragAndDropVisualMode.None;
-            DragAndDrop.ProjectBrowserDropHandler another = (_, _, _) => theirs;
-            DragAndDrop.AddDropHandler(another);
-            try
-            {
-                DragAndDropVisualMode Drop() => DragAndDrop.Drop<DragAndDrop.ProjectBrowserDropHandler>(0, "Assets", false);
-                Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.Link));
-                theirs = DragAndDropVisualMode.Move;
-                Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.Move));
-                theirs = DragAndDropVisualMode.None;
-                DragAndDrop.paths = new[] { Made("picture.png") };
-                Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.None), "Unity's own is asked");
-            }
-            finally
-            {
-                DragAndDrop.Handlers.Remove(another);
-            }
-        }
-
-        [Test]
-        public void OnScene_Drop_IsTakenBackByUndo()
-        {
-            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
-            asset.name = "scan";
-            DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
-            PointCloudDrops.OnScene(null, null, true);
-            var scene = (GameObject)Selection.activeObject;
-            Undo.PerformUndo();
-            Assert.That(scene == null, Is.True);
-        }
-
-        [Test]
-        public void OnScene_AssetOfTheProject_BecomesAGameObject()
-        {
-            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
-            asset.name = "scan";
-            DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
-            Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.Copy));
-            Selection.activeObject = null;
-
-            PointCloudDrops.OnScene(new Vector3(4, 5, 6), null, true);
-
-            var scene = (GameObject)Selection.activeObject;
-            Assert.That(scene.name, Is.EqualTo("scan"));
-            Assert.That(scene.transform.position.y, Is.EqualTo(5));
-            Assert.That(scene.GetComponent<FastPoints.Entities.PointCloud>().Cloud, Is.SameAs(asset));
-            UnityEngine.Object.DestroyImmediate(scene);
-        }
-
-        [Test]
-        public void OnScene_SomethingElse_IsLeftToOthers()
-        {
+            DragAndDropVisualMode Drop() => DragAndDrop.Drop<DragAndDrop.ProjectBrowserDropHandler>(0, "Assets", false);
+            Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.Link));
+            theirs = DragAndDropVisualMode.Move;
+            Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.Move));
+            theirs = DragAndDropVisualMode.None;
             DragAndDrop.paths = new[] { Made("picture.png") };
-            Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.None));
+            Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.None), "Unity's own is asked");
         }
-
-        [Test]
-        public void Postprocessor_FileThatNobodyClaims_GetsTheImporter()
+        finally
         {
-            ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply" }, null);
-            foreach (string name in new[] { "a.las", "b.LAZ", "theirs.ply", "c.txt" })
-                Made("project/Assets/" + name);
-            AssetDatabase.Refresh();
-            Assert.That(AssetDatabase.Overrides.Keys, Is.EquivalentTo(new[] { "Assets/a.las", "Assets/b.LAZ" }));
-            Assert.That(AssetDatabase.Overrides.Values, Is.All.EqualTo(typeof(PointFileImporter)));
-            Assert.That(m_project.Asset("Assets/a.las"), Is.Not.Null, "it is imported with it at once");
+            DragAndDrop.Handlers.Remove(another);
         }
+    }
 
-        /// <summary>Other packages claim the same extensions; who claims one too loses it for both.</summary>
-        [Test]
-        public void PointFileImporter_ExtensionThatAnotherClaims_StaysTheOthers()
-        {
-            ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "las", "laz" }, null);
-            foreach (string extension in CloudSources.ImportedExtensions)
-                Assert.That(AssetDatabase.GetDefaultImporter("Assets/a." + extension), Is.EqualTo(typeof(ClaimingImporter)));
-        }
+    [Test]
+    public void OnScene_Drop_IsTakenBackByUndo()
+    {
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        asset.name = "scan";
+        DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
+        PointCloudDrops.OnScene(null, null, true);
+        var scene = (GameObject)Selection.activeObject;
+        Undo.PerformUndo();
+        Assert.That(scene == null, Is.True);
+    }
 
-        /// <summary>Claimed for nobody, so that another package's importer for the same extension goes on working.</summary>
-        [Test]
-        public void PointFileImporter_ClaimsNoExtensionAndOffersItselfForAll()
-        {
-            var attribute = typeof(PointFileImporter).GetCustomAttribute<ScriptedImporterAttribute>();
-            Assert.That(attribute.fileExtensions, Is.Null);
-            Assert.That(attribute.overrideFileExtensions, Is.EqualTo(CloudSources.ImportedExtensions));
-            Assert.That(attribute.AllowCaching, Is.True);
-        }
+    [Test]
+    public void OnScene_AssetOfTheProject_BecomesAGameObject()
+    {
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        asset.name = "scan";
+        DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
+        Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.Copy));
+        Selection.activeObject = null;
 
-        sealed class ClaimingImporter : ScriptedImporter
+        PointCloudDrops.OnScene(new Vector3(4, 5, 6), null, true);
+
+        var scene = (GameObject)Selection.activeObject;
+        Assert.That(scene.name, Is.EqualTo("scan"));
+        Assert.That(scene.transform.position.y, Is.EqualTo(5));
+        Assert.That(scene.GetComponent<FastPoints.Entities.PointCloud>().Cloud, Is.SameAs(asset));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
+    [Test]
+    public void OnScene_SomethingElse_IsLeftToOthers()
+    {
+        DragAndDrop.paths = new[] { Made("picture.png") };
+        Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.None));
+    }
+
+    [Test]
+    public void Postprocessor_FileThatNobodyClaims_GetsTheImporter()
+    {
+        ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply" }, null);
+        foreach (string name in new[] { "a.las", "b.LAZ", "theirs.ply", "c.txt" })
+            Made("project/Assets/" + name);
+        AssetDatabase.Refresh();
+        Assert.That(AssetDatabase.Overrides.Keys, Is.EquivalentTo(new[] { "Assets/a.las", "Assets/b.LAZ" }));
+        Assert.That(AssetDatabase.Overrides.Values, Is.All.EqualTo(typeof(PointFileImporter)));
+        Assert.That(m_project.Asset("Assets/a.las"), Is.Not.Null, "it is imported with it at once");
+    }
+
+    /// <summary>Other packages claim the same extensions; who claims one too loses it for both.</summary>
+    [Test]
+    public void PointFileImporter_ExtensionThatAnotherClaims_StaysTheOthers()
+    {
+        ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "las", "laz" }, null);
+        foreach (string extension in CloudSources.ImportedExtensions)
+            Assert.That(AssetDatabase.GetDefaultImporter("Assets/a." + extension), Is.EqualTo(typeof(ClaimingImporter)));
+    }
+
+    /// <summary>Claimed for nobody, so that another package's importer for the same extension goes on working.</summary>
+    [Test]
+    public void PointFileImporter_ClaimsNoExtensionAndOffersItselfForAll()
+    {
+        var attribute = typeof(PointFileImporter).GetCustomAttribute<ScriptedImporterAttribute>();
+        Assert.That(attribute.fileExtensions, Is.Null);
+        Assert.That(attribute.overrideFileExtensions, Is.EqualTo(CloudSources.ImportedExtensions));
+        Assert.That(attribute.AllowCaching, Is.True);
+    }
+
+    sealed class ClaimingImporter : ScriptedImporter
+    {
+        public override void OnImportAsset(AssetImportContext ctx)
         {
-            public override void OnImportAsset(AssetImportContext ctx)
-            {
-                var made = ScriptableObject.CreateInstance<ScriptableObject>();
-                ctx.AddObjectToAsset("theirs", made);
-                ctx.SetMainObject(made);
-            }
+            var made = ScriptableObject.CreateInstance<ScriptableObject>();
+            ctx.AddObjectToAsset("theirs", made);
+            ctx.SetMainObject(made);
         }
     }
 }

@@ -2,33 +2,32 @@ using FastPoints.Rendering.BuiltIn;
 using FastPoints.Rendering.Hdrp;
 using FastPoints.Rendering.Urp;
 
-namespace FastPoints.HostTests.Editor
-{
-    public sealed class EditModePassesTests
-    {
-        [TearDown]
-        public void End()
-        {
-            BuiltInPass.End();
-            UrpPass.End();
-            HdrpPass.End();
-        }
+namespace FastPoints.HostTests.Editor;
 
-        [Test]
-        public void Begin_TheEditorHasLoaded_EveryPipelinesPassBeginsOnce()
-        {
-            var passes = new[] { typeof(BuiltInPass), typeof(UrpPass), typeof(HdrpPass) };
-            var found = TypeCache.GetMethodsWithAttribute<Rendering.BeginsPassAttribute>();
-            Assert.That(found.Count, Is.EqualTo(passes.Length));
-            foreach (var begin in found)
-                Assert.That(passes, Has.Member(begin.DeclaringType));
-            int Listening() => (Camera.onPreCull?.GetInvocationList() ?? Array.Empty<Delegate>())
-                .Count(d => d.Method.DeclaringType == typeof(BuiltInPass));
-            BuiltInPass.End();
-            Assert.That(Listening(), Is.Zero);
-            EditModePasses.Begin();
-            EditModePasses.Begin();
-            Assert.That(Listening(), Is.EqualTo(1));
-        }
+public sealed class EditModePassesTests
+{
+    [TearDown]
+    public void End()
+    {
+        BuiltInPass.End();
+        UrpPass.End();
+        HdrpPass.End();
+    }
+
+    [Test]
+    public void Begin_TheEditorHasLoaded_EveryPipelinesPassBeginsOnce()
+    {
+        var passes = new[] { typeof(BuiltInPass), typeof(UrpPass), typeof(HdrpPass) };
+        var found = TypeCache.GetMethodsWithAttribute<Rendering.BeginsPassAttribute>();
+        Assert.That(found.Count, Is.EqualTo(passes.Length));
+        foreach (var begin in found)
+            Assert.That(passes, Has.Member(begin.DeclaringType));
+        int Listening() => (Camera.onPreCull?.GetInvocationList() ?? Array.Empty<Delegate>())
+            .Count(d => d.Method.DeclaringType == typeof(BuiltInPass));
+        BuiltInPass.End();
+        Assert.That(Listening(), Is.Zero);
+        EditModePasses.Begin();
+        EditModePasses.Begin();
+        Assert.That(Listening(), Is.EqualTo(1));
     }
 }

@@ -1,31 +1,30 @@
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>Tests in a project that an editor has open, with settings as they come.</summary>
+public abstract class EditorFixture
 {
-    /// <summary>Tests in a project that an editor has open, with settings as they come.</summary>
-    public abstract class EditorFixture
+    private protected EditorProject m_project;
+
+    /// <summary>What the Console has: the kind, and the text.</summary>
+    private protected readonly List<string> m_logged = new List<string>();
+
+    [SetUp]
+    public void OpenProject()
     {
-        private protected EditorProject m_project;
+        m_project = new EditorProject();
+        m_logged.Clear();
+        Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
+    }
 
-        /// <summary>What the Console has: the kind, and the text.</summary>
-        private protected readonly List<string> m_logged = new List<string>();
-
-        [SetUp]
-        public void OpenProject()
-        {
-            m_project = new EditorProject();
-            m_logged.Clear();
-            Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
-        }
-
-        [TearDown]
-        public void CloseProject()
-        {
-            Debug.s_sink = null;
-            var settings = FastPointsSettings.instance;
-            (settings.ConvertAtOnce, settings.ConvertOctrees) = (true, false);
-            settings.Place = ProjectPaths.DefaultClouds;
-            settings.PlayerVariants = VariantChoice.Automatic;
-            settings.Apply();
-            m_project.Dispose();
-        }
+    [TearDown]
+    public void CloseProject()
+    {
+        Debug.s_sink = null;
+        var settings = FastPointsSettings.instance;
+        (settings.ConvertAtOnce, settings.ConvertOctrees) = (true, false);
+        settings.Place = ProjectPaths.DefaultClouds;
+        settings.PlayerVariants = VariantChoice.Automatic;
+        settings.Apply();
+        m_project.Dispose();
     }
 }

@@ -1,322 +1,321 @@
 using UnityEditor.AssetImporters;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>From a file that is taken into a project to a cloud in its scene.</summary>
+public sealed class EditorImportsTests : EditorFixture
 {
-    /// <summary>From a file that is taken into a project to a cloud in its scene.</summary>
-    public sealed class EditorImportsTests : EditorFixture
+    string HandlePath(string name) => Path.Combine(m_project.Paths.Project, "Assets", name);
+
+    [Test]
+    public void Take_LargeFile_BecomesAHandleThatKnowsItsCloudWhenItIsConverted()
     {
-        string HandlePath(string name) => Path.Combine(m_project.Paths.Project, "Assets", name);
+        string source = m_project.Scratch.Demo("scan.las", 20_000);
 
-        [Test]
-        public void Take_LargeFile_BecomesAHandleThatKnowsItsCloudWhenItIsConverted()
+        var asset = m_project.Imports.Take(source, "Assets");
+
+        Assert.That(m_logged, Is.Empty);
+        Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
+        Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/scan.fastpoints"));
+        Assert.That(asset.Points, Is.EqualTo(-1), "nobody has counted them");
+        Assert.That(new FileInfo(HandlePath("scan.pointcloud")).Length, Is.LessThan(2000));
+
+        m_project.UpdateToTheEnd();
+
+        Assert.That(asset.Points, Is.EqualTo(20_000));
+        var handle = HandleFile.Read(HandlePath("scan.pointcloud"));
+        Assert.That(handle.CloudId, Is.Not.Zero);
+        Assert.That(handle.Stamp.Compare(new[] { source }), Is.EqualTo(SourceChange.None));
+        Assert.That(Progress.Entries.Single().Status, Is.EqualTo(Progress.Status.Succeeded));
+        var verified = CliCall.Of("verify", m_project.Paths.Absolute(handle.CloudPath), "--against", source, "--quiet");
+        Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Error);
+    }
+
+    [Test]
+    public void Take_TwoFilesOfOneName_AreTwoClouds()
+    {
+        Directory.CreateDirectory(m_project.Scratch["other"]);
+        string one = m_project.Scratch.Demo("scan.las", 3000), two = m_project.Scratch.Demo("other/scan.las", 4000);
+        var first = m_project.Imports.Take(one, "Assets");
+        var second = m_project.Imports.Take(two, "Assets");
+        Assert.That(second.ProjectPath, Is.EqualTo("PointClouds/scan 2.fastpoints"));
+
+        m_project.UpdateToTheEnd();
+
+        Assert.That((first.Points, second.Points), Is.EqualTo((3000L, 4000L)));
+    }
+
+    [Test]
+    public void Take_ConvertedFolder_IsReferredToAsItIs()
+    {
+        string folder = m_project.Scratch["far.fastpoints"];
+        Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", folder, "--quiet").Status, Is.Zero);
+
+        var asset = m_project.Imports.Take(folder, "Assets");
+
+        Assert.That(asset.Points, Is.EqualTo(3000));
+        Assert.That(asset.File().FullPath, Is.EqualTo(folder));
+        Assert.That(asset.PlayerPath, Does.Match("^PointClouds/far-[0-9a-f]{8}\\.fastpoints$"));
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+    }
+
+    [Test]
+    public void Take_SourceThatIsGone_SaysSoAndCanBeTriedAgain()
+    {
+        string source = m_project.Scratch.Demo("scan.las", 3000);
+        m_project.Imports.Take(source, "Assets");
+        File.Move(source, source + ".away");
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => m_logged.Count > 0);
+        Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: ").And.EndsWith("no such file or folder"));
+
+        File.Move(source + ".away", source);
+        m_project.Imports.Queue.Resume(m_project.Imports.RequestOf("Assets/scan.pointcloud"));
+        m_project.UpdateToTheEnd();
+        Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(3000));
+    }
+
+    [Test]
+    public void Suspend_InTheMiddle_IsFinishedAfterTheReload()
+    {
+        string source = m_project.Scratch.Demo("scan.las", 100_000);
+        m_project.Imports.Take(source, "Assets");
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+            () => m_project.Imports.Queue.Session?.Progress.Current == "read");
+        m_project.Imports.Suspend();
+
+        using var reloaded = new EditorImports(m_project.Paths, FastPointsSettings.instance);
+        var asset = m_project.Asset("Assets/scan.pointcloud");
+        ImportProject.Updates(() => reloaded.Update(DateTime.UtcNow), () => asset.Points > 0);
+        Assert.That(asset.Points, Is.EqualTo(100_000));
+    }
+
+    [Test]
+    public void ProgressButtons_PauseAndCancelTheConversion()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
+        var shown = Progress.Entries[0];
+        Assert.That(shown.Name, Is.EqualTo("Convert scan.pointcloud"));
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+            () => m_project.Imports.Queue.Session.State == BuildState.Building);
+
+        Assert.That(Progress.Pause(0), Is.True);
+        Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Paused));
+        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused));
+        Assert.That(Progress.Resume(0), Is.True);
+        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Building));
+        Assert.That(Progress.Cancel(0), Is.True);
+        Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
+        m_project.UpdateToTheEnd();
+        Assert.That(Directory.GetDirectories(m_project.Paths.Clouds), Is.Empty);
+        Assert.That(Directory.GetFiles(m_project.Paths.Clouds).Select(Path.GetFileName),
+            Is.SubsetOf(new[] { "scan.preview.png" }));
+        Assert.That(m_logged, Is.Empty);
+    }
+
+    /// <summary>Unity's window shows as paused what says that it is.</summary>
+    [Test]
+    public void ProgressPause_BeforeTheFileIsOpen_IsRefused()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Opening));
+        Assert.That(Progress.Pause(0), Is.False);
+        Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Running));
+    }
+
+    /// <summary>Unity cancels what it manages when scripts are reloaded, with the callback of its window's button.</summary>
+    [Test]
+    public void Reload_WhileTheConversionIsShown_IsNoCancel()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
+
+        AssemblyReloadEvents.Reload();
+
+        Assert.That(Progress.Entries.All(e => e.HasEnded), Is.True, "nobody would end it");
+        var asset = m_project.Asset("Assets/scan.pointcloud");
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => asset.Points > 0);
+        Assert.That(asset.Points, Is.EqualTo(100_000));
+    }
+
+    [Test]
+    public void PointFile_InAssets_IsImportedByItsHeaderAndConverted()
+    {
+        m_project.Scratch.Demo("project/Assets/scan.las", 5000);
+        AssetDatabase.Refresh();
+        var asset = m_project.Asset("Assets/scan.las");
+        Assert.That(ScriptedImports.Last.Errors, Is.Empty);
+        Assert.That((asset.name, asset.Points), Is.EqualTo(("scan", 5000L)));
+        Assert.That(asset.File().FullPath, Does.Match("/project/PointClouds/[0-9a-f]{32}\\.fastpoints$"));
+
+        m_project.UpdateToTheEnd();
+        Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.las"), out var cloud),
+            Is.EqualTo(CatalogMatch.InPlace));
+        Assert.That(cloud.Manifest.Points, Is.EqualTo(5000));
+
+        m_project.Imports.TakePointFile("Assets/scan.las");
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "it is converted already");
+    }
+
+    [Test]
+    public void Import_UpAxisAndUnit_DecideOnHowTheCloudStands()
+    {
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.UpdateToTheEnd();
+        Assert.That(asset.TryGetSpace(out var bounds, out var asIs), Is.True);
+        Assert.That((asIs.Up, asIs.OriginGeo), Is.EqualTo((UpAxis.Z, asset.Origin)));
+
+        m_project.Apply("Assets/scan.pointcloud", i => (i.UpAxis, i.MetresPerUnit) = (UpAxis.Y, 0.001));
+
+        Assert.That(asset.TryGetSpace(out _, out var turned), Is.True);
+        Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, 0.001)));
+        Assert.That(turned.OriginGeo.y, Is.EqualTo(bounds.Min.y).Within(0.5), "another floor");
+        Assert.That((asset.File().Up, asset.File().UnitMetres), Is.EqualTo((UpAxis.Y, 0.001)));
+
+        m_project.Apply("Assets/scan.pointcloud", null);
+        Assert.That(asset.TryGetSpace(out _, out var back), Is.True);
+        Assert.That(back, Is.EqualTo(asIs));
+    }
+
+    [Test]
+    public void Import_ConvertedWithAnotherUpAxis_StaysWhereItIs()
+    {
+        ScriptedImports.Configure = importer => ((CloudImporter)importer).UpAxis = UpAxis.Y;
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.UpdateToTheEnd();
+
+        var handle = m_project.Imports.HandleOf("Assets/scan.pointcloud");
+        Assert.That(handle.OriginUp, Is.EqualTo(UpAxis.Y));
+        Assert.That(asset.Origin, Is.EqualTo(handle.Origin));
+        Assert.That(asset.Origin.y, Is.EqualTo(asset.BoundsMin.y).Within(0.5));
+    }
+
+    [Test]
+    public void PointCloud_AssetGetsAnotherUpAxis_IsTurned()
+    {
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.UpdateToTheEnd();
+        using var world = StreamingWorld();
+        var cloud = PointCloudDrops.Show(asset, null, null);
+        void ShownAs(UpAxis up) => ImportProject.Updates(() =>
         {
-            string source = m_project.Scratch.Demo("scan.las", 20_000);
-
-            var asset = m_project.Imports.Take(source, "Assets");
-
-            Assert.That(m_logged, Is.Empty);
-            Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
-            Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/scan.fastpoints"));
-            Assert.That(asset.Points, Is.EqualTo(-1), "nobody has counted them");
-            Assert.That(new FileInfo(HandlePath("scan.pointcloud")).Length, Is.LessThan(2000));
-
-            m_project.UpdateToTheEnd();
-
-            Assert.That(asset.Points, Is.EqualTo(20_000));
-            var handle = HandleFile.Read(HandlePath("scan.pointcloud"));
-            Assert.That(handle.CloudId, Is.Not.Zero);
-            Assert.That(handle.Stamp.Compare(new[] { source }), Is.EqualTo(SourceChange.None));
-            Assert.That(Progress.Entries.Single().Status, Is.EqualTo(Progress.Status.Succeeded));
-            var verified = CliCall.Of("verify", m_project.Paths.Absolute(handle.CloudPath), "--against", source, "--quiet");
-            Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Error);
-        }
-
-        [Test]
-        public void Take_TwoFilesOfOneName_AreTwoClouds()
-        {
-            Directory.CreateDirectory(m_project.Scratch["other"]);
-            string one = m_project.Scratch.Demo("scan.las", 3000), two = m_project.Scratch.Demo("other/scan.las", 4000);
-            var first = m_project.Imports.Take(one, "Assets");
-            var second = m_project.Imports.Take(two, "Assets");
-            Assert.That(second.ProjectPath, Is.EqualTo("PointClouds/scan 2.fastpoints"));
-
-            m_project.UpdateToTheEnd();
-
-            Assert.That((first.Points, second.Points), Is.EqualTo((3000L, 4000L)));
-        }
-
-        [Test]
-        public void Take_ConvertedFolder_IsReferredToAsItIs()
-        {
-            string folder = m_project.Scratch["far.fastpoints"];
-            Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", folder, "--quiet").Status, Is.Zero);
-
-            var asset = m_project.Imports.Take(folder, "Assets");
-
-            Assert.That(asset.Points, Is.EqualTo(3000));
-            Assert.That(asset.File().FullPath, Is.EqualTo(folder));
-            Assert.That(asset.PlayerPath, Does.Match("^PointClouds/far-[0-9a-f]{8}\\.fastpoints$"));
-            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
-        }
-
-        [Test]
-        public void Take_SourceThatIsGone_SaysSoAndCanBeTriedAgain()
-        {
-            string source = m_project.Scratch.Demo("scan.las", 3000);
-            m_project.Imports.Take(source, "Assets");
-            File.Move(source, source + ".away");
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => m_logged.Count > 0);
-            Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: ").And.EndsWith("no such file or folder"));
-
-            File.Move(source + ".away", source);
-            m_project.Imports.Queue.Resume(m_project.Imports.RequestOf("Assets/scan.pointcloud"));
-            m_project.UpdateToTheEnd();
-            Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(3000));
-        }
-
-        [Test]
-        public void Suspend_InTheMiddle_IsFinishedAfterTheReload()
-        {
-            string source = m_project.Scratch.Demo("scan.las", 100_000);
-            m_project.Imports.Take(source, "Assets");
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-                () => m_project.Imports.Queue.Session?.Progress.Current == "read");
-            m_project.Imports.Suspend();
-
-            using var reloaded = new EditorImports(m_project.Paths, FastPointsSettings.instance);
-            var asset = m_project.Asset("Assets/scan.pointcloud");
-            ImportProject.Updates(() => reloaded.Update(DateTime.UtcNow), () => asset.Points > 0);
-            Assert.That(asset.Points, Is.EqualTo(100_000));
-        }
-
-        [Test]
-        public void ProgressButtons_PauseAndCancelTheConversion()
-        {
-            m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
-            var shown = Progress.Entries[0];
-            Assert.That(shown.Name, Is.EqualTo("Convert scan.pointcloud"));
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-                () => m_project.Imports.Queue.Session.State == BuildState.Building);
-
-            Assert.That(Progress.Pause(0), Is.True);
-            Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Paused));
-            Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused));
-            Assert.That(Progress.Resume(0), Is.True);
-            Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Building));
-            Assert.That(Progress.Cancel(0), Is.True);
-            Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
-            m_project.UpdateToTheEnd();
-            Assert.That(Directory.GetDirectories(m_project.Paths.Clouds), Is.Empty);
-            Assert.That(Directory.GetFiles(m_project.Paths.Clouds).Select(Path.GetFileName),
-                Is.SubsetOf(new[] { "scan.preview.png" }));
-            Assert.That(m_logged, Is.Empty);
-        }
-
-        /// <summary>Unity's window shows as paused what says that it is.</summary>
-        [Test]
-        public void ProgressPause_BeforeTheFileIsOpen_IsRefused()
-        {
-            m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            m_project.Imports.Update(DateTime.UtcNow);
-            Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Opening));
-            Assert.That(Progress.Pause(0), Is.False);
-            Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Running));
-        }
-
-        /// <summary>Unity cancels what it manages when scripts are reloaded, with the callback of its window's button.</summary>
-        [Test]
-        public void Reload_WhileTheConversionIsShown_IsNoCancel()
-        {
-            m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
-
-            AssemblyReloadEvents.Reload();
-
-            Assert.That(Progress.Entries.All(e => e.HasEnded), Is.True, "nobody would end it");
-            var asset = m_project.Asset("Assets/scan.pointcloud");
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => asset.Points > 0);
-            Assert.That(asset.Points, Is.EqualTo(100_000));
-        }
-
-        [Test]
-        public void PointFile_InAssets_IsImportedByItsHeaderAndConverted()
-        {
-            m_project.Scratch.Demo("project/Assets/scan.las", 5000);
-            AssetDatabase.Refresh();
-            var asset = m_project.Asset("Assets/scan.las");
-            Assert.That(ScriptedImports.Last.Errors, Is.Empty);
-            Assert.That((asset.name, asset.Points), Is.EqualTo(("scan", 5000L)));
-            Assert.That(asset.File().FullPath, Does.Match("/project/PointClouds/[0-9a-f]{32}\\.fastpoints$"));
-
-            m_project.UpdateToTheEnd();
-            Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.las"), out var cloud),
-                Is.EqualTo(CatalogMatch.InPlace));
-            Assert.That(cloud.Manifest.Points, Is.EqualTo(5000));
-
-            m_project.Imports.TakePointFile("Assets/scan.las");
-            Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "it is converted already");
-        }
-
-        [Test]
-        public void Import_UpAxisAndUnit_DecideOnHowTheCloudStands()
-        {
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            m_project.UpdateToTheEnd();
-            Assert.That(asset.TryGetSpace(out var bounds, out var asIs), Is.True);
-            Assert.That((asIs.Up, asIs.OriginGeo), Is.EqualTo((UpAxis.Z, asset.Origin)));
-
-            m_project.Apply("Assets/scan.pointcloud", i => (i.UpAxis, i.MetresPerUnit) = (UpAxis.Y, 0.001));
-
-            Assert.That(asset.TryGetSpace(out _, out var turned), Is.True);
-            Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, 0.001)));
-            Assert.That(turned.OriginGeo.y, Is.EqualTo(bounds.Min.y).Within(0.5), "another floor");
-            Assert.That((asset.File().Up, asset.File().UnitMetres), Is.EqualTo((UpAxis.Y, 0.001)));
-
-            m_project.Apply("Assets/scan.pointcloud", null);
-            Assert.That(asset.TryGetSpace(out _, out var back), Is.True);
-            Assert.That(back, Is.EqualTo(asIs));
-        }
-
-        [Test]
-        public void Import_ConvertedWithAnotherUpAxis_StaysWhereItIs()
-        {
-            ScriptedImports.Configure = importer => ((CloudImporter)importer).UpAxis = UpAxis.Y;
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            m_project.UpdateToTheEnd();
-
-            var handle = m_project.Imports.HandleOf("Assets/scan.pointcloud");
-            Assert.That(handle.OriginUp, Is.EqualTo(UpAxis.Y));
-            Assert.That(asset.Origin, Is.EqualTo(handle.Origin));
-            Assert.That(asset.Origin.y, Is.EqualTo(asset.BoundsMin.y).Within(0.5));
-        }
-
-        [Test]
-        public void PointCloud_AssetGetsAnotherUpAxis_IsTurned()
-        {
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            m_project.UpdateToTheEnd();
-            using var world = StreamingWorld();
-            var cloud = PointCloudDrops.Show(asset, null, null);
-            void ShownAs(UpAxis up) => ImportProject.Updates(() =>
-            {
-                SceneLoop.Update();
-                world.Update();
-            }, () => cloud.TryGetSpace(out var space) && space.Up == up);
-            ShownAs(UpAxis.Z);
-
-            m_project.Apply("Assets/scan.pointcloud", importer => importer.UpAxis = UpAxis.X);
-
-            ShownAs(UpAxis.X);
-            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
-        }
-
-        [TestCase("Assets/x.pointcloud", "{}")]
-        [TestCase("Assets/x.las", "LASF")]
-        public void Import_DamagedFile_IsAnEmptyAssetAndAnError(string path, string content)
-        {
-            File.WriteAllText(Path.Combine(m_project.Paths.Project, path), content);
-            AssetDatabase.Refresh();
-            Assert.That(ScriptedImports.Last.Errors.Single(), Does.StartWith(path + ": "));
-            Assert.That(m_project.Asset(path).Points, Is.EqualTo(-1));
-        }
-
-        [Test]
-        public void Take_Copc_IsStreamedAsItIsUnlessTheSettingsSayOtherwise()
-        {
-            var asset = m_project.Imports.Take(m_project.Copc("scan.copc.laz"), "Assets");
-
-            Assert.That(m_logged, Is.Empty);
-            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
-            Assert.That(asset.File().FullSources().Single(), Does.EndWith("scan.copc.laz"));
-            Assert.That(asset.PlayerSource, Does.Match("^PointClouds/[0-9a-f]{8}/scan.copc.laz$"));
-
-            FastPointsSettings.instance.ConvertOctrees = true;
-            m_project.Imports.Take(m_project.Copc("other.copc.laz"), "Assets");
-            Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1));
-        }
-
-        [Test]
-        public void Take_ConvertAtOnceOff_LeavesTheFileToItsPreview()
-        {
-            FastPointsSettings.instance.ConvertAtOnce = false;
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
-            Assert.That(asset.PlayerSource, Is.Empty, "a player cannot stream it");
-            using var world = StreamingWorld();
-            var cloud = PointCloudDrops.Show(asset, null, null);
-            ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
-            Assert.That(cloud.Error, Is.Null);
-            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
-        }
-
-        static World StreamingWorld()
-        {
-            var world = new World("default");
-            World.DefaultGameObjectInjectionWorld = world;
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
-                typeof(ControlNodesSystem), typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem),
-                typeof(ListNodesSystem));
-            world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
-            return world;
-        }
-
-        /// <summary>A component in the scene shows the file at once, then the cloud, in the same place; and so does the next
-        /// session.</summary>
-        [Test]
-        public void PointCloud_OfACloudThatIsBeingConverted_ShowsThePreviewAndThenTheCloudWhereItWas()
-        {
-            using var world = StreamingWorld();
-            var stream = world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
-            Assert.That(cloud.transform.position.z, Is.EqualTo(3));
-            ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
-            var entity = cloud.Entity;
-            Assert.That(cloud.TryGetSpace(out var space), Is.True);
-
-            m_project.UpdateToTheEnd();
-
-            NodeSource Shown() => stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source;
-            ImportProject.Updates(world.Update, () => Shown() is FolderSource);
-            Assert.That(cloud.Entity, Is.EqualTo(entity), "it was not opened anew");
-            Assert.That(cloud.TryGetSpace(out var later) && later.Equals(space), Is.True);
-            var origin = HandleFile.Read(HandlePath("scan.pointcloud")).Origin;
-            Assert.That(origin, Is.EqualTo(space.OriginGeo));
-            Assert.That(asset.HasOrigin && asset.Origin.Equals(origin), Is.True);
-
-            CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
-            EditorImports.Refresh("Assets/scan.pointcloud");
-            ImportProject.Updates(world.Update, () => Shown() is TreeSource);
-            Assert.That(m_logged, Is.Empty);
-            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
-        }
-
-        /// <summary>There are no frames in edit mode but those that are asked for.</summary>
-        [Test]
-        public void EditModeFrames_CloudThatComes_AreAskedForUntilItIsThere()
-        {
-            using var world = StreamingWorld();
-            int Asked()
-            {
-                int before = EditorApplication.s_queuedUpdates;
-                EditModeFrames.Update();
-                return EditorApplication.s_queuedUpdates - before;
-            }
-            void Rest() => ImportProject.Updates(world.Update, () => Asked() == 0);
-            Rest();
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-            var cloud = PointCloudDrops.Show(asset, null, null);
+            SceneLoop.Update();
             world.Update();
-            Assert.That(Asked(), Is.EqualTo(1));
-            Rest();
-            Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.True);
-            EditorApplication.isPlaying = true;
-            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
-            world.Update();
-            Assert.That(Asked(), Is.Zero, "the player loop runs anyway");
-            EditorApplication.isPlaying = false;
+        }, () => cloud.TryGetSpace(out var space) && space.Up == up);
+        ShownAs(UpAxis.Z);
+
+        m_project.Apply("Assets/scan.pointcloud", importer => importer.UpAxis = UpAxis.X);
+
+        ShownAs(UpAxis.X);
+        UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+    }
+
+    [TestCase("Assets/x.pointcloud", "{}")]
+    [TestCase("Assets/x.las", "LASF")]
+    public void Import_DamagedFile_IsAnEmptyAssetAndAnError(string path, string content)
+    {
+        File.WriteAllText(Path.Combine(m_project.Paths.Project, path), content);
+        AssetDatabase.Refresh();
+        Assert.That(ScriptedImports.Last.Errors.Single(), Does.StartWith(path + ": "));
+        Assert.That(m_project.Asset(path).Points, Is.EqualTo(-1));
+    }
+
+    [Test]
+    public void Take_Copc_IsStreamedAsItIsUnlessTheSettingsSayOtherwise()
+    {
+        var asset = m_project.Imports.Take(m_project.Copc("scan.copc.laz"), "Assets");
+
+        Assert.That(m_logged, Is.Empty);
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+        Assert.That(asset.File().FullSources().Single(), Does.EndWith("scan.copc.laz"));
+        Assert.That(asset.PlayerSource, Does.Match("^PointClouds/[0-9a-f]{8}/scan.copc.laz$"));
+
+        FastPointsSettings.instance.ConvertOctrees = true;
+        m_project.Imports.Take(m_project.Copc("other.copc.laz"), "Assets");
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Take_ConvertAtOnceOff_LeavesTheFileToItsPreview()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+        Assert.That(asset.PlayerSource, Is.Empty, "a player cannot stream it");
+        using var world = StreamingWorld();
+        var cloud = PointCloudDrops.Show(asset, null, null);
+        ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+        Assert.That(cloud.Error, Is.Null);
+        UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+    }
+
+    static World StreamingWorld()
+    {
+        var world = new World("default");
+        World.DefaultGameObjectInjectionWorld = world;
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
+            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
+            typeof(ControlNodesSystem), typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem),
+            typeof(ListNodesSystem));
+        world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+        return world;
+    }
+
+    /// <summary>A component in the scene shows the file at once, then the cloud, in the same place; and so does the next
+    /// session.</summary>
+    [Test]
+    public void PointCloud_OfACloudThatIsBeingConverted_ShowsThePreviewAndThenTheCloudWhereItWas()
+    {
+        using var world = StreamingWorld();
+        var stream = world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
+        Assert.That(cloud.transform.position.z, Is.EqualTo(3));
+        ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+        var entity = cloud.Entity;
+        Assert.That(cloud.TryGetSpace(out var space), Is.True);
+
+        m_project.UpdateToTheEnd();
+
+        NodeSource Shown() => stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source;
+        ImportProject.Updates(world.Update, () => Shown() is FolderSource);
+        Assert.That(cloud.Entity, Is.EqualTo(entity), "it was not opened anew");
+        Assert.That(cloud.TryGetSpace(out var later) && later.Equals(space), Is.True);
+        var origin = HandleFile.Read(HandlePath("scan.pointcloud")).Origin;
+        Assert.That(origin, Is.EqualTo(space.OriginGeo));
+        Assert.That(asset.HasOrigin && asset.Origin.Equals(origin), Is.True);
+
+        CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
+        EditorImports.Refresh("Assets/scan.pointcloud");
+        ImportProject.Updates(world.Update, () => Shown() is TreeSource);
+        Assert.That(m_logged, Is.Empty);
+        UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+    }
+
+    /// <summary>There are no frames in edit mode but those that are asked for.</summary>
+    [Test]
+    public void EditModeFrames_CloudThatComes_AreAskedForUntilItIsThere()
+    {
+        using var world = StreamingWorld();
+        int Asked()
+        {
+            int before = EditorApplication.s_queuedUpdates;
+            EditModeFrames.Update();
+            return EditorApplication.s_queuedUpdates - before;
         }
+        void Rest() => ImportProject.Updates(world.Update, () => Asked() == 0);
+        Rest();
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var cloud = PointCloudDrops.Show(asset, null, null);
+        world.Update();
+        Assert.That(Asked(), Is.EqualTo(1));
+        Rest();
+        Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.True);
+        EditorApplication.isPlaying = true;
+        UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+        world.Update();
+        Assert.That(Asked(), Is.Zero, "the player loop runs anyway");
+        EditorApplication.isPlaying = false;
     }
 }

@@ -1,71 +1,70 @@
 using FastPoints.Feeds;
 using UnityEditor.AssetImporters;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>A project's folder as an editor has it open: it is the current one, and files in <c>Assets</c> are imported by
+/// the package's importers.</summary>
+sealed class EditorProject : IDisposable
 {
-    /// <summary>A project's folder as an editor has it open: it is the current one, and files in <c>Assets</c> are imported by
-    /// the package's importers.</summary>
-    sealed class EditorProject : IDisposable
+    readonly string m_before = Environment.CurrentDirectory;
+
+    public EditorProject()
     {
-        readonly string m_before = Environment.CurrentDirectory;
+        Directory.CreateDirectory(Scratch["project/Assets"]);
+        Environment.CurrentDirectory = Scratch["project"];
+        Application.AssetsPath = Scratch["project/Assets"];
+        ScriptedImports.Register(typeof(CloudImporter).Assembly);
+        Paths = new ProjectPaths(Scratch["project"]);
+        PointFileReaders.Register();
+    }
 
-        public EditorProject()
+    public ScratchFolder Scratch { get; } = new ScratchFolder();
+    public ProjectPaths Paths { get; }
+
+    /// <summary>The editor's own, so that what happens to assets reaches them.</summary>
+    public EditorImports Imports => PointCloudImports.Current;
+
+    /// <summary>A file that is COPC by its name: nobody opens it.</summary>
+    public string Copc(string name)
+    {
+        File.WriteAllText(Scratch[name], "LASF");
+        return Scratch[name];
+    }
+
+    public PointCloudAsset Asset(string path) => AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
+
+    /// <summary>Updates of the editor until nothing is to be converted.</summary>
+    public void UpdateToTheEnd()
+    {
+        var now = DateTime.UtcNow;
+        ImportProject.Updates(() =>
         {
-            Directory.CreateDirectory(Scratch["project/Assets"]);
-            Environment.CurrentDirectory = Scratch["project"];
-            Application.AssetsPath = Scratch["project/Assets"];
-            ScriptedImports.Register(typeof(CloudImporter).Assembly);
-            Paths = new ProjectPaths(Scratch["project"]);
-            PointFileReaders.Register();
-        }
+            now = now.AddSeconds(0.3);
+            Imports.Update(now);
+        }, () => Imports.Queue.Requests.Count == 0);
+    }
 
-        public ScratchFolder Scratch { get; } = new ScratchFolder();
-        public ProjectPaths Paths { get; }
+    /// <summary>As the inspector's Apply: null for what importers begin with.</summary>
+    public void Apply(string asset, Action<CloudImporter> settings)
+    {
+        ScriptedImports.Configure = settings == null ? null : importer => settings((CloudImporter)importer);
+        AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
+    }
 
-        /// <summary>The editor's own, so that what happens to assets reaches them.</summary>
-        public EditorImports Imports => PointCloudImports.Current;
-
-        /// <summary>A file that is COPC by its name: nobody opens it.</summary>
-        public string Copc(string name)
-        {
-            File.WriteAllText(Scratch[name], "LASF");
-            return Scratch[name];
-        }
-
-        public PointCloudAsset Asset(string path) => AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-
-        /// <summary>Updates of the editor until nothing is to be converted.</summary>
-        public void UpdateToTheEnd()
-        {
-            var now = DateTime.UtcNow;
-            ImportProject.Updates(() =>
-            {
-                now = now.AddSeconds(0.3);
-                Imports.Update(now);
-            }, () => Imports.Queue.Requests.Count == 0);
-        }
-
-        /// <summary>As the inspector's Apply: null for what importers begin with.</summary>
-        public void Apply(string asset, Action<CloudImporter> settings)
-        {
-            ScriptedImports.Configure = settings == null ? null : importer => settings((CloudImporter)importer);
-            AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
-        }
-
-        public void Dispose()
-        {
-            // What PointCloudImports holds is this project's.
-            AssemblyReloadEvents.Reload();
-            AssetDatabase.Clear();
-            ScriptedImports.Clear();
-            Progress.Entries.Clear();
-            Undo.Clear();
-            DragAndDrop.paths = Array.Empty<string>();
-            DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();
-            Application.AssetsPath = null;
-            CloudFeeds.Register(null);
-            Environment.CurrentDirectory = m_before;
-            Scratch.Dispose();
-        }
+    public void Dispose()
+    {
+        // What PointCloudImports holds is this project's.
+        AssemblyReloadEvents.Reload();
+        AssetDatabase.Clear();
+        ScriptedImports.Clear();
+        Progress.Entries.Clear();
+        Undo.Clear();
+        DragAndDrop.paths = Array.Empty<string>();
+        DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();
+        Application.AssetsPath = null;
+        CloudFeeds.Register(null);
+        Environment.CurrentDirectory = m_before;
+        Scratch.Dispose();
     }
 }

@@ -1,58 +1,57 @@
 using FastPoints.Convert;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>A project's folder, a scan, and settings of which the points go to files, so that a build can be
+/// continued.</summary>
+sealed class ImportProject : IDisposable
 {
-    /// <summary>A project's folder, a scan, and settings of which the points go to files, so that a build can be
-    /// continued.</summary>
-    sealed class ImportProject : IDisposable
+    public const int Points = 60_000;
+
+    public ImportProject()
     {
-        public const int Points = 60_000;
-
-        public ImportProject()
-        {
-            Paths = new ProjectPaths(Scratch["project"]);
-            Source = Scratch.Demo("scan.las", Points);
-        }
-
-        public ScratchFolder Scratch { get; } = new ScratchFolder();
-        public ProjectPaths Paths { get; }
-        public string Source { get; }
-
-        public string Target(string name = "scan") => Path.Combine(Paths.Clouds, name + ".fastpoints");
-
-        /// <summary>New ones each time, as the sessions want them.</summary>
-        public static ConvertSettings Settings() => new ConvertSettings
-        {
-            MemoryBytes = 1 << 20,
-            PointsPerChunk = 5_000,
-            PointsPerCheckpoint = 20_000,
-        };
-
-        public ImportRequest Request(string name = "scan") => new ImportRequest
-        {
-            Asset = "asset of " + name,
-            Sources = { Source },
-            Cloud = Paths.Stored(Target(name)),
-        };
-
-        /// <summary>As an editor's updates, until something has come about.</summary>
-        public static void Updates(Action update, Func<bool> isDone)
-        {
-            for (int i = 0; i < 2_000_000 && !isDone(); i++)
-            {
-                update();
-                Thread.Yield();
-            }
-            Assert.That(isDone(), Is.True, "nothing came of it");
-        }
-
-        public void AssertIsWhole(string target)
-        {
-            var verified = CliCall.Of("verify", target, "--against", Source, "--quiet");
-            Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Output + verified.Error);
-            Assert.That(Directory.Exists(target + ".part"), Is.False);
-        }
-
-        public void Dispose() => Scratch.Dispose();
+        Paths = new ProjectPaths(Scratch["project"]);
+        Source = Scratch.Demo("scan.las", Points);
     }
+
+    public ScratchFolder Scratch { get; } = new ScratchFolder();
+    public ProjectPaths Paths { get; }
+    public string Source { get; }
+
+    public string Target(string name = "scan") => Path.Combine(Paths.Clouds, name + ".fastpoints");
+
+    /// <summary>New ones each time, as the sessions want them.</summary>
+    public static ConvertSettings Settings() => new ConvertSettings
+    {
+        MemoryBytes = 1 << 20,
+        PointsPerChunk = 5_000,
+        PointsPerCheckpoint = 20_000,
+    };
+
+    public ImportRequest Request(string name = "scan") => new ImportRequest
+    {
+        Asset = "asset of " + name,
+        Sources = { Source },
+        Cloud = Paths.Stored(Target(name)),
+    };
+
+    /// <summary>As an editor's updates, until something has come about.</summary>
+    public static void Updates(Action update, Func<bool> isDone)
+    {
+        for (int i = 0; i < 2_000_000 && !isDone(); i++)
+        {
+            update();
+            Thread.Yield();
+        }
+        Assert.That(isDone(), Is.True, "nothing came of it");
+    }
+
+    public void AssertIsWhole(string target)
+    {
+        var verified = CliCall.Of("verify", target, "--against", Source, "--quiet");
+        Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Output + verified.Error);
+        Assert.That(Directory.Exists(target + ".part"), Is.False);
+    }
+
+    public void Dispose() => Scratch.Dispose();
 }

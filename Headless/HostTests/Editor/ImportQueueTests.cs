@@ -1,241 +1,240 @@
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+public sealed class ImportQueueTests
 {
-    public sealed class ImportQueueTests
+    ImportProject m_project;
+    readonly List<string> m_ended = new List<string>();
+
+    [SetUp]
+    public void MakeProject()
     {
-        ImportProject m_project;
-        readonly List<string> m_ended = new List<string>();
+        m_project = new ImportProject();
+        m_ended.Clear();
+    }
 
-        [SetUp]
-        public void MakeProject()
+    [TearDown]
+    public void DeleteProject() => m_project.Dispose();
+
+    ImportQueue Open()
+    {
+        var queue = new ImportQueue(m_project.Paths, _ => ImportProject.Settings());
+        queue.Ended += (request, session) => m_ended.Add(request.Asset + ": " + session.State);
+        return queue;
+    }
+
+    string FilePath => Path.Combine(m_project.Paths.Clouds, ImportQueue.FileName);
+
+    static void UpdateUntil(ImportQueue queue, Func<bool> isDone) =>
+        ImportProject.Updates(() => queue.Tick(1, DateTime.UtcNow), isDone);
+
+    /// <summary>What a process leaves that is gone without notice.</summary>
+    string[] Crash(ImportQueue queue)
+    {
+        string list = File.ReadAllText(FilePath), part = queue.Session == null ? null : m_project.Target() + ".part";
+        string aside = m_project.Scratch["aside"];
+        queue.Session?.Suspend();
+        if (part != null && Directory.Exists(part))
+            Directory.Move(part, aside);
+        queue.Dispose();
+        File.WriteAllText(FilePath, list);
+        if (Directory.Exists(aside))
+            Directory.Move(aside, part);
+        return list.Split('\n');
+    }
+
+    [Test]
+    public void Tick_SeveralRequests_MakesOneAfterTheOtherAndLeavesOnlyTheClouds()
+    {
+        using var queue = Open();
+        Assert.That(queue.Add(m_project.Request("one")), Is.True);
+        Assert.That(queue.Add(m_project.Request("two")), Is.True);
+        UpdateUntil(queue, () =>
         {
-            m_project = new ImportProject();
-            m_ended.Clear();
+            Assert.That(queue.Requests.Count(r => r.State == ImportState.Running), Is.LessThanOrEqualTo(1));
+            return queue.Requests.Count == 0;
+        });
+
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Done", "asset of two: Done" }));
+        Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "one.fastpoints", "two.fastpoints" }));
+        m_project.AssertIsWhole(m_project.Target("two"));
+    }
+
+    [Test]
+    public void Tick_NothingToDo_WritesNothing()
+    {
+        using var queue = Open();
+        for (int i = 0; i < 10; i++)
+            queue.Tick(1, DateTime.UtcNow.AddMinutes(i));
+        Assert.That(Directory.Exists(m_project.Paths.Clouds), Is.False);
+    }
+
+    [Test]
+    public void Suspend_InTheMiddle_TheNextQueueGoesOn()
+    {
+        using (var before = Open())
+        {
+            before.Add(m_project.Request("scan"));
+            before.Add(m_project.Request("other"));
+            UpdateUntil(before, () => before.Session?.Progress.Current == "index");
+            before.Suspend();
         }
+        Assert.That(File.Exists(Path.Combine(m_project.Paths.Clouds, ImportQueue.LockName)), Is.False);
 
-        [TearDown]
-        public void DeleteProject() => m_project.Dispose();
+        using var after = Open();
+        string note = null;
+        after.Ended += (request, session) => note ??= session.Result.Note;
+        UpdateUntil(after, () => after.Session != null);
+        Assert.That(after.Requests.Select(r => r.Asset), Is.EqualTo(new[] { "asset of scan", "asset of other" }));
+        UpdateUntil(after, () => after.Requests.Count == 0);
+        Assert.That(note, Does.StartWith("continued a build"));
+        m_project.AssertIsWhole(m_project.Target());
+    }
 
-        ImportQueue Open()
+    [Test]
+    public void Crash_InTheMiddle_TheNextQueueGoesOnButNotForever()
+    {
+        for (int crash = 1; crash <= ImportQueue.MostAttempts; crash++)
         {
-            var queue = new ImportQueue(m_project.Paths, _ => ImportProject.Settings());
-            queue.Ended += (request, session) => m_ended.Add(request.Asset + ": " + session.State);
-            return queue;
-        }
-
-        string FilePath => Path.Combine(m_project.Paths.Clouds, ImportQueue.FileName);
-
-        static void UpdateUntil(ImportQueue queue, Func<bool> isDone) =>
-            ImportProject.Updates(() => queue.Tick(1, DateTime.UtcNow), isDone);
-
-        /// <summary>What a process leaves that is gone without notice.</summary>
-        string[] Crash(ImportQueue queue)
-        {
-            string list = File.ReadAllText(FilePath), part = queue.Session == null ? null : m_project.Target() + ".part";
-            string aside = m_project.Scratch["aside"];
-            queue.Session?.Suspend();
-            if (part != null && Directory.Exists(part))
-                Directory.Move(part, aside);
-            queue.Dispose();
-            File.WriteAllText(FilePath, list);
-            if (Directory.Exists(aside))
-                Directory.Move(aside, part);
-            return list.Split('\n');
-        }
-
-        [Test]
-        public void Tick_SeveralRequests_MakesOneAfterTheOtherAndLeavesOnlyTheClouds()
-        {
-            using var queue = Open();
-            Assert.That(queue.Add(m_project.Request("one")), Is.True);
-            Assert.That(queue.Add(m_project.Request("two")), Is.True);
-            UpdateUntil(queue, () =>
-            {
-                Assert.That(queue.Requests.Count(r => r.State == ImportState.Running), Is.LessThanOrEqualTo(1));
-                return queue.Requests.Count == 0;
-            });
-
-            Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Done", "asset of two: Done" }));
-            Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds).Select(Path.GetFileName),
-                Is.EquivalentTo(new[] { "one.fastpoints", "two.fastpoints" }));
-            m_project.AssertIsWhole(m_project.Target("two"));
-        }
-
-        [Test]
-        public void Tick_NothingToDo_WritesNothing()
-        {
-            using var queue = Open();
-            for (int i = 0; i < 10; i++)
-                queue.Tick(1, DateTime.UtcNow.AddMinutes(i));
-            Assert.That(Directory.Exists(m_project.Paths.Clouds), Is.False);
-        }
-
-        [Test]
-        public void Suspend_InTheMiddle_TheNextQueueGoesOn()
-        {
-            using (var before = Open())
-            {
-                before.Add(m_project.Request("scan"));
-                before.Add(m_project.Request("other"));
-                UpdateUntil(before, () => before.Session?.Progress.Current == "index");
-                before.Suspend();
-            }
-            Assert.That(File.Exists(Path.Combine(m_project.Paths.Clouds, ImportQueue.LockName)), Is.False);
-
-            using var after = Open();
-            string note = null;
-            after.Ended += (request, session) => note ??= session.Result.Note;
-            UpdateUntil(after, () => after.Session != null);
-            Assert.That(after.Requests.Select(r => r.Asset), Is.EqualTo(new[] { "asset of scan", "asset of other" }));
-            UpdateUntil(after, () => after.Requests.Count == 0);
-            Assert.That(note, Does.StartWith("continued a build"));
-            m_project.AssertIsWhole(m_project.Target());
-        }
-
-        [Test]
-        public void Crash_InTheMiddle_TheNextQueueGoesOnButNotForever()
-        {
-            for (int crash = 1; crash <= ImportQueue.MostAttempts; crash++)
-            {
-                var queue = Open();
-                if (crash == 1)
-                    queue.Add(m_project.Request());
-                UpdateUntil(queue, () => queue.Session?.Progress.Current == "read");
-                Assert.That(queue.Running.Attempts, Is.EqualTo(crash));
-                Assert.That(Crash(queue), Has.Some.Contains("\"Running\""));
-            }
-
-            using var last = Open();
-            UpdateUntil(last, () => last.Requests.Count == 1);
-            Assert.That(last.Requests[0].State, Is.EqualTo(ImportState.Failed));
-            Assert.That(last.Requests[0].Failure, Does.Contain("3 times"));
-
-            last.Resume(last.Requests[0]);
-            UpdateUntil(last, () => last.Requests.Count == 0);
-            m_project.AssertIsWhole(m_project.Target());
-        }
-
-        [Test]
-        public void Tick_TwoEditorsOnOneProject_OneImportsAndTheOtherSaysWho()
-        {
-            using var first = Open();
-            using var second = Open();
-            first.Add(m_project.Request("one"));
-            UpdateUntil(first, () => first.Session != null);
-            second.Add(m_project.Request("two"));
-            second.Tick(1, DateTime.UtcNow);
-            Assert.That(second.Session, Is.Null);
-            Assert.That(second.Problem, Does.StartWith("process " + Environment.ProcessId + " on "));
-
-            UpdateUntil(first, () => first.Requests.Count == 0);
-            var now = DateTime.UtcNow.AddMinutes(1);
-            ImportProject.Updates(() => second.Tick(1, now), () => second.Requests.Count == 0);
-            Assert.That(second.Problem, Is.Null);
-            Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Done", "asset of two: Done" }));
-        }
-
-        [Test]
-        public void Tick_SourceThatIsGone_FailsAndTheOthersGoOn()
-        {
-            using var queue = Open();
-            var gone = m_project.Request("gone");
-            gone.Sources[0] = "Assets/none.las";
-            queue.Add(gone);
-            queue.Add(m_project.Request("two"));
-            UpdateUntil(queue, () => m_ended.Count == 2);
-
-            Assert.That(m_ended, Is.EqualTo(new[] { "asset of gone: Failed", "asset of two: Done" }));
-            Assert.That(queue.Requests.Single().Failure, Does.EndWith("no such file or folder"));
-            queue.Cancel(gone);
-            queue.Tick(1, DateTime.UtcNow);
-            Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Has.Length.EqualTo(1));
-        }
-
-        [Test]
-        public void Tick_FolderThatCannotBeWritten_SaysSoAndKeepsTheRequests()
-        {
-            Directory.CreateDirectory(m_project.Paths.Project);
-            File.WriteAllText(m_project.Paths.Clouds, "a file where the folder would be");
-            using var queue = Open();
-            queue.Add(m_project.Request());
-            queue.Tick(1, DateTime.UtcNow);
-            Assert.That(queue.Problem, Does.StartWith(m_project.Paths.Clouds));
-
-            File.Delete(m_project.Paths.Clouds);
-            var now = DateTime.UtcNow.AddMinutes(1);
-            ImportProject.Updates(() => queue.Tick(1, now), () => queue.Requests.Count == 0);
-            Assert.That(queue.Problem, Is.Null);
-            m_project.AssertIsWhole(m_project.Target());
-        }
-
-        [Test]
-        public void Pause_WaitingAndRunning_OthersGoFirst()
-        {
-            using var queue = Open();
-            ImportRequest one = m_project.Request("one"), two = m_project.Request("two");
-            queue.Add(one);
-            queue.Add(two);
-            queue.Pause(one);
-            UpdateUntil(queue, () => m_ended.Count == 1);
-            Assert.That(m_ended[0], Is.EqualTo("asset of two: Done"));
-            for (int i = 0; i < 20; i++)
-                queue.Tick(1, DateTime.UtcNow);
-            Assert.That(queue.Session, Is.Null);
-
-            queue.Resume(one);
+            var queue = Open();
+            if (crash == 1)
+                queue.Add(m_project.Request());
             UpdateUntil(queue, () => queue.Session?.Progress.Current == "read");
-            queue.Pause(one);
-            Assert.That(queue.Session.State, Is.EqualTo(BuildState.Paused));
-            queue.Resume(one);
-            UpdateUntil(queue, () => queue.Requests.Count == 0);
+            Assert.That(queue.Running.Attempts, Is.EqualTo(crash));
+            Assert.That(Crash(queue), Has.Some.Contains("\"Running\""));
         }
 
-        [Test]
-        public void Cancel_WhatRuns_LeavesNothingAndTheNextBegins()
-        {
-            using var queue = Open();
-            var one = m_project.Request("one");
-            queue.Add(one);
-            queue.Add(m_project.Request("two"));
-            UpdateUntil(queue, () => queue.Session?.Progress.Current == "index");
-            queue.Cancel(one);
-            Assert.That(Directory.Exists(m_project.Target("one") + ".part"), Is.False);
-            UpdateUntil(queue, () => queue.Requests.Count == 0);
-            Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Cancelled", "asset of two: Done" }));
-        }
+        using var last = Open();
+        UpdateUntil(last, () => last.Requests.Count == 1);
+        Assert.That(last.Requests[0].State, Is.EqualTo(ImportState.Failed));
+        Assert.That(last.Requests[0].Failure, Does.Contain("3 times"));
 
-        [Test]
-        public void Add_FolderThatIsAskedForAlready_IsOneRequest()
-        {
-            using var queue = Open();
-            queue.Add(m_project.Request());
-            queue.Add(m_project.Request());
-            Assert.That(queue.Requests, Has.Count.EqualTo(1));
-            Assert.That(queue.IsPromised(m_project.Target().Replace("scan", "SCAN")), Is.True);
-            UpdateUntil(queue, () => queue.Session != null);
-            Assert.That(queue.Add(m_project.Request()), Is.False);
-        }
+        last.Resume(last.Requests[0]);
+        UpdateUntil(last, () => last.Requests.Count == 0);
+        m_project.AssertIsWhole(m_project.Target());
+    }
 
-        [Test]
-        public void Load_DamagedList_IsPutAsideAndTold()
-        {
-            Directory.CreateDirectory(m_project.Paths.Clouds);
-            File.WriteAllText(FilePath, "{\"version\": 1, \"requests\": [{}]}");
-            using var queue = Open();
+    [Test]
+    public void Tick_TwoEditorsOnOneProject_OneImportsAndTheOtherSaysWho()
+    {
+        using var first = Open();
+        using var second = Open();
+        first.Add(m_project.Request("one"));
+        UpdateUntil(first, () => first.Session != null);
+        second.Add(m_project.Request("two"));
+        second.Tick(1, DateTime.UtcNow);
+        Assert.That(second.Session, Is.Null);
+        Assert.That(second.Problem, Does.StartWith("process " + Environment.ProcessId + " on "));
+
+        UpdateUntil(first, () => first.Requests.Count == 0);
+        var now = DateTime.UtcNow.AddMinutes(1);
+        ImportProject.Updates(() => second.Tick(1, now), () => second.Requests.Count == 0);
+        Assert.That(second.Problem, Is.Null);
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Done", "asset of two: Done" }));
+    }
+
+    [Test]
+    public void Tick_SourceThatIsGone_FailsAndTheOthersGoOn()
+    {
+        using var queue = Open();
+        var gone = m_project.Request("gone");
+        gone.Sources[0] = "Assets/none.las";
+        queue.Add(gone);
+        queue.Add(m_project.Request("two"));
+        UpdateUntil(queue, () => m_ended.Count == 2);
+
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of gone: Failed", "asset of two: Done" }));
+        Assert.That(queue.Requests.Single().Failure, Does.EndWith("no such file or folder"));
+        queue.Cancel(gone);
+        queue.Tick(1, DateTime.UtcNow);
+        Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Has.Length.EqualTo(1));
+    }
+
+    [Test]
+    public void Tick_FolderThatCannotBeWritten_SaysSoAndKeepsTheRequests()
+    {
+        Directory.CreateDirectory(m_project.Paths.Project);
+        File.WriteAllText(m_project.Paths.Clouds, "a file where the folder would be");
+        using var queue = Open();
+        queue.Add(m_project.Request());
+        queue.Tick(1, DateTime.UtcNow);
+        Assert.That(queue.Problem, Does.StartWith(m_project.Paths.Clouds));
+
+        File.Delete(m_project.Paths.Clouds);
+        var now = DateTime.UtcNow.AddMinutes(1);
+        ImportProject.Updates(() => queue.Tick(1, now), () => queue.Requests.Count == 0);
+        Assert.That(queue.Problem, Is.Null);
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
+    [Test]
+    public void Pause_WaitingAndRunning_OthersGoFirst()
+    {
+        using var queue = Open();
+        ImportRequest one = m_project.Request("one"), two = m_project.Request("two");
+        queue.Add(one);
+        queue.Add(two);
+        queue.Pause(one);
+        UpdateUntil(queue, () => m_ended.Count == 1);
+        Assert.That(m_ended[0], Is.EqualTo("asset of two: Done"));
+        for (int i = 0; i < 20; i++)
             queue.Tick(1, DateTime.UtcNow);
-            Assert.That(queue.Problem, Does.Contain("\"asset\": missing"));
-            Assert.That(File.Exists(FilePath + ".bad"), Is.True);
-            Assert.That(queue.Requests, Is.Empty);
-        }
+        Assert.That(queue.Session, Is.Null);
 
-        [Test]
-        public void Load_ListOfALaterVersion_IsLeftAlone()
-        {
-            Directory.CreateDirectory(m_project.Paths.Clouds);
-            File.WriteAllText(FilePath, "{\"version\": 2}");
-            using var queue = Open();
-            queue.Tick(1, DateTime.UtcNow);
-            Assert.That(queue.Problem, Does.Contain("\"version\": wanted 1, got 2"));
-            Assert.That(File.ReadAllText(FilePath), Is.EqualTo("{\"version\": 2}"));
-        }
+        queue.Resume(one);
+        UpdateUntil(queue, () => queue.Session?.Progress.Current == "read");
+        queue.Pause(one);
+        Assert.That(queue.Session.State, Is.EqualTo(BuildState.Paused));
+        queue.Resume(one);
+        UpdateUntil(queue, () => queue.Requests.Count == 0);
+    }
+
+    [Test]
+    public void Cancel_WhatRuns_LeavesNothingAndTheNextBegins()
+    {
+        using var queue = Open();
+        var one = m_project.Request("one");
+        queue.Add(one);
+        queue.Add(m_project.Request("two"));
+        UpdateUntil(queue, () => queue.Session?.Progress.Current == "index");
+        queue.Cancel(one);
+        Assert.That(Directory.Exists(m_project.Target("one") + ".part"), Is.False);
+        UpdateUntil(queue, () => queue.Requests.Count == 0);
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Cancelled", "asset of two: Done" }));
+    }
+
+    [Test]
+    public void Add_FolderThatIsAskedForAlready_IsOneRequest()
+    {
+        using var queue = Open();
+        queue.Add(m_project.Request());
+        queue.Add(m_project.Request());
+        Assert.That(queue.Requests, Has.Count.EqualTo(1));
+        Assert.That(queue.IsPromised(m_project.Target().Replace("scan", "SCAN")), Is.True);
+        UpdateUntil(queue, () => queue.Session != null);
+        Assert.That(queue.Add(m_project.Request()), Is.False);
+    }
+
+    [Test]
+    public void Load_DamagedList_IsPutAsideAndTold()
+    {
+        Directory.CreateDirectory(m_project.Paths.Clouds);
+        File.WriteAllText(FilePath, "{\"version\": 1, \"requests\": [{}]}");
+        using var queue = Open();
+        queue.Tick(1, DateTime.UtcNow);
+        Assert.That(queue.Problem, Does.Contain("\"asset\": missing"));
+        Assert.That(File.Exists(FilePath + ".bad"), Is.True);
+        Assert.That(queue.Requests, Is.Empty);
+    }
+
+    [Test]
+    public void Load_ListOfALaterVersion_IsLeftAlone()
+    {
+        Directory.CreateDirectory(m_project.Paths.Clouds);
+        File.WriteAllText(FilePath, "{\"version\": 2}");
+        using var queue = Open();
+        queue.Tick(1, DateTime.UtcNow);
+        Assert.That(queue.Problem, Does.Contain("\"version\": wanted 1, got 2"));
+        Assert.That(File.ReadAllText(FilePath), Is.EqualTo("{\"version\": 2}"));
     }
 }

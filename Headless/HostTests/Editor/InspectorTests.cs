@@ -1,222 +1,221 @@
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>What the inspectors tell and do, without their windows.</summary>
+public sealed class InspectorTests
 {
-    /// <summary>What the inspectors tell and do, without their windows.</summary>
-    public sealed class InspectorTests
+    [Test]
+    public void ClassesOf_KnownRange_AreThoseThatMeanSomethingAndThoseThatAreHidden()
     {
-        [Test]
-        public void ClassesOf_KnownRange_AreThoseThatMeanSomethingAndThoseThatAreHidden()
-        {
-            Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }),
-                "8 is reserved");
-            Assert.That(ClassFilter.ClassesOf(8, 66, new int[0]).Where(c => c == 8 || c > 22),
-                Is.EqualTo(new[] { 8, 64, 65, 66 }), "the least is there for sure");
-            Assert.That(ClassFilter.ClassesOf(double.NaN, double.NaN, new int[0]), Does.Contain(2).And.Not.Contains(64));
-            Assert.That(ClassFilter.ClassesOf(5, 5, new int[0]), Is.EqualTo(new[] { 5 }));
-            Assert.That(new[] { 2, 8, 64 }.Select(ClassFilter.Label),
-                Is.EqualTo(new[] { "2 ground", "8 reserved", "64 of the user" }));
-        }
+        Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }),
+            "8 is reserved");
+        Assert.That(ClassFilter.ClassesOf(8, 66, new int[0]).Where(c => c == 8 || c > 22),
+            Is.EqualTo(new[] { 8, 64, 65, 66 }), "the least is there for sure");
+        Assert.That(ClassFilter.ClassesOf(double.NaN, double.NaN, new int[0]), Does.Contain(2).And.Not.Contains(64));
+        Assert.That(ClassFilter.ClassesOf(5, 5, new int[0]), Is.EqualTo(new[] { 5 }));
+        Assert.That(new[] { 2, 8, 64 }.Select(ClassFilter.Label),
+            Is.EqualTo(new[] { "2 ground", "8 reserved", "64 of the user" }));
+    }
 
-        [Test]
-        public void Switch_AClass_AddsAndTakesIt()
-        {
-            var hidden = new[] { 2, 6 };
-            Assert.That(ClassFilter.Switch(hidden, 2, false), Is.SameAs(hidden));
-            Assert.That(ClassFilter.Switch(hidden, 3, true), Is.SameAs(hidden));
-            Assert.That(ClassFilter.Switch(hidden, 3, false), Is.EqualTo(new[] { 2, 3, 6 }));
-            Assert.That(ClassFilter.Switch(hidden, 2, true), Is.EqualTo(new[] { 6 }));
-            Assert.That(hidden, Is.EqualTo(new[] { 2, 6 }), "Undo keeps what was");
-        }
+    [Test]
+    public void Switch_AClass_AddsAndTakesIt()
+    {
+        var hidden = new[] { 2, 6 };
+        Assert.That(ClassFilter.Switch(hidden, 2, false), Is.SameAs(hidden));
+        Assert.That(ClassFilter.Switch(hidden, 3, true), Is.SameAs(hidden));
+        Assert.That(ClassFilter.Switch(hidden, 3, false), Is.EqualTo(new[] { 2, 3, 6 }));
+        Assert.That(ClassFilter.Switch(hidden, 2, true), Is.EqualTo(new[] { 6 }));
+        Assert.That(hidden, Is.EqualTo(new[] { 2, 6 }), "Undo keeps what was");
+    }
 
-        [Test]
-        public void Describe_AFrame_SaysWhatItDrewAndWhatIsUnderWay()
+    [Test]
+    public void Describe_AFrame_SaysWhatItDrewAndWhatIsUnderWay()
+    {
+        var stats = new FrameStats
         {
-            var stats = new FrameStats
-            {
-                DrawnPoints = 1_234_567,
-                SelectedPoints = 2_000_000,
-                DrawnNodes = 12,
-                CachedNodes = 40,
-                PoolBytes = 3 << 20,
-                ReadsUnderWay = 3,
-                SelectMs = 0.25,
-                ListMs = 0.5,
-            };
-            var lines = FrameText.Describe(stats, 2_500_000, 512 << 20).ToDictionary(l => l.Key, l => l.Value);
-            Assert.That(lines["Points"], Is.EqualTo("1,234,567 drawn of 2,000,000 selected, 2,500,000 at most"));
-            Assert.That(lines["Graphics memory"], Is.EqualTo("3.0 of 512 MiB"));
-            Assert.That(lines["Reads"], Does.StartWith("3 under way"));
-            Assert.That(lines["Main thread"], Is.EqualTo("0.75 ms"));
-            stats.IsSettled = true;
-            Assert.That(FrameText.Describe(stats, 1, 1).Single(l => l.Key == "Reads").Value, Is.EqualTo("nothing is missing"));
-        }
+            DrawnPoints = 1_234_567,
+            SelectedPoints = 2_000_000,
+            DrawnNodes = 12,
+            CachedNodes = 40,
+            PoolBytes = 3 << 20,
+            ReadsUnderWay = 3,
+            SelectMs = 0.25,
+            ListMs = 0.5,
+        };
+        var lines = FrameText.Describe(stats, 2_500_000, 512 << 20).ToDictionary(l => l.Key, l => l.Value);
+        Assert.That(lines["Points"], Is.EqualTo("1,234,567 drawn of 2,000,000 selected, 2,500,000 at most"));
+        Assert.That(lines["Graphics memory"], Is.EqualTo("3.0 of 512 MiB"));
+        Assert.That(lines["Reads"], Does.StartWith("3 under way"));
+        Assert.That(lines["Main thread"], Is.EqualTo("0.75 ms"));
+        stats.IsSettled = true;
+        Assert.That(FrameText.Describe(stats, 1, 1).Single(l => l.Key == "Reads").Value, Is.EqualTo("nothing is missing"));
+    }
 
-        /// <summary>Both events of each repaint, through a cloud's life: no control may come that was not laid out, and all of
-        /// the fields that are drawn are there.</summary>
-        [Test]
-        public void CloudInspector_ThroughAConversion_IsDrawnWithoutAWord()
+    /// <summary>Both events of each repaint, through a cloud's life: no control may come that was not laid out, and all of
+    /// the fields that are drawn are there.</summary>
+    [Test]
+    public void CloudInspector_ThroughAConversion_IsDrawnWithoutAWord()
+    {
+        using (var project = new EditorProject())
         {
-            using (var project = new EditorProject())
-            {
-                var logged = new List<string>();
-                Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-                var buttons =
-                    new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
-                try
-                {
-                    project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
-                    var importer = new HandleImporter { Path = "Assets/scan.pointcloud" };
-                    var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
-                    void Draw()
-                    {
-                        inspector.DrawInspector();
-                        project.Imports.Update(DateTime.UtcNow);
-                    }
-                    ImportProject.Updates(Draw, () => project.Imports.Queue.Requests.Count == 0);
-                    foreach (string button in buttons)
-                    {
-                        GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
-                        GUILayout.Pressed = button;
-                        GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, inspector.OnInspectorGUI);
-                        GUILayout.Pressed = null;
-                        Draw();
-                    }
-                    ImportProject.Updates(Draw,
-                        () => !project.Imports.Checks.IsChecking && project.Imports.Queue.Requests.Count == 0);
-                    Object.DestroyImmediate(inspector);
-                    Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
-                }
-                finally
-                {
-                    GUILayout.Pressed = null;
-                    Event.current = null;
-                    Debug.s_sink = null;
-                }
-            }
-        }
-
-        [Test]
-        public void ComponentInspectors_OfAScene_AreDrawnWithoutAWord()
-        {
-            var scene = new GameObject("scan");
+            var logged = new List<string>();
+            Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+            var buttons =
+                new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
             try
             {
-                var editor = UnityEditor.Editor.Of<PointCloudEditor>(scene.AddComponent<FastPoints.Entities.PointCloud>());
-                editor.Draw();
-                scene.AddComponent<FastPoints.Entities.PointCloudSettings>();
-                editor.Draw();
-                Object.DestroyImmediate(editor);
-                foreach (var provider in TypeCache.GetMethodsWithAttribute<SettingsProviderAttribute>())
+                project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
+                var importer = new HandleImporter { Path = "Assets/scan.pointcloud" };
+                var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
+                void Draw()
                 {
-                    var page = (SettingsProvider)provider.Invoke(null, null);
-                    Assert.That((page.scope, page.settingsPath), Is.EqualTo((SettingsScope.Project, "Project/FastPoints")));
-                    GUILayoutUtility.Repaint(() => page.guiHandler(""));
+                    inspector.DrawInspector();
+                    project.Imports.Update(DateTime.UtcNow);
                 }
+                ImportProject.Updates(Draw, () => project.Imports.Queue.Requests.Count == 0);
+                foreach (string button in buttons)
+                {
+                    GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
+                    GUILayout.Pressed = button;
+                    GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, inspector.OnInspectorGUI);
+                    GUILayout.Pressed = null;
+                    Draw();
+                }
+                ImportProject.Updates(Draw,
+                    () => !project.Imports.Checks.IsChecking && project.Imports.Queue.Requests.Count == 0);
+                Object.DestroyImmediate(inspector);
+                Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
             }
             finally
             {
+                GUILayout.Pressed = null;
                 Event.current = null;
-                Object.DestroyImmediate(scene);
+                Debug.s_sink = null;
             }
         }
+    }
 
-        [Test]
-        public void FindProperty_OfWhatUnityDoesNotKeep_IsNull()
+    [Test]
+    public void ComponentInspectors_OfAScene_AreDrawnWithoutAWord()
+    {
+        var scene = new GameObject("scan");
+        try
         {
-            var asset = new SerializedObject(ScriptableObject.CreateInstance<FastPoints.Entities.PointCloudAsset>());
-            Assert.That(asset.FindProperty("m_Script"), Is.Not.Null);
-            Assert.That(asset.FindProperty("ProjectPath"), Is.Not.Null);
-            Assert.That(asset.FindProperty("Unknown"), Is.Null);
-            Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")),
-                Throws.TypeOf<NullReferenceException>());
-        }
-
-        [Test]
-        public void Layout_AControlMoreAtTheRepaint_IsThrownOut()
-        {
-            int controls = 1;
-            void Draw()
+            var editor = UnityEditor.Editor.Of<PointCloudEditor>(scene.AddComponent<FastPoints.Entities.PointCloud>());
+            editor.Draw();
+            scene.AddComponent<FastPoints.Entities.PointCloudSettings>();
+            editor.Draw();
+            Object.DestroyImmediate(editor);
+            foreach (var provider in TypeCache.GetMethodsWithAttribute<SettingsProviderAttribute>())
             {
-                for (int i = 0; i < controls; i++)
-                    GUILayout.Label("one");
-                controls++;
+                var page = (SettingsProvider)provider.Invoke(null, null);
+                Assert.That((page.scope, page.settingsPath), Is.EqualTo((SettingsScope.Project, "Project/FastPoints")));
+                GUILayoutUtility.Repaint(() => page.guiHandler(""));
             }
-            Assert.That(() => GUILayoutUtility.Repaint(Draw), Throws.ArgumentException);
-            controls = 1;
-            GUILayoutUtility.Send(new Event { type = EventType.Layout }, Draw);
-            Assert.That(() => GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, Draw),
-                Throws.Nothing, "a click may change it");
+        }
+        finally
+        {
+            Event.current = null;
+            Object.DestroyImmediate(scene);
+        }
+    }
+
+    [Test]
+    public void FindProperty_OfWhatUnityDoesNotKeep_IsNull()
+    {
+        var asset = new SerializedObject(ScriptableObject.CreateInstance<FastPoints.Entities.PointCloudAsset>());
+        Assert.That(asset.FindProperty("m_Script"), Is.Not.Null);
+        Assert.That(asset.FindProperty("ProjectPath"), Is.Not.Null);
+        Assert.That(asset.FindProperty("Unknown"), Is.Null);
+        Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")),
+            Throws.TypeOf<NullReferenceException>());
+    }
+
+    [Test]
+    public void Layout_AControlMoreAtTheRepaint_IsThrownOut()
+    {
+        int controls = 1;
+        void Draw()
+        {
+            for (int i = 0; i < controls; i++)
+                GUILayout.Label("one");
+            controls++;
+        }
+        Assert.That(() => GUILayoutUtility.Repaint(Draw), Throws.ArgumentException);
+        controls = 1;
+        GUILayoutUtility.Send(new Event { type = EventType.Layout }, Draw);
+        Assert.That(() => GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, Draw),
+            Throws.Nothing, "a click may change it");
+        Event.current = null;
+    }
+
+    [Test]
+    public void ImporterInspector_ThatLeavesOutApply_IsToldSo()
+    {
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(text);
+        try
+        {
+            var inspector = UnityEditor.Editor.Of<CarelessInspector>(new HandleImporter());
+            inspector.DrawInspector();
+            Object.DestroyImmediate(inspector);
+            Assert.That(logged.Single(), Does.Contain("must call ApplyRevertGUI"));
+        }
+        finally
+        {
+            Debug.s_sink = null;
             Event.current = null;
         }
+    }
 
-        [Test]
-        public void ImporterInspector_ThatLeavesOutApply_IsToldSo()
+    [Test]
+    public void Check_SoundAndDamagedCloud_SaysSo()
+    {
+        using (var project = new EditorProject())
         {
             var logged = new List<string>();
-            Debug.s_sink = (type, text) => logged.Add(text);
+            Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
             try
             {
-                var inspector = UnityEditor.Editor.Of<CarelessInspector>(new HandleImporter());
-                inspector.DrawInspector();
-                Object.DestroyImmediate(inspector);
-                Assert.That(logged.Single(), Does.Contain("must call ApplyRevertGUI"));
+                var asset = project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
+                project.UpdateToTheEnd();
+                string path = project.Paths.Absolute(asset.ProjectPath);
+                CloudCheck Verify()
+                {
+                    project.Imports.Checks.Begin(path);
+                    ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow),
+                        () => !project.Imports.Checks.IsChecking);
+                    return project.Imports.Checks.Check;
+                }
+                Assert.That(Verify().Describe(), Is.EqualTo("20,000 points are as they were converted"));
+                Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Succeeded));
+
+                string damaged = Directory.GetFiles(path, "*.bin", SearchOption.AllDirectories)
+                    .OrderByDescending(f => new FileInfo(f).Length).First();
+                var bytes = File.ReadAllBytes(damaged);
+                bytes[bytes.Length / 2] ^= 4;
+                File.WriteAllBytes(damaged, bytes);
+                Assert.That(Verify().Describe(), Does.Match("^\\d+ problems:\n.*\\.bin"));
+                Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Failed));
+                Assert.That(logged.Last(), Does.StartWith("Error: FastPoints: " + path));
+
+                project.Imports.Checks.Begin(path);
+                Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
+                Assert.That(project.Imports.Checks.IsChecking, Is.False);
+                project.Imports.Checks.Begin(path);
+                project.Imports.Suspend();
+                Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
             }
             finally
             {
                 Debug.s_sink = null;
-                Event.current = null;
             }
         }
+    }
 
-        [Test]
-        public void Check_SoundAndDamagedCloud_SaysSo()
+    sealed class CarelessInspector : UnityEditor.AssetImporters.ScriptedImporterEditor
+    {
+        public override void OnInspectorGUI()
         {
-            using (var project = new EditorProject())
-            {
-                var logged = new List<string>();
-                Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-                try
-                {
-                    var asset = project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
-                    project.UpdateToTheEnd();
-                    string path = project.Paths.Absolute(asset.ProjectPath);
-                    CloudCheck Verify()
-                    {
-                        project.Imports.Checks.Begin(path);
-                        ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow),
-                            () => !project.Imports.Checks.IsChecking);
-                        return project.Imports.Checks.Check;
-                    }
-                    Assert.That(Verify().Describe(), Is.EqualTo("20,000 points are as they were converted"));
-                    Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Succeeded));
-
-                    string damaged = Directory.GetFiles(path, "*.bin", SearchOption.AllDirectories)
-                        .OrderByDescending(f => new FileInfo(f).Length).First();
-                    var bytes = File.ReadAllBytes(damaged);
-                    bytes[bytes.Length / 2] ^= 4;
-                    File.WriteAllBytes(damaged, bytes);
-                    Assert.That(Verify().Describe(), Does.Match("^\\d+ problems:\n.*\\.bin"));
-                    Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Failed));
-                    Assert.That(logged.Last(), Does.StartWith("Error: FastPoints: " + path));
-
-                    project.Imports.Checks.Begin(path);
-                    Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
-                    Assert.That(project.Imports.Checks.IsChecking, Is.False);
-                    project.Imports.Checks.Begin(path);
-                    project.Imports.Suspend();
-                    Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
-                }
-                finally
-                {
-                    Debug.s_sink = null;
-                }
-            }
-        }
-
-        sealed class CarelessInspector : UnityEditor.AssetImporters.ScriptedImporterEditor
-        {
-            public override void OnInspectorGUI()
-            {
-            }
         }
     }
 }

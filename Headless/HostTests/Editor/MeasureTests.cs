@@ -1,298 +1,297 @@
 using FastPoints.Picking;
 using PointCloud = FastPoints.Entities.PointCloud;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>Picking and measuring in a scene, as it is in an editor that does not play.</summary>
+public sealed class MeasureTests
 {
-    /// <summary>Picking and measuring in a scene, as it is in an editor that does not play.</summary>
-    public sealed class MeasureTests
+    const int MostFrames = 500_000;
+
+    ScratchFolder m_scratch;
+    string m_path;
+    CloudFolder m_folder;
+    World m_world;
+    GameObject m_scene;
+    PointCloud m_cloud;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
     {
-        const int MostFrames = 500_000;
+        m_scratch = new ScratchFolder();
+        m_path = m_scratch["scan.fastpoints"];
+        var call = CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", m_path, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_folder = CloudFolder.Open(m_path);
+    }
 
-        ScratchFolder m_scratch;
-        string m_path;
-        CloudFolder m_folder;
-        World m_world;
-        GameObject m_scene;
-        PointCloud m_cloud;
+    [OneTimeTearDown]
+    public void DeleteCloud()
+    {
+        m_folder.Dispose();
+        m_scratch.Dispose();
+    }
 
-        [OneTimeSetUp]
-        public void MakeCloud()
+    [SetUp]
+    public void MakeScene()
+    {
+        m_world = new World("default");
+        World.DefaultGameObjectInjectionWorld = m_world;
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
+        m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+        m_scene = new GameObject("scan");
+        m_cloud = m_scene.AddComponent<PointCloud>();
+        m_cloud.Path = m_path;
+        // Turned by a right angle about the vertical, enlarged and moved.
+        var place = Matrix4x4.zero;
+        (place.m02, place.m11, place.m20, place.m33) = (2, 2, -2, 1);
+        (place.m03, place.m13, place.m23) = (100, 50, -30);
+        SceneLoop.Place(m_scene.transform, place);
+        Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+        Frames(() => true);
+    }
+
+    [TearDown]
+    public void EndScene()
+    {
+        UnityEngine.Object.DestroyImmediate(m_scene);
+        if (m_world.IsCreated)
+            m_world.Dispose();
+        Event.current = null;
+    }
+
+    void Frames(Func<bool> isDone)
+    {
+        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
         {
-            m_scratch = new ScratchFolder();
-            m_path = m_scratch["scan.fastpoints"];
-            var call = CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", m_path, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-            m_folder = CloudFolder.Open(m_path);
-        }
-
-        [OneTimeTearDown]
-        public void DeleteCloud()
-        {
-            m_folder.Dispose();
-            m_scratch.Dispose();
-        }
-
-        [SetUp]
-        public void MakeScene()
-        {
-            m_world = new World("default");
-            World.DefaultGameObjectInjectionWorld = m_world;
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
-            m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
-            m_scene = new GameObject("scan");
-            m_cloud = m_scene.AddComponent<PointCloud>();
-            m_cloud.Path = m_path;
-            // Turned by a right angle about the vertical, enlarged and moved.
-            var place = Matrix4x4.zero;
-            (place.m02, place.m11, place.m20, place.m33) = (2, 2, -2, 1);
-            (place.m03, place.m13, place.m23) = (100, 50, -30);
-            SceneLoop.Place(m_scene.transform, place);
-            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
-            Frames(() => true);
-        }
-
-        [TearDown]
-        public void EndScene()
-        {
-            UnityEngine.Object.DestroyImmediate(m_scene);
-            if (m_world.IsCreated)
-                m_world.Dispose();
-            Event.current = null;
-        }
-
-        void Frames(Func<bool> isDone)
-        {
-            for (int frame = 0; frame < MostFrames && !isDone(); frame++)
-            {
-                SceneLoop.Update();
-                m_world.Update();
-                EditorApplication.update?.Invoke();
-                Thread.Yield();
-            }
             SceneLoop.Update();
             m_world.Update();
-            Assert.That(isDone(), Is.True);
+            EditorApplication.update?.Invoke();
+            Thread.Yield();
         }
+        SceneLoop.Update();
+        m_world.Update();
+        Assert.That(isDone(), Is.True);
+    }
 
-        double3 WorldOf(double3 geo)
+    double3 WorldOf(double3 geo)
+    {
+        var space = m_world.EntityManager.GetComponentData<PointCloudSpace>(m_cloud.Entity).Value.FromGeo(geo);
+        return new double3(100 + 2 * space.z, 50 + 2 * space.y, -30 - 2 * space.x);
+    }
+
+    /// <summary>Straight down on the cloud's middle.</summary>
+    PickRay Down(double east = 0)
+    {
+        var bounds = m_folder.Manifest.BoundsGeo;
+        var above = WorldOf(new double3(bounds.Center.xy + new double2(east, 0), bounds.Max.z + 10));
+        // The scan is a thin one: wide enough to hit something anywhere.
+        return PickRay.FromEye(above, new double3(0, -1, 0), 100, 100);
+    }
+
+    StreamPick Find(ScenePicker picker, PickRay ray)
+    {
+        Assert.That(picker.Begin(ray), Is.True);
+        Frames(() => picker.Update());
+        return picker.Pick;
+    }
+
+    [Test]
+    public void ScenePicker_TurnedAndEnlargedCloud_TellsCoordinatesOfTheFile()
+    {
+        using (var picker = new ScenePicker())
         {
-            var space = m_world.EntityManager.GetComponentData<PointCloudSpace>(m_cloud.Entity).Value.FromGeo(geo);
-            return new double3(100 + 2 * space.z, 50 + 2 * space.y, -30 - 2 * space.x);
+            var ray = Down();
+            var pick = Find(picker, ray);
+            Assert.That(pick.Failure, Is.Null);
+            Assert.That(m_folder.Manifest.BoundsGeo.Contains(pick.Point.PlaceGeo), Is.True);
+            Assert.That(math.distance(WorldOf(pick.Point.PlaceGeo), pick.Point.PlaceWorld), Is.LessThan(1e-6));
+            Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PlaceWorld),
+                Is.LessThan(ray.RadiusAt(pick.Point.Distance)));
+            Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
+            Assert.That(pick.Path, Is.EqualTo(m_path));
+            Assert.That(pick.IsPreview, Is.False);
         }
+    }
 
-        /// <summary>Straight down on the cloud's middle.</summary>
-        PickRay Down(double east = 0)
+    [Test]
+    public void ScenePicker_UnitAndUpAxisThatSomebodySet_AreThoseOfTheDistance()
+    {
+        using (var picker = new ScenePicker())
         {
-            var bounds = m_folder.Manifest.BoundsGeo;
-            var above = WorldOf(new double3(bounds.Center.xy + new double2(east, 0), bounds.Max.z + 10));
-            // The scan is a thin one: wide enough to hit something anywhere.
-            return PickRay.FromEye(above, new double3(0, -1, 0), 100, 100);
+            StreamPick from = Find(picker, Down()), to = Find(picker, Down(5));
+            var asIs = new Measurement(from, to);
+            Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.Z, m_folder.Manifest.MetresPerUnit)));
+            Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
+            var file = m_world.EntityManager.GetComponentObject<PointCloudFile>(m_cloud.Entity);
+            (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
+
+            from = Find(picker, Down());
+
+            var set = new Measurement(from, to);
+            Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.yz)).Within(1e-12));
+            Assert.That(set.LengthMetres, Is.EqualTo(asIs.LengthGeo * 0.25));
         }
+    }
 
-        StreamPick Find(ScenePicker picker, PickRay ray)
+    [Test]
+    public void ScenePicker_WhatIsClippedAndHidden_IsLookedThrough()
+    {
+        using (var picker = new ScenePicker())
         {
-            Assert.That(picker.Begin(ray), Is.True);
-            Frames(() => picker.Update());
-            return picker.Pick;
-        }
+            var first = Find(picker, Down()).Point;
+            var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+            stream.ClipBoxes.Add(new ClipBox(first.PlaceWorld - 0.5, first.PlaceWorld + 0.5, true));
+            var second = Find(picker, Down()).Point;
+            Assert.That(second.Place, Is.Not.EqualTo(first.Place));
+            Assert.That(second.Distance, Is.GreaterThan(first.Distance));
+            stream.ClipBoxes.Clear();
+            Assert.That(Find(picker, Down()).Point.Place, Is.EqualTo(first.Place));
 
-        [Test]
-        public void ScenePicker_TurnedAndEnlargedCloud_TellsCoordinatesOfTheFile()
-        {
-            using (var picker = new ScenePicker())
-            {
-                var ray = Down();
-                var pick = Find(picker, ray);
-                Assert.That(pick.Failure, Is.Null);
-                Assert.That(m_folder.Manifest.BoundsGeo.Contains(pick.Point.PlaceGeo), Is.True);
-                Assert.That(math.distance(WorldOf(pick.Point.PlaceGeo), pick.Point.PlaceWorld), Is.LessThan(1e-6));
-                Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PlaceWorld),
-                    Is.LessThan(ray.RadiusAt(pick.Point.Distance)));
-                Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
-                Assert.That(pick.Path, Is.EqualTo(m_path));
-                Assert.That(pick.IsPreview, Is.False);
-            }
-        }
-
-        [Test]
-        public void ScenePicker_UnitAndUpAxisThatSomebodySet_AreThoseOfTheDistance()
-        {
-            using (var picker = new ScenePicker())
-            {
-                StreamPick from = Find(picker, Down()), to = Find(picker, Down(5));
-                var asIs = new Measurement(from, to);
-                Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.Z, m_folder.Manifest.MetresPerUnit)));
-                Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
-                var file = m_world.EntityManager.GetComponentObject<PointCloudFile>(m_cloud.Entity);
-                (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
-
-                from = Find(picker, Down());
-
-                var set = new Measurement(from, to);
-                Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.yz)).Within(1e-12));
-                Assert.That(set.LengthMetres, Is.EqualTo(asIs.LengthGeo * 0.25));
-            }
-        }
-
-        [Test]
-        public void ScenePicker_WhatIsClippedAndHidden_IsLookedThrough()
-        {
-            using (var picker = new ScenePicker())
-            {
-                var first = Find(picker, Down()).Point;
-                var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-                stream.ClipBoxes.Add(new ClipBox(first.PlaceWorld - 0.5, first.PlaceWorld + 0.5, true));
-                var second = Find(picker, Down()).Point;
-                Assert.That(second.Place, Is.Not.EqualTo(first.Place));
-                Assert.That(second.Distance, Is.GreaterThan(first.Distance));
-                stream.ClipBoxes.Clear();
-                Assert.That(Find(picker, Down()).Point.Place, Is.EqualTo(first.Place));
-
-                var ray = Down();
-                m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
-                Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
-                Assert.That(Find(picker, ray).Point, Is.Null);
-            }
-        }
-
-        [Test]
-        public void ScenePicker_NoWorldOrNoCloud_FindsNothing()
-        {
-            using (var picker = new ScenePicker())
-            {
-                var ray = Down();
-                m_cloud.enabled = false;
-                var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-                Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
-                Assert.That(Find(picker, ray).Point, Is.Null);
-                m_world.Dispose();
-                Assert.That(picker.Begin(ray), Is.False);
-            }
-        }
-
-        [Test]
-        public void MeasureTool_TwoClicks_TellBothPointsAndWhatLiesBetween()
-        {
-            var view = ScriptableObject.CreateInstance<SceneView>();
-            view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
-            view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
-            view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
-            var tool = ScriptableObject.CreateInstance<MeasureTool>();
-            tool.Activate();
-            void Send(Event sent)
-            {
-                GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
-                HandleUtility.nearestControl = GUIUtility.LastControl + 1;
-                GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
-            }
-            void Click(double east)
-            {
-                float3 eye;
-                using (var picker = new ScenePicker())
-                    eye = (float3)Find(picker, Down(east)).Point.PlaceWorld + new float3(0, 1, 0);
-                view.camera.transform.position = new Vector3(eye.x, eye.y, eye.z);
-                var down = new Vector3(0, -1, 0);
-                HandleUtility.PointedAlong = new Ray(view.camera.transform.position + down * 0.1f, down);
-                var press = new Event { type = EventType.MouseDown };
-                Send(press);
-                Assert.That(press.type, Is.EqualTo(EventType.Used));
-                int count = tool.Session.Picks.Count;
-                Frames(() => tool.Session.Picks.Count > count);
-                Send(new Event { type = EventType.Repaint });
-            }
-            try
-            {
-                Click(0);
-                Assert.That(tool.Session.Lines[0], Is.EqualTo("From"));
-                Assert.That(tool.Session.Text, Does.Contain("Intensity"));
-                Click(60);
-                var measured = new FastPoints.Picking.Measurement(tool.Session.Picks[0], tool.Session.Picks[1]);
-                Assert.That(measured.DeltaGeo.x, Is.EqualTo(60).Within(40));
-                Assert.That(measured.WorldLength, Is.EqualTo(2 * measured.LengthGeo).Within(1e-5), "the scene is twice as large");
-                Assert.That(tool.Session.Lines[0], Does.StartWith("Distance  "));
-                Assert.That(tool.Session.Lines, Has.Some.StartsWith("dx, dy, dz  "));
-                AssertMarksGoWithTheCloud(tool.Session);
-
-                var right = new Event { type = EventType.MouseDown, button = 1 };
-                Send(right);
-                Assert.That(right.type, Is.EqualTo(EventType.MouseDown), "the camera's own");
-                Send(new Event { type = EventType.KeyDown, keyCode = KeyCode.Escape });
-                Assert.That(tool.Session.Lines, Is.Empty);
-            }
-            finally
-            {
-                tool.Deactivate();
-                UnityEngine.Object.DestroyImmediate(view.camera.gameObject);
-            }
-            var updated = EditorApplication.update?.GetInvocationList().Select(d => d.Target) ?? new object[0];
-            Assert.That(updated, Has.None.SameAs(tool));
-        }
-
-        /// <summary>
-        /// Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive them.
-        /// </summary>
-        [Test]
-        public void MeasureTool_ScriptsAreReloaded_IsToldOnceAndBeginsAnew()
-        {
-            var tool = ScriptableObject.CreateInstance<MeasureTool>();
-            tool.Activate();
-            var session = tool.Session;
-            session.Begin(Down());
-
-            AssemblyReloadEvents.Reload();
-
-            Assert.That(tool.Session, Is.Null);
-            Assert.That(tool.IsActive, Is.False);
-            tool.Activate();
-            Assert.That(tool.Session, Is.Not.Null.And.Not.SameAs(session));
-            tool.Deactivate();
-            Assert.That(AssemblyReloadEvents.IsHeardBy(tool), Is.False);
-        }
-
-        void AssertMarksGoWithTheCloud(MeasureSession session)
-        {
-            var picked = session.Picks[1].Point.PlaceWorld;
-            Assert.That(math.distance(session.PlaceOf(1), picked), Is.LessThan(1e-6));
-            var moved = m_scene.transform.localToWorldMatrix;
-            moved.m13 += 7;
-            SceneLoop.Place(m_scene.transform, moved);
-            Frames(() => true);
-            Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6));
-
-            m_cloud.Reopen();
+            var ray = Down();
+            m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
             Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
-            Frames(() => true);
-            Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6), "opened anew");
+            Assert.That(Find(picker, ray).Point, Is.Null);
+        }
+    }
+
+    [Test]
+    public void ScenePicker_NoWorldOrNoCloud_FindsNothing()
+    {
+        using (var picker = new ScenePicker())
+        {
+            var ray = Down();
             m_cloud.enabled = false;
             var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
             Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
-            Assert.That(session.PlaceOf(1), Is.EqualTo(picked), "nobody knows any more");
-            m_cloud.enabled = true;
-            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+            Assert.That(Find(picker, ray).Point, Is.Null);
+            m_world.Dispose();
+            Assert.That(picker.Begin(ray), Is.False);
         }
+    }
 
-        [TestCase(0.001, "690052.801, 5330006.106, 528.000")]
-        [TestCase(0.01, "690052.80, 5330006.11, 528.00")]
-        [TestCase(1, "690053, 5330006, 528")]
-        [TestCase(0.0078125, "690052.8010000, 5330006.1060000, 528.0000000")]
-        public void Coordinates_OfAGrid_HaveTheDecimalsOfItsSteps(double step, string wanted) => Assert.That(
-            PickText.Coordinates(new double3(690052.801, 5330006.106, 528), new double3(step, step, step)), Is.EqualTo(wanted));
-
-        [Test]
-        public void PickRayOf_Cameras_AreAsWideAsPixelsAre()
+    [Test]
+    public void MeasureTool_TwoClicks_TellBothPointsAndWhatLiesBetween()
+    {
+        var view = ScriptableObject.CreateInstance<SceneView>();
+        view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
+        view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
+        view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
+        var tool = ScriptableObject.CreateInstance<MeasureTool>();
+        tool.Activate();
+        void Send(Event sent)
         {
-            var camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
-            camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(200, 100));
-            camera.projectionMatrix = Matrix4x4.Perspective(90, 2, 0.5f, 1000);
-            var ray = CameraViews.PickRayOf(camera, new Ray(new Vector3(0, 0, 0.5f), new Vector3(0, 0, 1)), 5);
-            Assert.That(ray.RadiusAt(10), Is.EqualTo(5.0 / 50 * 10).Within(1e-6), "50 pixels are 10 units there");
-            Assert.That(ray.From, Is.EqualTo(0.5).Within(1e-6));
-            camera.projectionMatrix = Matrix4x4.Ortho(-20, 20, -10, 10, 0.5f, 1000);
-            var parallel = CameraViews.PickRayOf(camera, new Ray(new Vector3(3, 4, 0.5f), new Vector3(0, 0, 1)), 5);
-            Assert.That(parallel.RadiusAt(10), Is.EqualTo(1).Within(1e-6));
-            Assert.That(parallel.OriginWorld, Is.EqualTo(new double3(3, 4, 0.5)));
-            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+            GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
+            HandleUtility.nearestControl = GUIUtility.LastControl + 1;
+            GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
         }
+        void Click(double east)
+        {
+            float3 eye;
+            using (var picker = new ScenePicker())
+                eye = (float3)Find(picker, Down(east)).Point.PlaceWorld + new float3(0, 1, 0);
+            view.camera.transform.position = new Vector3(eye.x, eye.y, eye.z);
+            var down = new Vector3(0, -1, 0);
+            HandleUtility.PointedAlong = new Ray(view.camera.transform.position + down * 0.1f, down);
+            var press = new Event { type = EventType.MouseDown };
+            Send(press);
+            Assert.That(press.type, Is.EqualTo(EventType.Used));
+            int count = tool.Session.Picks.Count;
+            Frames(() => tool.Session.Picks.Count > count);
+            Send(new Event { type = EventType.Repaint });
+        }
+        try
+        {
+            Click(0);
+            Assert.That(tool.Session.Lines[0], Is.EqualTo("From"));
+            Assert.That(tool.Session.Text, Does.Contain("Intensity"));
+            Click(60);
+            var measured = new FastPoints.Picking.Measurement(tool.Session.Picks[0], tool.Session.Picks[1]);
+            Assert.That(measured.DeltaGeo.x, Is.EqualTo(60).Within(40));
+            Assert.That(measured.WorldLength, Is.EqualTo(2 * measured.LengthGeo).Within(1e-5), "the scene is twice as large");
+            Assert.That(tool.Session.Lines[0], Does.StartWith("Distance  "));
+            Assert.That(tool.Session.Lines, Has.Some.StartsWith("dx, dy, dz  "));
+            AssertMarksGoWithTheCloud(tool.Session);
+
+            var right = new Event { type = EventType.MouseDown, button = 1 };
+            Send(right);
+            Assert.That(right.type, Is.EqualTo(EventType.MouseDown), "the camera's own");
+            Send(new Event { type = EventType.KeyDown, keyCode = KeyCode.Escape });
+            Assert.That(tool.Session.Lines, Is.Empty);
+        }
+        finally
+        {
+            tool.Deactivate();
+            UnityEngine.Object.DestroyImmediate(view.camera.gameObject);
+        }
+        var updated = EditorApplication.update?.GetInvocationList().Select(d => d.Target) ?? new object[0];
+        Assert.That(updated, Has.None.SameAs(tool));
+    }
+
+    /// <summary>
+    /// Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive them.
+    /// </summary>
+    [Test]
+    public void MeasureTool_ScriptsAreReloaded_IsToldOnceAndBeginsAnew()
+    {
+        var tool = ScriptableObject.CreateInstance<MeasureTool>();
+        tool.Activate();
+        var session = tool.Session;
+        session.Begin(Down());
+
+        AssemblyReloadEvents.Reload();
+
+        Assert.That(tool.Session, Is.Null);
+        Assert.That(tool.IsActive, Is.False);
+        tool.Activate();
+        Assert.That(tool.Session, Is.Not.Null.And.Not.SameAs(session));
+        tool.Deactivate();
+        Assert.That(AssemblyReloadEvents.IsHeardBy(tool), Is.False);
+    }
+
+    void AssertMarksGoWithTheCloud(MeasureSession session)
+    {
+        var picked = session.Picks[1].Point.PlaceWorld;
+        Assert.That(math.distance(session.PlaceOf(1), picked), Is.LessThan(1e-6));
+        var moved = m_scene.transform.localToWorldMatrix;
+        moved.m13 += 7;
+        SceneLoop.Place(m_scene.transform, moved);
+        Frames(() => true);
+        Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6));
+
+        m_cloud.Reopen();
+        Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+        Frames(() => true);
+        Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6), "opened anew");
+        m_cloud.enabled = false;
+        var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+        Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
+        Assert.That(session.PlaceOf(1), Is.EqualTo(picked), "nobody knows any more");
+        m_cloud.enabled = true;
+        Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+    }
+
+    [TestCase(0.001, "690052.801, 5330006.106, 528.000")]
+    [TestCase(0.01, "690052.80, 5330006.11, 528.00")]
+    [TestCase(1, "690053, 5330006, 528")]
+    [TestCase(0.0078125, "690052.8010000, 5330006.1060000, 528.0000000")]
+    public void Coordinates_OfAGrid_HaveTheDecimalsOfItsSteps(double step, string wanted) => Assert.That(
+        PickText.Coordinates(new double3(690052.801, 5330006.106, 528), new double3(step, step, step)), Is.EqualTo(wanted));
+
+    [Test]
+    public void PickRayOf_Cameras_AreAsWideAsPixelsAre()
+    {
+        var camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
+        camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(200, 100));
+        camera.projectionMatrix = Matrix4x4.Perspective(90, 2, 0.5f, 1000);
+        var ray = CameraViews.PickRayOf(camera, new Ray(new Vector3(0, 0, 0.5f), new Vector3(0, 0, 1)), 5);
+        Assert.That(ray.RadiusAt(10), Is.EqualTo(5.0 / 50 * 10).Within(1e-6), "50 pixels are 10 units there");
+        Assert.That(ray.From, Is.EqualTo(0.5).Within(1e-6));
+        camera.projectionMatrix = Matrix4x4.Ortho(-20, 20, -10, 10, 0.5f, 1000);
+        var parallel = CameraViews.PickRayOf(camera, new Ray(new Vector3(3, 4, 0.5f), new Vector3(0, 0, 1)), 5);
+        Assert.That(parallel.RadiusAt(10), Is.EqualTo(1).Within(1e-6));
+        Assert.That(parallel.OriginWorld, Is.EqualTo(new double3(3, 4, 0.5)));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
     }
 }

@@ -2,144 +2,143 @@ using System.Xml.Linq;
 using UnityEditor.Build;
 using UnityEngine.SceneManagement;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>What of a project's clouds goes into a player.</summary>
+public sealed class PlayerCloudTests : EditorFixture
 {
-    /// <summary>What of a project's clouds goes into a player.</summary>
-    public sealed class PlayerCloudTests : EditorFixture
+    const string ScenePath = "Assets/main.unity";
+
+    [SetUp]
+    public void ReferToACloud() =>
+        AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
+
+    [TearDown]
+    public void CloseScene() => SceneManager.s_active = default;
+
+    void Take(params string[] names)
     {
-        const string ScenePath = "Assets/main.unity";
+        for (int i = 0; i < names.Length; i++)
+            m_project.Imports.Take(m_project.Scratch.Demo(names[i] + ".las", 2000 + 1000 * i), "Assets");
+    }
 
-        [SetUp]
-        public void ReferToACloud() =>
-            AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
+    BuildPlayerContext Build() => Build(new[] { ScenePath });
 
-        [TearDown]
-        public void CloseScene() => SceneManager.s_active = default;
+    static BuildPlayerContext Build(string[] scenes)
+    {
+        var context = new BuildPlayerContext(new BuildPlayerOptions { scenes = scenes });
+        new PlayerCloudProcessor().PrepareForBuild(context);
+        return context;
+    }
 
-        void Take(params string[] names)
-        {
-            for (int i = 0; i < names.Length; i++)
-                m_project.Imports.Take(m_project.Scratch.Demo(names[i] + ".las", 2000 + 1000 * i), "Assets");
-        }
+    [Test]
+    public void Build_CloudsThatScenesUse_AndNoOthers_AreAdded()
+    {
+        Take("a", "b");
+        m_project.UpdateToTheEnd();
 
-        BuildPlayerContext Build() => Build(new[] { ScenePath });
+        var added = Build().FolderOfPlayerPath;
 
-        static BuildPlayerContext Build(string[] scenes)
-        {
-            var context = new BuildPlayerContext(new BuildPlayerOptions { scenes = scenes });
-            new PlayerCloudProcessor().PrepareForBuild(context);
-            return context;
-        }
+        Assert.That(added.Single().Key, Is.EqualTo("PointClouds/a.fastpoints"));
+        Assert.That(added.Single().Value, Is.EqualTo(Path.Combine(m_project.Paths.Clouds, "a.fastpoints")));
+        Assert.That(m_logged.Single(), Does.StartWith("Log: 1 point clouds in the player, 0.")
+            .And.Contains("2,000 points  PointClouds/a.fastpoints"));
+    }
 
-        [Test]
-        public void Build_CloudsThatScenesUse_AndNoOthers_AreAdded()
-        {
-            Take("a", "b");
-            m_project.UpdateToTheEnd();
+    static readonly string[][] s_noScenes = { null, new string[0] };
 
-            var added = Build().FolderOfPlayerPath;
+    [TestCaseSource(nameof(s_noScenes))]
+    public void Build_NoScenesNamed_AddsTheCloudsOfTheOpenOne(string[] none)
+    {
+        Take("a", "b");
+        m_project.UpdateToTheEnd();
+        SceneManager.s_active = new Scene { Path = ScenePath };
 
-            Assert.That(added.Single().Key, Is.EqualTo("PointClouds/a.fastpoints"));
-            Assert.That(added.Single().Value, Is.EqualTo(Path.Combine(m_project.Paths.Clouds, "a.fastpoints")));
-            Assert.That(m_logged.Single(), Does.StartWith("Log: 1 point clouds in the player, 0.")
-                .And.Contains("2,000 points  PointClouds/a.fastpoints"));
-        }
+        var context = Build(none);
 
-        static readonly string[][] s_noScenes = { null, new string[0] };
+        Assert.That(context.BuiltScenes, Is.EqualTo(new[] { ScenePath }));
+        Assert.That(context.FolderOfPlayerPath.Keys, Is.EqualTo(new[] { "PointClouds/a.fastpoints" }));
+    }
 
-        [TestCaseSource(nameof(s_noScenes))]
-        public void Build_NoScenesNamed_AddsTheCloudsOfTheOpenOne(string[] none)
-        {
-            Take("a", "b");
-            m_project.UpdateToTheEnd();
-            SceneManager.s_active = new Scene { Path = ScenePath };
+    [TestCase("Assets/menu.unity", "of 2 in the project: neither Assets/menu.unity nor")]
+    [TestCase(null, "of 2 in the project: neither a scene nor")]
+    public void Build_CloudsOfWhichNoneGoesIn_SaysSo(string scene, string said)
+    {
+        Take("a", "b");
+        m_project.UpdateToTheEnd();
 
-            var context = Build(none);
+        var context = Build(scene == null ? null : new[] { scene });
 
-            Assert.That(context.BuiltScenes, Is.EqualTo(new[] { ScenePath }));
-            Assert.That(context.FolderOfPlayerPath.Keys, Is.EqualTo(new[] { "PointClouds/a.fastpoints" }));
-        }
+        Assert.That(context.FolderOfPlayerPath, Is.Empty);
+        Assert.That(m_logged.Single(),
+            Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
+    }
 
-        [TestCase("Assets/menu.unity", "of 2 in the project: neither Assets/menu.unity nor")]
-        [TestCase(null, "of 2 in the project: neither a scene nor")]
-        public void Build_CloudsOfWhichNoneGoesIn_SaysSo(string scene, string said)
-        {
-            Take("a", "b");
-            m_project.UpdateToTheEnd();
+    [Test]
+    public void Build_CloudThatIsNotConverted_EndsTheBuild()
+    {
+        Take("a");
+        Assert.That(Build,
+            Throws.TypeOf<BuildFailedException>().With.Message.StartsWith("Assets/a.pointcloud: is not converted"));
 
-            var context = Build(scene == null ? null : new[] { scene });
+        m_project.UpdateToTheEnd();
+        string folder = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
+        Directory.Move(folder, folder + StoreFormat.PartSuffix);
+        Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.EndsWith("got one in the making"));
+    }
 
-            Assert.That(context.FolderOfPlayerPath, Is.Empty);
-            Assert.That(m_logged.Single(),
-                Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
-        }
+    [Test]
+    public void Build_ResourcesAreAddedWithoutAScene()
+    {
+        Take("a", "b");
+        m_project.UpdateToTheEnd();
+        AssetDatabase.Assets["Assets/Resources/b.pointcloud"] = m_project.Asset("Assets/b.pointcloud");
 
-        [Test]
-        public void Build_CloudThatIsNotConverted_EndsTheBuild()
-        {
-            Take("a");
-            Assert.That(Build,
-                Throws.TypeOf<BuildFailedException>().With.Message.StartsWith("Assets/a.pointcloud: is not converted"));
+        Assert.That(Build().FolderOfPlayerPath.Keys,
+            Is.EquivalentTo(new[] { "PointClouds/a.fastpoints", "PointClouds/b.fastpoints" }));
+    }
 
-            m_project.UpdateToTheEnd();
-            string folder = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
-            Directory.Move(folder, folder + StoreFormat.PartSuffix);
-            Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.EndsWith("got one in the making"));
-        }
+    [Test]
+    public void Build_CloudThatIsStreamedAsItIs_GoesInAsItIs()
+    {
+        string source = m_project.Copc("a.copc.laz");
+        AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
+        var asset = m_project.Imports.Take(source, "Assets");
 
-        [Test]
-        public void Build_ResourcesAreAddedWithoutAScene()
-        {
-            Take("a", "b");
-            m_project.UpdateToTheEnd();
-            AssetDatabase.Assets["Assets/Resources/b.pointcloud"] = m_project.Asset("Assets/b.pointcloud");
+        var added = Build().FolderOfPlayerPath;
 
-            Assert.That(Build().FolderOfPlayerPath.Keys,
-                Is.EquivalentTo(new[] { "PointClouds/a.fastpoints", "PointClouds/b.fastpoints" }));
-        }
+        Assert.That(added.Single().Key, Is.EqualTo(asset.PlayerSource));
+        Assert.That(added.Single().Value, Is.EqualTo(source));
+        Assert.That(m_logged.Single(), Does.Contain("as it is, with FastPoints.Import"));
+        string link = new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null);
+        var kept = XDocument.Load(link).Root.Element("assembly");
+        Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
+            .GetType((string)kept.Element("type").Attribute("fullname")),
+            Is.EqualTo(typeof(FastPoints.SourceFeeds.PointFileReaders)));
+        File.Delete(source);
+        Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
+    }
 
-        [Test]
-        public void Build_CloudThatIsStreamedAsItIs_GoesInAsItIs()
-        {
-            string source = m_project.Copc("a.copc.laz");
-            AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
-            var asset = m_project.Imports.Take(source, "Assets");
+    [Test]
+    public void Build_NoClouds_SaysNothing()
+    {
+        Assert.That(Build().FolderOfPlayerPath, Is.Empty);
+        Assert.That(m_logged, Is.Empty);
+        Assert.That(new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null), Is.Null);
+    }
 
-            var added = Build().FolderOfPlayerPath;
-
-            Assert.That(added.Single().Key, Is.EqualTo(asset.PlayerSource));
-            Assert.That(added.Single().Value, Is.EqualTo(source));
-            Assert.That(m_logged.Single(), Does.Contain("as it is, with FastPoints.Import"));
-            string link = new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null);
-            var kept = XDocument.Load(link).Root.Element("assembly");
-            Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
-                .GetType((string)kept.Element("type").Attribute("fullname")),
-                Is.EqualTo(typeof(FastPoints.SourceFeeds.PointFileReaders)));
-            File.Delete(source);
-            Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
-        }
-
-        [Test]
-        public void Build_NoClouds_SaysNothing()
-        {
-            Assert.That(Build().FolderOfPlayerPath, Is.Empty);
-            Assert.That(m_logged, Is.Empty);
-            Assert.That(new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null), Is.Null);
-        }
-
-        [Test]
-        public void Add_OnePlaceForTwoClouds_IsToldWithTheAsset()
-        {
-            Take("a", "b");
-            m_project.UpdateToTheEnd();
-            string a = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
-            string b = Path.Combine(m_project.Paths.Clouds, "b.fastpoints");
-            var clouds = new PlayerClouds();
-            clouds.Add("Assets/a.pointcloud", a, "PointClouds/a.fastpoints");
-            clouds.Add("Assets/again.pointcloud", a, "PointClouds/a.fastpoints");
-            Assert.That(clouds.Entries, Has.Count.EqualTo(1));
-            Assert.That(() => clouds.Add("Assets/b.pointcloud", b, "pointclouds/A.fastpoints"),
-                Throws.TypeOf<FastPoints.Base.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
-        }
+    [Test]
+    public void Add_OnePlaceForTwoClouds_IsToldWithTheAsset()
+    {
+        Take("a", "b");
+        m_project.UpdateToTheEnd();
+        string a = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
+        string b = Path.Combine(m_project.Paths.Clouds, "b.fastpoints");
+        var clouds = new PlayerClouds();
+        clouds.Add("Assets/a.pointcloud", a, "PointClouds/a.fastpoints");
+        clouds.Add("Assets/again.pointcloud", a, "PointClouds/a.fastpoints");
+        Assert.That(clouds.Entries, Has.Count.EqualTo(1));
+        Assert.That(() => clouds.Add("Assets/b.pointcloud", b, "pointclouds/A.fastpoints"),
+            Throws.TypeOf<FastPoints.Base.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
     }
 }

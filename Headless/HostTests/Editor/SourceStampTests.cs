@@ -1,98 +1,97 @@
 using Random = System.Random;
 
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+public sealed class SourceStampTests
 {
-    public sealed class SourceStampTests
+    static readonly DateTime s_then = new DateTime(2020, 1, 2, 3, 4, 5, DateTimeKind.Utc);
+
+    ScratchFolder m_scratch;
+    string m_file;
+
+    [SetUp]
+    public void MakeFile()
     {
-        static readonly DateTime s_then = new DateTime(2020, 1, 2, 3, 4, 5, DateTimeKind.Utc);
+        m_scratch = new ScratchFolder();
+        m_file = m_scratch["scan.las"];
+        var bytes = new byte[3 * SourceStamp.EdgeBytes];
+        new Random(1).NextBytes(bytes);
+        File.WriteAllBytes(m_file, bytes);
+        File.SetLastWriteTimeUtc(m_file, s_then);
+    }
 
-        ScratchFolder m_scratch;
-        string m_file;
+    [TearDown]
+    public void DeleteFile() => m_scratch.Dispose();
 
-        [SetUp]
-        public void MakeFile()
+    void Flip(long offset)
+    {
+        using (var file = new FileStream(m_file, FileMode.Open))
         {
-            m_scratch = new ScratchFolder();
-            m_file = m_scratch["scan.las"];
-            var bytes = new byte[3 * SourceStamp.EdgeBytes];
-            new Random(1).NextBytes(bytes);
-            File.WriteAllBytes(m_file, bytes);
-            File.SetLastWriteTimeUtc(m_file, s_then);
+            file.Position = offset;
+            int value = file.ReadByte();
+            file.Position = offset;
+            file.WriteByte((byte)(value ^ 1));
         }
+    }
 
-        [TearDown]
-        public void DeleteFile() => m_scratch.Dispose();
+    [Test]
+    public void Compare_TouchedTimeWithEqualBytes_IsNoChange()
+    {
+        var stamp = SourceStamp.Of(new[] { m_file });
+        File.SetLastWriteTimeUtc(m_file, s_then.AddYears(1));
 
-        void Flip(long offset)
-        {
-            using (var file = new FileStream(m_file, FileMode.Open))
-            {
-                file.Position = offset;
-                int value = file.ReadByte();
-                file.Position = offset;
-                file.WriteByte((byte)(value ^ 1));
-            }
-        }
+        Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.None));
+    }
 
-        [Test]
-        public void Compare_TouchedTimeWithEqualBytes_IsNoChange()
-        {
-            var stamp = SourceStamp.Of(new[] { m_file });
-            File.SetLastWriteTimeUtc(m_file, s_then.AddYears(1));
+    [TestCase(0)]
+    [TestCase(SourceStamp.EdgeBytes - 1)]
+    [TestCase(2 * SourceStamp.EdgeBytes)]
+    [TestCase(3 * SourceStamp.EdgeBytes - 1)]
+    public void Compare_AnotherByteAtAnEnd_IsAChange(long offset)
+    {
+        var stamp = SourceStamp.Of(new[] { m_file });
+        Flip(offset);
 
-            Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.None));
-        }
+        Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.Changed));
+    }
 
-        [TestCase(0)]
-        [TestCase(SourceStamp.EdgeBytes - 1)]
-        [TestCase(2 * SourceStamp.EdgeBytes)]
-        [TestCase(3 * SourceStamp.EdgeBytes - 1)]
-        public void Compare_AnotherByteAtAnEnd_IsAChange(long offset)
-        {
-            var stamp = SourceStamp.Of(new[] { m_file });
-            Flip(offset);
+    [Test]
+    public void Compare_AnotherSizeAtTheSameTime_IsAChange()
+    {
+        var stamp = SourceStamp.Of(new[] { m_file });
+        using (var file = new FileStream(m_file, FileMode.Append))
+            file.WriteByte(0);
+        File.SetLastWriteTimeUtc(m_file, s_then);
 
-            Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.Changed));
-        }
+        Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.Changed));
+    }
 
-        [Test]
-        public void Compare_AnotherSizeAtTheSameTime_IsAChange()
-        {
-            var stamp = SourceStamp.Of(new[] { m_file });
-            using (var file = new FileStream(m_file, FileMode.Append))
-                file.WriteByte(0);
-            File.SetLastWriteTimeUtc(m_file, s_then);
+    [Test]
+    public void Compare_SourceThatIsGone_IsMissing()
+    {
+        var stamp = SourceStamp.Of(new[] { m_file });
+        File.Delete(m_file);
 
-            Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.Changed));
-        }
+        Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.Missing));
+        Assert.That(() => SourceStamp.Of(new[] { m_file }),
+            Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
+    }
 
-        [Test]
-        public void Compare_SourceThatIsGone_IsMissing()
-        {
-            var stamp = SourceStamp.Of(new[] { m_file });
-            File.Delete(m_file);
+    [Test]
+    public void Compare_Folder_SeesNewAndRenamedFiles()
+    {
+        string folder = m_scratch["tiles"];
+        Directory.CreateDirectory(folder);
+        File.Copy(m_file, Path.Combine(folder, "a.las"));
+        File.WriteAllBytes(Path.Combine(folder, "b.las"), Array.Empty<byte>());
+        var stamp = SourceStamp.Of(new[] { folder });
+        Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.None));
 
-            Assert.That(stamp.Compare(new[] { m_file }), Is.EqualTo(SourceChange.Missing));
-            Assert.That(() => SourceStamp.Of(new[] { m_file }),
-                Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
-        }
-
-        [Test]
-        public void Compare_Folder_SeesNewAndRenamedFiles()
-        {
-            string folder = m_scratch["tiles"];
-            Directory.CreateDirectory(folder);
-            File.Copy(m_file, Path.Combine(folder, "a.las"));
-            File.WriteAllBytes(Path.Combine(folder, "b.las"), Array.Empty<byte>());
-            var stamp = SourceStamp.Of(new[] { folder });
-            Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.None));
-
-            File.Move(Path.Combine(folder, "b.las"), Path.Combine(folder, "c.las"));
-            Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.Changed));
-            File.Move(Path.Combine(folder, "c.las"), Path.Combine(folder, "b.las"));
-            Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.None));
-            File.WriteAllText(Path.Combine(folder, "d.las"), "");
-            Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.Changed));
-        }
+        File.Move(Path.Combine(folder, "b.las"), Path.Combine(folder, "c.las"));
+        Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.Changed));
+        File.Move(Path.Combine(folder, "c.las"), Path.Combine(folder, "b.las"));
+        Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.None));
+        File.WriteAllText(Path.Combine(folder, "d.las"), "");
+        Assert.That(stamp.Compare(new[] { folder }), Is.EqualTo(SourceChange.Changed));
     }
 }

@@ -2,127 +2,126 @@ using System.Collections;
 using FastPoints.UnityTests;
 using UnityEngine.TestTools;
 
-namespace FastPoints.HostTests.Editor
-{
-    /// <summary>The package's tests for the editor, where scripts are loaded anew in the middle of one.</summary>
-    public sealed class TestProjectFixtureTests : EditorFixture
-    {
-        static readonly List<string> s_calls = new List<string>();
+namespace FastPoints.HostTests.Editor;
 
+/// <summary>The package's tests for the editor, where scripts are loaded anew in the middle of one.</summary>
+public sealed class TestProjectFixtureTests : EditorFixture
+{
+    static readonly List<string> s_calls = new List<string>();
+
+    [SetUp]
+    public void Forget() => s_calls.Clear();
+
+    [TearDown]
+    public void Stop() => EditorApplication.isPlaying = false;
+
+    [Test]
+    public void Run_ScriptsAreLoadedAnew_SetUpRunsAgainAndUnitySetUpDoesNot()
+    {
+        new EditModeRun(typeof(Listing), nameof(Listing.Play)).Run();
+
+        Assert.That(s_calls, Is.EqualTo(new[]
+        {
+            "UnitySetUp", "SetUp", "before: 7", "SetUp", "after: 0", "TearDown", "UnityTearDown",
+        }));
+    }
+
+    [Test]
+    public void Run_TestFails_TearDownsRunAllTheSame()
+    {
+        Assert.That(() => new EditModeRun(typeof(Listing), nameof(Listing.Fail)).Run(), Throws.InvalidOperationException);
+        Assert.That(s_calls, Is.EqualTo(new[] { "UnitySetUp", "SetUp", "TearDown", "UnityTearDown" }));
+    }
+
+    [Test]
+    public void Project_OfATestThatEntersPlayMode_IsKeptToItsEnd()
+    {
+        new EditModeRun(typeof(Keeping), nameof(Keeping.Play)).Run();
+
+        Assert.That(s_calls, Is.EqualTo(new[] { "kept" }));
+        Assert.That(EditorApplication.isPlaying, Is.False);
+        Assert.That(Directory.Exists(TestProject.Folder), Is.False, "taken away when the test ends");
+    }
+
+    [Test]
+    public void Project_BegunAgainAfterAReload_IsKept()
+    {
+        new EditModeRun(typeof(Keeping), nameof(Keeping.BeginAgain)).Run();
+
+        Assert.That(s_calls, Is.EqualTo(new[] { "kept" }));
+    }
+
+    [Test]
+    public void Project_OfEachTest_BeginsEmpty()
+    {
+        new EditModeRun(typeof(Keeping), nameof(Keeping.Leave)).Run();
+        new EditModeRun(typeof(Keeping), nameof(Keeping.Leave)).Run();
+
+        Assert.That(s_calls, Is.EqualTo(new[] { "0 files", "0 files" }));
+    }
+
+    sealed class Listing
+    {
         [SetUp]
-        public void Forget() => s_calls.Clear();
+        public void SetUp() => s_calls.Add("SetUp");
+
+        [UnitySetUp]
+        public IEnumerator UnitySetUp()
+        {
+            s_calls.Add("UnitySetUp");
+            yield return null;
+        }
+
+        public IEnumerator Play()
+        {
+            int variable = 7;
+            s_calls.Add("before: " + variable);
+            yield return new EnterPlayMode();
+            s_calls.Add("after: " + variable);
+            yield return new ExitPlayMode();
+        }
+
+        public IEnumerator Fail()
+        {
+            yield return null;
+            throw new System.InvalidOperationException();
+        }
 
         [TearDown]
-        public void Stop() => EditorApplication.isPlaying = false;
+        public void TearDown() => s_calls.Add("TearDown");
 
-        [Test]
-        public void Run_ScriptsAreLoadedAnew_SetUpRunsAgainAndUnitySetUpDoesNot()
+        [UnityTearDown]
+        public IEnumerator UnityTearDown()
         {
-            new EditModeRun(typeof(Listing), nameof(Listing.Play)).Run();
+            s_calls.Add("UnityTearDown");
+            yield break;
+        }
+    }
 
-            Assert.That(s_calls, Is.EqualTo(new[]
-            {
-                "UnitySetUp", "SetUp", "before: 7", "SetUp", "after: 0", "TearDown", "UnityTearDown",
-            }));
+    sealed class Keeping : TestProjectFixture
+    {
+        public IEnumerator Play()
+        {
+            File.WriteAllText(TestProject.Folder + "/scan.txt", "");
+            yield return TestProject.EnterPlayMode();
+            s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
         }
 
-        [Test]
-        public void Run_TestFails_TearDownsRunAllTheSame()
+        public IEnumerator BeginAgain()
         {
-            Assert.That(() => new EditModeRun(typeof(Listing), nameof(Listing.Fail)).Run(), Throws.InvalidOperationException);
-            Assert.That(s_calls, Is.EqualTo(new[] { "UnitySetUp", "SetUp", "TearDown", "UnityTearDown" }));
+            File.WriteAllText(TestProject.Folder + "/scan.txt", "");
+            AssemblyReloadEvents.Reload();
+            var again = BeginProject();
+            while (again.MoveNext())
+                yield return again.Current;
+            s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
         }
 
-        [Test]
-        public void Project_OfATestThatEntersPlayMode_IsKeptToItsEnd()
+        public IEnumerator Leave()
         {
-            new EditModeRun(typeof(Keeping), nameof(Keeping.Play)).Run();
-
-            Assert.That(s_calls, Is.EqualTo(new[] { "kept" }));
-            Assert.That(EditorApplication.isPlaying, Is.False);
-            Assert.That(Directory.Exists(TestProject.Folder), Is.False, "taken away when the test ends");
-        }
-
-        [Test]
-        public void Project_BegunAgainAfterAReload_IsKept()
-        {
-            new EditModeRun(typeof(Keeping), nameof(Keeping.BeginAgain)).Run();
-
-            Assert.That(s_calls, Is.EqualTo(new[] { "kept" }));
-        }
-
-        [Test]
-        public void Project_OfEachTest_BeginsEmpty()
-        {
-            new EditModeRun(typeof(Keeping), nameof(Keeping.Leave)).Run();
-            new EditModeRun(typeof(Keeping), nameof(Keeping.Leave)).Run();
-
-            Assert.That(s_calls, Is.EqualTo(new[] { "0 files", "0 files" }));
-        }
-
-        sealed class Listing
-        {
-            [SetUp]
-            public void SetUp() => s_calls.Add("SetUp");
-
-            [UnitySetUp]
-            public IEnumerator UnitySetUp()
-            {
-                s_calls.Add("UnitySetUp");
-                yield return null;
-            }
-
-            public IEnumerator Play()
-            {
-                int variable = 7;
-                s_calls.Add("before: " + variable);
-                yield return new EnterPlayMode();
-                s_calls.Add("after: " + variable);
-                yield return new ExitPlayMode();
-            }
-
-            public IEnumerator Fail()
-            {
-                yield return null;
-                throw new System.InvalidOperationException();
-            }
-
-            [TearDown]
-            public void TearDown() => s_calls.Add("TearDown");
-
-            [UnityTearDown]
-            public IEnumerator UnityTearDown()
-            {
-                s_calls.Add("UnityTearDown");
-                yield break;
-            }
-        }
-
-        sealed class Keeping : TestProjectFixture
-        {
-            public IEnumerator Play()
-            {
-                File.WriteAllText(TestProject.Folder + "/scan.txt", "");
-                yield return TestProject.EnterPlayMode();
-                s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
-            }
-
-            public IEnumerator BeginAgain()
-            {
-                File.WriteAllText(TestProject.Folder + "/scan.txt", "");
-                AssemblyReloadEvents.Reload();
-                var again = BeginProject();
-                while (again.MoveNext())
-                    yield return again.Current;
-                s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
-            }
-
-            public IEnumerator Leave()
-            {
-                s_calls.Add(Directory.GetFiles(TestProject.Folder).Length + " files");
-                File.WriteAllText(TestProject.Folder + "/left.txt", "");
-                yield break;
-            }
+            s_calls.Add(Directory.GetFiles(TestProject.Folder).Length + " files");
+            File.WriteAllText(TestProject.Folder + "/left.txt", "");
+            yield break;
         }
     }
 }

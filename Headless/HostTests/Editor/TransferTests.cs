@@ -1,170 +1,169 @@
-namespace FastPoints.HostTests.Editor
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>Converted clouds that leave a project and come into it, and where they lie.</summary>
+public sealed class TransferTests : EditorFixture
 {
-    /// <summary>Converted clouds that leave a project and come into it, and where they lie.</summary>
-    public sealed class TransferTests : EditorFixture
+    PointCloudAsset Converted(string name = "scan")
     {
-        PointCloudAsset Converted(string name = "scan")
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 20_000), "Assets");
+        m_project.UpdateToTheEnd();
+        return asset;
+    }
+
+    void Updates(Func<bool> isDone) =>
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), isDone);
+
+    static void AssertIsWhole(string cloud) =>
+        Assert.That(CliCall.Of("verify", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+
+    [Test]
+    public void Export_ConvertedCloud_IsAWholeCloudUnderItsNameOrTheNextOne()
+    {
+        var asset = Converted();
+        string folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
+
+        string first = m_project.Imports.Export(asset, folder), second = m_project.Imports.Export(asset, folder);
+        Updates(() => !m_project.Imports.Transfers.IsCopying);
+
+        Assert.That(first, Is.EqualTo(Path.Combine(folder, "scan.fastpoints")));
+        Assert.That(second, Is.EqualTo(Path.Combine(folder, "scan 2.fastpoints")));
+        AssertIsWhole(first);
+        AssertIsWhole(second);
+        Assert.That(Progress.Entries.TakeLast(2).Select(e => e.Status), Is.All.EqualTo(Progress.Status.Succeeded));
+    }
+
+    [Test]
+    public void Export_CloudThatIsNotConverted_SaysSo()
+    {
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        asset.name = "scan";
+        asset.ProjectPath = "PointClouds/none.fastpoints";
+        Assert.That(m_project.Imports.Export(asset, m_project.Scratch["out"]), Is.Null);
+        Assert.That(m_logged.Single(), Does.Contain("scan is not converted"));
+    }
+
+    [Test]
+    public void ImportCopy_CloudOfAnotherProject_LiesInThisOneAndHasAnAsset()
+    {
+        string other = m_project.Scratch["other/scan.fastpoints"];
+        Directory.CreateDirectory(m_project.Scratch["other"]);
+        Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", other, "--quiet").Status, Is.Zero);
+
+        m_project.Imports.ImportCopy(other, "Assets");
+        Updates(() => !m_project.Imports.Transfers.IsCopying);
+
+        var asset = (PointCloudAsset)Selection.activeObject;
+        Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
+        Assert.That(asset.Points, Is.EqualTo(3000));
+        AssertIsWhole(m_project.Paths.Absolute(asset.ProjectPath));
+        Directory.Delete(other, true);
+        Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.pointcloud"), out _),
+            Is.EqualTo(CatalogMatch.InPlace));
+    }
+
+    [Test]
+    public void ImportCopy_SomethingElseOrCancelled_LeavesNothing()
+    {
+        m_project.Imports.ImportCopy(m_project.Scratch["project"], "Assets");
+        Assert.That(m_logged.Single(), Does.Contain("wanted a converted cloud"));
+        var asset = Converted();
+        m_logged.Clear();
+        m_project.Imports.Transfers.Export(m_project.Paths.Absolute(asset.ProjectPath), m_project.Scratch["out"]);
+        m_project.Imports.Suspend();
+        Assert.That(m_project.Imports.Transfers.IsCopying, Is.False);
+        Assert.That(m_logged, Is.Empty);
+    }
+
+    [Test]
+    public void Export_CancelledInTheProgressWindow_IsNotSpokenOfAgain()
+    {
+        var asset = Converted();
+        string to = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
+
+        Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
+        Updates(() => !m_project.Imports.Transfers.IsCopying);
+
+        Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+        Assert.That(m_logged.Where(l => !l.Contains("copied to")), Is.Empty);
+        m_project.Imports.Export(asset, m_project.Scratch["out"]);
+        AssemblyReloadEvents.Reload();
+        Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+    }
+
+    [TestCase("PointClouds", null)]
+    [TestCase("Data/Clouds", null)]
+    [TestCase("../elsewhere", null)]
+    [TestCase("Assets/Clouds", "Assets is Unity's own")]
+    [TestCase("library", "Library is Unity's own")]
+    [TestCase(".", "with the project in it")]
+    [TestCase("..", "with the project in it")]
+    [TestCase(" ", "got nothing")]
+    public void FindProblem_OfAPlace_SaysWhatIsWrong(string place, string wanted)
+    {
+        string problem = ProjectPaths.FindProblem(m_project.Paths.Project, place);
+        Assert.That(problem, wanted == null ? Is.Null : Does.Contain(wanted));
+    }
+
+    [Test]
+    public void Move_ToAnotherPlace_CloudsAreConvertedThereAndOldOnesStay()
+    {
+        var before = Converted("before");
+        Assert.That(PointCloudImports.Move("Assets/x"), Does.Contain("Unity's own"));
+        Assert.That(FastPointsSettings.instance.Place, Is.EqualTo("PointClouds"));
+
+        Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
+
+        using (var imports = new EditorImports(PointCloudImports.Paths, FastPointsSettings.instance))
         {
-            var asset = m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 20_000), "Assets");
-            m_project.UpdateToTheEnd();
-            return asset;
-        }
-
-        void Updates(Func<bool> isDone) =>
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), isDone);
-
-        static void AssertIsWhole(string cloud) =>
-            Assert.That(CliCall.Of("verify", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
-
-        [Test]
-        public void Export_ConvertedCloud_IsAWholeCloudUnderItsNameOrTheNextOne()
-        {
-            var asset = Converted();
-            string folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
-
-            string first = m_project.Imports.Export(asset, folder), second = m_project.Imports.Export(asset, folder);
-            Updates(() => !m_project.Imports.Transfers.IsCopying);
-
-            Assert.That(first, Is.EqualTo(Path.Combine(folder, "scan.fastpoints")));
-            Assert.That(second, Is.EqualTo(Path.Combine(folder, "scan 2.fastpoints")));
-            AssertIsWhole(first);
-            AssertIsWhole(second);
-            Assert.That(Progress.Entries.TakeLast(2).Select(e => e.Status), Is.All.EqualTo(Progress.Status.Succeeded));
-        }
-
-        [Test]
-        public void Export_CloudThatIsNotConverted_SaysSo()
-        {
-            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
-            asset.name = "scan";
-            asset.ProjectPath = "PointClouds/none.fastpoints";
-            Assert.That(m_project.Imports.Export(asset, m_project.Scratch["out"]), Is.Null);
-            Assert.That(m_logged.Single(), Does.Contain("scan is not converted"));
-        }
-
-        [Test]
-        public void ImportCopy_CloudOfAnotherProject_LiesInThisOneAndHasAnAsset()
-        {
-            string other = m_project.Scratch["other/scan.fastpoints"];
-            Directory.CreateDirectory(m_project.Scratch["other"]);
-            Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", other, "--quiet").Status, Is.Zero);
-
-            m_project.Imports.ImportCopy(other, "Assets");
-            Updates(() => !m_project.Imports.Transfers.IsCopying);
-
-            var asset = (PointCloudAsset)Selection.activeObject;
-            Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
-            Assert.That(asset.Points, Is.EqualTo(3000));
-            AssertIsWhole(m_project.Paths.Absolute(asset.ProjectPath));
-            Directory.Delete(other, true);
-            Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.pointcloud"), out _),
+            var after = imports.Take(m_project.Scratch.Demo("after.las", 3000), "Assets");
+            Assert.That(after.ProjectPath, Is.EqualTo("Data/Clouds/after.fastpoints"));
+            ImportProject.Updates(() => imports.Update(DateTime.UtcNow), () => imports.Queue.Requests.Count == 0);
+            AssertIsWhole(m_project.Paths.Absolute(after.ProjectPath));
+            Assert.That(after.PlayerPath, Does.StartWith("PointClouds/after-"), "a player has one place for all");
+            Assert.That(imports.Catalog.Find(imports.HandleOf("Assets/before.pointcloud"), out _),
                 Is.EqualTo(CatalogMatch.InPlace));
         }
+        Assert.That(before.ProjectPath, Is.EqualTo("PointClouds/before.fastpoints"));
+    }
 
-        [Test]
-        public void ImportCopy_SomethingElseOrCancelled_LeavesNothing()
-        {
-            m_project.Imports.ImportCopy(m_project.Scratch["project"], "Assets");
-            Assert.That(m_logged.Single(), Does.Contain("wanted a converted cloud"));
-            var asset = Converted();
-            m_logged.Clear();
-            m_project.Imports.Transfers.Export(m_project.Paths.Absolute(asset.ProjectPath), m_project.Scratch["out"]);
-            m_project.Imports.Suspend();
-            Assert.That(m_project.Imports.Transfers.IsCopying, Is.False);
-            Assert.That(m_logged, Is.Empty);
-        }
+    /// <summary>Importers know nothing of the place: their results may come from other machines.</summary>
+    [Test]
+    public void Move_ToAnotherPlace_FilesInAssetsAreFoundThereWithoutAnImport()
+    {
+        m_project.Scratch.Demo("project/Assets/tile.las", 3000);
+        AssetDatabase.Refresh();
+        var asset = m_project.Asset("Assets/tile.las");
+        string folder = AssetDatabase.AssetPathToGUID("Assets/tile.las") + ".fastpoints";
+        Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
+        Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/" + folder));
 
-        [Test]
-        public void Export_CancelledInTheProgressWindow_IsNotSpokenOfAgain()
-        {
-            var asset = Converted();
-            string to = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
+        PointCloudImports.Move("Data/Clouds");
 
-            Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
-            Updates(() => !m_project.Imports.Transfers.IsCopying);
+        Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("Data/Clouds/" + folder)));
+        Assert.That(PointCloudImports.Paths.Absolute(asset.ProjectPath), Is.EqualTo(asset.File().FullPath));
+        Assert.That(PointCloudImports.Current.HandleOf("Assets/tile.las").CloudPath, Is.EqualTo("Data/Clouds/" + folder));
+    }
 
-            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
-            Assert.That(m_logged.Where(l => !l.Contains("copied to")), Is.Empty);
-            m_project.Imports.Export(asset, m_project.Scratch["out"]);
-            AssemblyReloadEvents.Reload();
-            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
-        }
+    [Test]
+    public void TakePointFile_ThatHasChangedSinceItWasConverted_IsOfferedAndNotConverted()
+    {
+        string path = m_project.Paths.Absolute("Assets/tile.las");
+        File.Move(m_project.Scratch.Demo("tile.las", 3000), path);
+        AssetDatabase.Refresh();
+        m_project.UpdateToTheEnd();
+        Updates(() => !m_project.Imports.Thumbnails.IsDrawing);
+        var handle = m_project.Imports.HandleOf("Assets/tile.las");
+        Assert.That(handle.Stamp.Compare(new[] { path }), Is.EqualTo(SourceChange.None));
 
-        [TestCase("PointClouds", null)]
-        [TestCase("Data/Clouds", null)]
-        [TestCase("../elsewhere", null)]
-        [TestCase("Assets/Clouds", "Assets is Unity's own")]
-        [TestCase("library", "Library is Unity's own")]
-        [TestCase(".", "with the project in it")]
-        [TestCase("..", "with the project in it")]
-        [TestCase(" ", "got nothing")]
-        public void FindProblem_OfAPlace_SaysWhatIsWrong(string place, string wanted)
-        {
-            string problem = ProjectPaths.FindProblem(m_project.Paths.Project, place);
-            Assert.That(problem, wanted == null ? Is.Null : Does.Contain(wanted));
-        }
-
-        [Test]
-        public void Move_ToAnotherPlace_CloudsAreConvertedThereAndOldOnesStay()
-        {
-            var before = Converted("before");
-            Assert.That(PointCloudImports.Move("Assets/x"), Does.Contain("Unity's own"));
-            Assert.That(FastPointsSettings.instance.Place, Is.EqualTo("PointClouds"));
-
-            Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
-
-            using (var imports = new EditorImports(PointCloudImports.Paths, FastPointsSettings.instance))
-            {
-                var after = imports.Take(m_project.Scratch.Demo("after.las", 3000), "Assets");
-                Assert.That(after.ProjectPath, Is.EqualTo("Data/Clouds/after.fastpoints"));
-                ImportProject.Updates(() => imports.Update(DateTime.UtcNow), () => imports.Queue.Requests.Count == 0);
-                AssertIsWhole(m_project.Paths.Absolute(after.ProjectPath));
-                Assert.That(after.PlayerPath, Does.StartWith("PointClouds/after-"), "a player has one place for all");
-                Assert.That(imports.Catalog.Find(imports.HandleOf("Assets/before.pointcloud"), out _),
-                    Is.EqualTo(CatalogMatch.InPlace));
-            }
-            Assert.That(before.ProjectPath, Is.EqualTo("PointClouds/before.fastpoints"));
-        }
-
-        /// <summary>Importers know nothing of the place: their results may come from other machines.</summary>
-        [Test]
-        public void Move_ToAnotherPlace_FilesInAssetsAreFoundThereWithoutAnImport()
-        {
-            m_project.Scratch.Demo("project/Assets/tile.las", 3000);
-            AssetDatabase.Refresh();
-            var asset = m_project.Asset("Assets/tile.las");
-            string folder = AssetDatabase.AssetPathToGUID("Assets/tile.las") + ".fastpoints";
-            Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
-            Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/" + folder));
-
-            PointCloudImports.Move("Data/Clouds");
-
-            Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("Data/Clouds/" + folder)));
-            Assert.That(PointCloudImports.Paths.Absolute(asset.ProjectPath), Is.EqualTo(asset.File().FullPath));
-            Assert.That(PointCloudImports.Current.HandleOf("Assets/tile.las").CloudPath, Is.EqualTo("Data/Clouds/" + folder));
-        }
-
-        [Test]
-        public void TakePointFile_ThatHasChangedSinceItWasConverted_IsOfferedAndNotConverted()
-        {
-            string path = m_project.Paths.Absolute("Assets/tile.las");
-            File.Move(m_project.Scratch.Demo("tile.las", 3000), path);
-            AssetDatabase.Refresh();
-            m_project.UpdateToTheEnd();
-            Updates(() => !m_project.Imports.Thumbnails.IsDrawing);
-            var handle = m_project.Imports.HandleOf("Assets/tile.las");
-            Assert.That(handle.Stamp.Compare(new[] { path }), Is.EqualTo(SourceChange.None));
-
-            File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddDays(1));
-            m_project.Imports.TakePointFile("Assets/tile.las");
-            Assert.That(m_logged, Is.Empty, "a time alone is no change");
-            File.Copy(m_project.Scratch.Demo("other.las", 4000), path, true);
-            m_project.Imports.TakePointFile("Assets/tile.las");
-            Assert.That(m_logged.Single(), Does.Contain("Assets/tile.las has changed"));
-            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
-            string cloud = m_project.Paths.Absolute(handle.CloudPath);
-            CloudCatalog.Delete(cloud);
-            Assert.That(File.Exists(StampFile.PathOf(cloud)), Is.False);
-        }
+        File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddDays(1));
+        m_project.Imports.TakePointFile("Assets/tile.las");
+        Assert.That(m_logged, Is.Empty, "a time alone is no change");
+        File.Copy(m_project.Scratch.Demo("other.las", 4000), path, true);
+        m_project.Imports.TakePointFile("Assets/tile.las");
+        Assert.That(m_logged.Single(), Does.Contain("Assets/tile.las has changed"));
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+        string cloud = m_project.Paths.Absolute(handle.CloudPath);
+        CloudCatalog.Delete(cloud);
+        Assert.That(File.Exists(StampFile.PathOf(cloud)), Is.False);
     }
 }

@@ -1,158 +1,157 @@
 using StandIns.Entities;
 using Unity.Transforms;
 
-namespace FastPoints.HostTests.Entities
+namespace FastPoints.HostTests.Entities;
+
+/// <summary>GameObjects and subscenes: what they make of a cloud.</summary>
+public sealed class AuthoringTests
 {
-    /// <summary>GameObjects and subscenes: what they make of a cloud.</summary>
-    public sealed class AuthoringTests
+    /// <summary>The folder is opened on another thread, which may get its turn late on a machine at work.</summary>
+    const int MostFrames = 10_000_000;
+
+    ScratchFolder m_scratch;
+    World m_world;
+    PointCloudSystemGroup m_group;
+    string m_cloud;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
     {
-        /// <summary>The folder is opened on another thread, which may get its turn late on a machine at work.</summary>
-        const int MostFrames = 10_000_000;
+        m_scratch = new ScratchFolder();
+        m_cloud = m_scratch["scan.fastpoints"];
+        var call = CliCall.Of("convert", m_scratch.Demo(points: 5000), "-o", m_cloud, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+    }
 
-        ScratchFolder m_scratch;
-        World m_world;
-        PointCloudSystemGroup m_group;
-        string m_cloud;
+    [OneTimeTearDown]
+    public void DeleteCloud() => m_scratch.Dispose();
 
-        [OneTimeSetUp]
-        public void MakeCloud()
-        {
-            m_scratch = new ScratchFolder();
-            m_cloud = m_scratch["scan.fastpoints"];
-            var call = CliCall.Of("convert", m_scratch.Demo(points: 5000), "-o", m_cloud, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-        }
+    [SetUp]
+    public void MakeWorld()
+    {
+        m_world = new World("default");
+        World.DefaultGameObjectInjectionWorld = m_world;
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
+        m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        m_group.Begin(new MemoryNodePool(1 << 24, 1 << 20));
+    }
 
-        [OneTimeTearDown]
-        public void DeleteCloud() => m_scratch.Dispose();
-
-        [SetUp]
-        public void MakeWorld()
-        {
-            m_world = new World("default");
-            World.DefaultGameObjectInjectionWorld = m_world;
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
-            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            m_group.Begin(new MemoryNodePool(1 << 24, 1 << 20));
-        }
-
-        [TearDown]
-        public void EndWorld()
-        {
-            if (m_world.IsCreated)
-                m_world.Dispose();
-        }
-
-        void Frames(Func<bool> isDone)
-        {
-            for (int frame = 0; frame < MostFrames && !isDone(); frame++)
-            {
-                SceneLoop.Update();
-                m_world.Update();
-                Thread.Yield();
-            }
-            Assert.That(isDone(), Is.True);
-        }
-
-        bool IsStreamed(Entity entity) => m_world.EntityManager.HasComponent<StreamedPointCloud>(entity);
-
-        [Test]
-        public void PointCloud_OnAGameObject_IsAnEntityThatFollowsItAndGoesWithIt()
-        {
-            var scene = new GameObject("scan");
-            var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
-            Assert.That(cloud.Entity, Is.EqualTo(Entity.Null), "there is no path yet");
-            cloud.Path = m_cloud;
-            var entity = cloud.Entity;
-            Frames(() => IsStreamed(entity));
-            var before = m_group.Stream.Clouds[0].Placement.OriginWorld;
-            var moved = Matrix4x4.identity;
-            moved.m03 = 50;
-            SceneLoop.Place(scene.transform, moved);
-            Frames(() => m_group.Stream.Clouds[0].Placement.OriginWorld.x == before.x + 50);
-
-            cloud.Path = m_cloud + "-other";
-            Assert.That(cloud.Entity, Is.Not.EqualTo(entity));
-            Frames(() => !m_world.EntityManager.Exists(entity));
-            UnityEngine.Object.DestroyImmediate(scene);
-            Assert.That(cloud.Entity, Is.EqualTo(Entity.Null));
-        }
-
-        [Test]
-        public void PointCloud_ColourAndClasses_DecideOnWhatIsStreamed()
-        {
-            var scene = new GameObject("scan");
-            var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
-            cloud.Path = m_cloud;
-            PointCloudLook Look() => m_world.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity);
-            string[] Planes()
-            {
-                Frames(() => IsStreamed(cloud.Entity));
-                int number = m_world.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number;
-                var source = m_group.Stream.Clouds[number].Source;
-                return source.Planes.ToArray().Select(p => source.Layout.Planes[p].Name).ToArray();
-            }
-            Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, StoreLayout.ColorName }));
-            Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Channels));
-
-            cloud.Color = ColorMode.Elevation;
-            Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName }));
-            Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Place));
-
-            cloud.HiddenClasses = new[] { 2, 6 };
-            Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, AttributeNames.Classification }));
-            Assert.That(Look().Value.HiddenClasses.Has(6), Is.True);
-            Assert.That(Look().Value.ClassPlane, Is.EqualTo(1));
-            UnityEngine.Object.DestroyImmediate(scene);
-        }
-
-        [Test]
-        public void PointCloudClipBox_OnAGameObject_ClipsAsItStandsUntilItGoes()
-        {
-            var clips = m_group.Stream.ClipBoxes;
-            var scene = new GameObject("box");
-            var box = scene.AddComponent<PointCloudClipBox>();
-            var place = Matrix4x4.identity;
-            place.m00 = 4;
-            place.m03 = 50;
-            SceneLoop.Place(scene.transform, place);
-            Frames(() => clips.Length == 1 && clips[0].CenterWorld.x == 50);
-            Assert.That(clips[0].EdgesWorld, Is.EqualTo(new double3x3(4, 0, 0, 0, 1, 0, 0, 0, 1)));
-            Assert.That(clips[0].Cuts, Is.False);
-            box.Cuts = true;
-            Frames(() => clips[0].Cuts);
-            UnityEngine.Object.DestroyImmediate(scene);
-            Frames(() => clips.Length == 0);
-
-            // What a script gave the stream stays.
-            clips.Add(new ClipBox(0, 1));
-            Frames(() => true);
-            m_world.Update();
-            Assert.That(clips.Length, Is.EqualTo(1));
-        }
-
-        [Test]
-        public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
-        {
-            var scene = new GameObject("scan");
-            var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
-            cloud.Path = m_cloud;
+    [TearDown]
+    public void EndWorld()
+    {
+        if (m_world.IsCreated)
             m_world.Dispose();
-            SceneLoop.Update();
-            Assert.That(() => UnityEngine.Object.DestroyImmediate(scene), Throws.Nothing);
-        }
+    }
 
-        [Test]
-        public void Baker_OfAnAuthoringComponent_MakesWhatStreams()
+    void Frames(Func<bool> isDone)
+    {
+        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
         {
-            var scene = new GameObject("scan");
-            var authoring = scene.AddComponent<PointCloudAuthoring>();
-            authoring.Path = m_cloud;
-            var entity = Baking.Bake(new PointCloudBaker(), authoring, m_world);
-            // What the transform system adds for TransformUsageFlags.Dynamic.
-            m_world.EntityManager.AddComponentData(entity, new LocalToWorld { Value = Unity.Mathematics.float4x4.identity });
-            Frames(() => IsStreamed(entity));
+            SceneLoop.Update();
+            m_world.Update();
+            Thread.Yield();
         }
+        Assert.That(isDone(), Is.True);
+    }
+
+    bool IsStreamed(Entity entity) => m_world.EntityManager.HasComponent<StreamedPointCloud>(entity);
+
+    [Test]
+    public void PointCloud_OnAGameObject_IsAnEntityThatFollowsItAndGoesWithIt()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        Assert.That(cloud.Entity, Is.EqualTo(Entity.Null), "there is no path yet");
+        cloud.Path = m_cloud;
+        var entity = cloud.Entity;
+        Frames(() => IsStreamed(entity));
+        var before = m_group.Stream.Clouds[0].Placement.OriginWorld;
+        var moved = Matrix4x4.identity;
+        moved.m03 = 50;
+        SceneLoop.Place(scene.transform, moved);
+        Frames(() => m_group.Stream.Clouds[0].Placement.OriginWorld.x == before.x + 50);
+
+        cloud.Path = m_cloud + "-other";
+        Assert.That(cloud.Entity, Is.Not.EqualTo(entity));
+        Frames(() => !m_world.EntityManager.Exists(entity));
+        UnityEngine.Object.DestroyImmediate(scene);
+        Assert.That(cloud.Entity, Is.EqualTo(Entity.Null));
+    }
+
+    [Test]
+    public void PointCloud_ColourAndClasses_DecideOnWhatIsStreamed()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        PointCloudLook Look() => m_world.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity);
+        string[] Planes()
+        {
+            Frames(() => IsStreamed(cloud.Entity));
+            int number = m_world.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number;
+            var source = m_group.Stream.Clouds[number].Source;
+            return source.Planes.ToArray().Select(p => source.Layout.Planes[p].Name).ToArray();
+        }
+        Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, StoreLayout.ColorName }));
+        Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Channels));
+
+        cloud.Color = ColorMode.Elevation;
+        Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName }));
+        Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Place));
+
+        cloud.HiddenClasses = new[] { 2, 6 };
+        Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, AttributeNames.Classification }));
+        Assert.That(Look().Value.HiddenClasses.Has(6), Is.True);
+        Assert.That(Look().Value.ClassPlane, Is.EqualTo(1));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
+    [Test]
+    public void PointCloudClipBox_OnAGameObject_ClipsAsItStandsUntilItGoes()
+    {
+        var clips = m_group.Stream.ClipBoxes;
+        var scene = new GameObject("box");
+        var box = scene.AddComponent<PointCloudClipBox>();
+        var place = Matrix4x4.identity;
+        place.m00 = 4;
+        place.m03 = 50;
+        SceneLoop.Place(scene.transform, place);
+        Frames(() => clips.Length == 1 && clips[0].CenterWorld.x == 50);
+        Assert.That(clips[0].EdgesWorld, Is.EqualTo(new double3x3(4, 0, 0, 0, 1, 0, 0, 0, 1)));
+        Assert.That(clips[0].Cuts, Is.False);
+        box.Cuts = true;
+        Frames(() => clips[0].Cuts);
+        UnityEngine.Object.DestroyImmediate(scene);
+        Frames(() => clips.Length == 0);
+
+        // What a script gave the stream stays.
+        clips.Add(new ClipBox(0, 1));
+        Frames(() => true);
+        m_world.Update();
+        Assert.That(clips.Length, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        m_world.Dispose();
+        SceneLoop.Update();
+        Assert.That(() => UnityEngine.Object.DestroyImmediate(scene), Throws.Nothing);
+    }
+
+    [Test]
+    public void Baker_OfAnAuthoringComponent_MakesWhatStreams()
+    {
+        var scene = new GameObject("scan");
+        var authoring = scene.AddComponent<PointCloudAuthoring>();
+        authoring.Path = m_cloud;
+        var entity = Baking.Bake(new PointCloudBaker(), authoring, m_world);
+        // What the transform system adds for TransformUsageFlags.Dynamic.
+        m_world.EntityManager.AddComponentData(entity, new LocalToWorld { Value = Unity.Mathematics.float4x4.identity });
+        Frames(() => IsStreamed(entity));
     }
 }

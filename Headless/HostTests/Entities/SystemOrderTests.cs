@@ -1,56 +1,55 @@
 using System.Reflection;
 using StandIns.Entities;
 
-namespace FastPoints.HostTests.Entities
+namespace FastPoints.HostTests.Entities;
+
+/// <summary>Systems are made by Unity, from their attributes alone.</summary>
+public sealed class SystemOrderTests
 {
-    /// <summary>Systems are made by Unity, from their attributes alone.</summary>
-    public sealed class SystemOrderTests
+    static Type[] Systems => typeof(PointCloudSystemGroup).Assembly.GetTypes()
+        .Where(t => t.IsSubclassOf(typeof(ComponentSystemBase)) && !t.IsAbstract).ToArray();
+
+    static string[] Order(bool isBackwards)
     {
-        static Type[] Systems => typeof(PointCloudSystemGroup).Assembly.GetTypes()
-            .Where(t => t.IsSubclassOf(typeof(ComponentSystemBase)) && !t.IsAbstract).ToArray();
-
-        static string[] Order(bool isBackwards)
+        SystemOrder.IsBackwards = isBackwards;
+        try
         {
-            SystemOrder.IsBackwards = isBackwards;
-            try
-            {
-                using var world = new World("order");
-                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, Systems);
-                var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
-                group.SortSystems();
-                return group.ManagedSystems.Select(s => s.GetType().Name).ToArray();
-            }
-            finally
-            {
-                SystemOrder.IsBackwards = false;
-            }
+            using var world = new World("order");
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, Systems);
+            var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            group.SortSystems();
+            return group.ManagedSystems.Select(s => s.GetType().Name).ToArray();
         }
-
-        [Test]
-        public void Systems_WhateverOrdersTheRest_RunInOneOrderWithoutAWarning()
+        finally
         {
-            var logged = new List<string>();
-            UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-            try
-            {
-                Assert.That(Order(true), Is.EqualTo(Order(false)).And.Length.EqualTo(Systems.Length - 1));
-            }
-            finally
-            {
-                UnityEngine.Debug.s_sink = null;
-            }
-            Assert.That(logged, Is.Empty);
+            SystemOrder.IsBackwards = false;
         }
+    }
 
-        /// <summary>
-        /// The editor's world takes systems that say Editor, and no others; a group's flags are not its systems'.
-        /// </summary>
-        [Test]
-        public void Systems_All_AreOfTheEditorsWorldAndOfPlayers()
+    [Test]
+    public void Systems_WhateverOrdersTheRest_RunInOneOrderWithoutAWarning()
+    {
+        var logged = new List<string>();
+        UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        try
         {
-            foreach (var system in Systems)
-                Assert.That(system.GetCustomAttribute<WorldSystemFilterAttribute>()?.FilterFlags,
-                    Is.EqualTo(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor), system.Name);
+            Assert.That(Order(true), Is.EqualTo(Order(false)).And.Length.EqualTo(Systems.Length - 1));
         }
+        finally
+        {
+            UnityEngine.Debug.s_sink = null;
+        }
+        Assert.That(logged, Is.Empty);
+    }
+
+    /// <summary>
+    /// The editor's world takes systems that say Editor, and no others; a group's flags are not its systems'.
+    /// </summary>
+    [Test]
+    public void Systems_All_AreOfTheEditorsWorldAndOfPlayers()
+    {
+        foreach (var system in Systems)
+            Assert.That(system.GetCustomAttribute<WorldSystemFilterAttribute>()?.FilterFlags,
+                Is.EqualTo(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor), system.Name);
     }
 }

@@ -1,14 +1,13 @@
 using FastPoints.Rendering.BuiltIn;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>Cameras draw by themselves.</summary>
+sealed class BuiltInHost : PipelineHost
 {
-    /// <summary>Cameras draw by themselves.</summary>
-    sealed class BuiltInHost : PipelineHost
-    {
-        public BuiltInHost() => BuiltInPass.Begin();
+    public BuiltInHost() => BuiltInPass.Begin();
 
-        public override void Render(Camera camera) => camera.Render();
+    public override void Render(Camera camera) => camera.Render();
 
-        public override void Dispose() => BuiltInPass.End();
-    }
+    public override void Dispose() => BuiltInPass.End();
 }

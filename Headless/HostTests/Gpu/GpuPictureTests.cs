@@ -1,319 +1,318 @@
 using FastPoints.HostTests.StandIns.Graphics;
 using NUnit.Framework.Constraints;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>The graphics card's pictures against those of the software rasteriser, of the same nodes.</summary>
+public sealed class GpuPictureTests : GraphicsFixture
 {
-    /// <summary>The graphics card's pictures against those of the software rasteriser, of the same nodes.</summary>
-    public sealed class GpuPictureTests : GraphicsFixture
+    const int Points = 40_000;
+
+    ScratchFolder m_scratch;
+    string m_demo;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
     {
-        const int Points = 40_000;
+        m_scratch = new ScratchFolder();
+        m_demo = Convert(m_scratch.Demo(points: Points), "demo");
+    }
 
-        ScratchFolder m_scratch;
-        string m_demo;
+    [OneTimeTearDown]
+    public void DeleteCloud() => m_scratch?.Dispose();
 
-        [OneTimeSetUp]
-        public void MakeCloud()
-        {
-            m_scratch = new ScratchFolder();
-            m_demo = Convert(m_scratch.Demo(points: Points), "demo");
-        }
-
-        [OneTimeTearDown]
-        public void DeleteCloud() => m_scratch?.Dispose();
-
-        string Convert(string file, string name)
-        {
-            string folder = m_scratch[name + ".fastpoints"];
-            if (Directory.Exists(folder))
-                return folder;
-            var call = CliCall.Of("convert", file, "-o", folder, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+    string Convert(string file, string name)
+    {
+        string folder = m_scratch[name + ".fastpoints"];
+        if (Directory.Exists(folder))
             return folder;
-        }
+        var call = CliCall.Of("convert", file, "-o", folder, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        return folder;
+    }
 
-        static PictureOptions Options(float sizePx = 1, bool isRound = false, ColorMode color = ColorMode.Rgb) => new()
+    static PictureOptions Options(float sizePx = 1, bool isRound = false, ColorMode color = ColorMode.Rgb) => new()
+    {
+        WidthPx = 320,
+        HeightPx = 180,
+        PointSizePx = sizePx,
+        RoundPoints = isRound,
+        Color = color,
+        EdlStrength = 0,
+    };
+
+    /// <summary>Pictures beside the tests' results, for people.</summary>
+    /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
+    static void Compare(TwinStreams streams, PictureCamera camera, string name, int mostPerChannel = 0)
+    {
+        var pictures = streams.Draw(camera);
+        double share = streams.ShareThatDiffers(pictures, out int covered, mostPerChannel);
+        string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, "gpu-" + name);
+        File.WriteAllBytes(output + "-cpu.png", Png.Encode(pictures.Cpu));
+        File.WriteAllBytes(output + "-gpu.png", Png.Encode(pictures.Gpu));
+        TestContext.Out.WriteLine(name + ": " + covered + " pixels covered, " + share.ToString("P3") + " differ");
+        Assert.That(covered, Is.GreaterThan(500), output);
+        Assert.That(share, Is.LessThan(streams.MostThatDiffer), output);
+    }
+
+    /// <summary>Points of one pixel are drawn by a compute shader, or as point primitives.</summary>
+    [TestCase(1, false)]
+    [TestCase(1, false, false)]
+    [TestCase(3, false)]
+    [TestCase(5, true)]
+    public void Draw_Shapes_AreThoseOfTheSoftwareRasterizer(float sizePx, bool isRound, bool canCompute = true)
+    {
+        using var streams = new TwinStreams(m_demo, Options(sizePx, isRound), Points, canCompute: canCompute);
+        Compare(streams, streams.Plan.Camera, "shape-" + sizePx + (canCompute ? "" : "-primitives"));
+    }
+
+    [TestCase(ColorMode.Rgb)]
+    [TestCase(ColorMode.Elevation)]
+    [TestCase(ColorMode.Intensity)]
+    [TestCase(ColorMode.Classification)]
+    [TestCase(ColorMode.ReturnNumber)]
+    [TestCase(ColorMode.PointSource)]
+    public void Draw_ColorModes_AreThoseOfTheSoftwareRasterizer(ColorMode mode)
+    {
+        using var streams = new TwinStreams(m_demo, Options(4, true, mode), Points);
+        Assert.That(streams.Plan.Mode, Is.EqualTo(mode));
+        Compare(streams, streams.Plan.Camera, "color-" + mode);
+    }
+
+    /// <summary>Each cloud has its own mode and gradient.</summary>
+    [Test]
+    public void Draw_TwoCloudsOfDifferentColours_IsThatOfTheSoftwareRasterizer()
+    {
+        var options = Options(4, true, ColorMode.Classification);
+        using var streams = new TwinStreams(m_demo, options, 2 * Points);
+        var camera = streams.Plan.Camera;
+        var alone = streams.Draw(camera).Gpu;
+        var other = Options(4, true, ColorMode.Elevation);
+        other.Gradient = Gradient.Turbo;
+        var size = streams.Ranges.Robust.Size;
+        streams.Add(m_demo, other, placement =>
         {
-            WidthPx = 320,
-            HeightPx = 180,
-            PointSizePx = sizePx,
-            RoundPoints = isRound,
-            Color = color,
-            EdlStrength = 0,
-        };
+            placement.OriginWorld += new double3(0, 0, size.z);
+            return placement;
+        });
+        Compare(streams, camera, "two-colours");
 
-        /// <summary>Pictures beside the tests' results, for people.</summary>
-        /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
-        static void Compare(TwinStreams streams, PictureCamera camera, string name, int mostPerChannel = 0)
+        var both = streams.Draw(camera).Gpu;
+        using var palettes = Palettes.CreateAll(Unity.Collections.Allocator.Persistent);
+        uint[] Of(int palette) => palettes.GetSubArray(palette * Palettes.Length, Palettes.Length).ToArray();
+        var classes = Of(Palettes.IndexOf(ColorMode.Classification));
+        var turbo = Of(Palettes.IndexOf(ColorMode.Elevation, Gradient.Turbo));
+        int Count(RgbaImage image, uint[] colors) =>
+            Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(image[i % 320, i / 320]));
+        Assert.That(Count(alone, turbo), Is.LessThan(Count(both, turbo) / 10));
+        Assert.That(Count(both, classes), Is.GreaterThan(500));
+    }
+
+    /// <summary>Sizes that differ from point to point: by distance, and by what is drawn at their place.</summary>
+    [TestCase("0.2u", true)]
+    [TestCase("0.2u", false)]
+    [TestCase("adaptive", true)]
+    [TestCase("adaptive", false)]
+    public void Draw_SizesInTheWorld_AreThoseOfTheSoftwareRasterizer(string size, bool isRound)
+    {
+        var options = Options(0, isRound);
+        Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+        using var streams = new TwinStreams(m_demo, options, Points / 2);
+        var camera = streams.Plan.Camera;
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, camera, "size-" + size + (isRound ? "-round" : ""));
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            streams.Ranges.Robust.Size.y), "size-" + size + (isRound ? "-round" : "") + "-flat");
+    }
+
+    [TestCase("1", false)]
+    [TestCase("1", false, false)]
+    [TestCase("5", true)]
+    [TestCase("adaptive", true)]
+    public void Draw_EyeDomeLighting_IsThatOfTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
+    {
+        var options = Options(0, isRound, ColorMode.Elevation);
+        options.EdlStrength = 0.4f;
+        Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+        using var streams = new TwinStreams(m_demo, options, Points / 2, canCompute: canCompute);
+        Compare(streams, streams.Plan.Camera, "edl-" + size);
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
+    }
+
+    [TestCase(0)]
+    [TestCase(0.4f)]
+    public void Draw_HolesFilled_IsThatOfTheSoftwareRasterizer(float edlStrength)
+    {
+        var options = Options(2, true);
+        options.EdlStrength = edlStrength;
+        using var open = new TwinStreams(m_demo, options, Points);
+        var holes = open.Draw(open.Plan.Camera).Cpu;
+        options.FillsHoles = true;
+        using var streams = new TwinStreams(m_demo, options, Points);
+        Compare(streams, streams.Plan.Camera, "holes-" + edlStrength);
+        var filled = streams.Draw(streams.Plan.Camera).Cpu;
+        int more = 0;
+        for (int i = 0; i < 320 * 180; i++)
         {
-            var pictures = streams.Draw(camera);
-            double share = streams.ShareThatDiffers(pictures, out int covered, mostPerChannel);
-            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, "gpu-" + name);
-            File.WriteAllBytes(output + "-cpu.png", Png.Encode(pictures.Cpu));
-            File.WriteAllBytes(output + "-gpu.png", Png.Encode(pictures.Gpu));
-            TestContext.Out.WriteLine(name + ": " + covered + " pixels covered, " + share.ToString("P3") + " differ");
-            Assert.That(covered, Is.GreaterThan(500), output);
-            Assert.That(share, Is.LessThan(streams.MostThatDiffer), output);
+            bool wasCovered = holes[i % 320, i / 320] != options.Background;
+            more += !wasCovered && filled[i % 320, i / 320] != options.Background ? 1 : 0;
+            Assert.That(!wasCovered || filled[i % 320, i / 320] != options.Background);
         }
+        Assert.That(more, Is.InRange(20, 2000));
+    }
 
-        /// <summary>Points of one pixel are drawn by a compute shader, or as point primitives.</summary>
-        [TestCase(1, false)]
-        [TestCase(1, false, false)]
-        [TestCase(3, false)]
-        [TestCase(5, true)]
-        public void Draw_Shapes_AreThoseOfTheSoftwareRasterizer(float sizePx, bool isRound, bool canCompute = true)
-        {
-            using var streams = new TwinStreams(m_demo, Options(sizePx, isRound), Points, canCompute: canCompute);
-            Compare(streams, streams.Plan.Camera, "shape-" + sizePx + (canCompute ? "" : "-primitives"));
-        }
+    /// <summary>Weights are rounded to a 32nd of the largest, on either side of it where a card's place of a pixel in a point
+    /// differs in its last bits: a mean of few points differs by one 255th then.</summary>
+    [TestCase("5", 0)]
+    [TestCase("adaptive:3", 0)]
+    [TestCase("adaptive:3", 0.3f)]
+    [TestCase("0.5u", 0)]
+    public void Draw_Splats_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
+    {
+        var options = Options();
+        options.EdlStrength = edlStrength;
+        Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", "splat", out error),
+            error);
+        using var streams = new TwinStreams(m_demo, options, Points);
+        string name = "splat-" + size.Replace(':', '-') + "-" + edlStrength;
+        Compare(streams, streams.Plan.Camera, name, 1);
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            streams.Ranges.Robust.Size.y), name + "-flat", 1);
+    }
 
-        [TestCase(ColorMode.Rgb)]
-        [TestCase(ColorMode.Elevation)]
-        [TestCase(ColorMode.Intensity)]
-        [TestCase(ColorMode.Classification)]
-        [TestCase(ColorMode.ReturnNumber)]
-        [TestCase(ColorMode.PointSource)]
-        public void Draw_ColorModes_AreThoseOfTheSoftwareRasterizer(ColorMode mode)
-        {
-            using var streams = new TwinStreams(m_demo, Options(4, true, mode), Points);
-            Assert.That(streams.Plan.Mode, Is.EqualTo(mode));
-            Compare(streams, streams.Plan.Camera, "color-" + mode);
-        }
+    [TestCase("7", 0)]
+    [TestCase("adaptive", 0)]
+    [TestCase("adaptive", 0.4f)]
+    public void Draw_Paraboloids_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
+    {
+        var options = Options(0);
+        options.EdlStrength = edlStrength;
+        Assert.That(options.TrySetStyle("size", size, out string error) &&
+            options.TrySetStyle("points", "paraboloid", out error), Is.True, error);
+        using var streams = new TwinStreams(m_demo, options, Points / 2);
+        string name = "paraboloid-" + size + "-" + edlStrength;
+        Compare(streams, streams.Plan.Camera, name);
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            streams.Ranges.Robust.Size.y), name + "-flat");
+    }
 
-        /// <summary>Each cloud has its own mode and gradient.</summary>
-        [Test]
-        public void Draw_TwoCloudsOfDifferentColours_IsThatOfTheSoftwareRasterizer()
-        {
-            var options = Options(4, true, ColorMode.Classification);
-            using var streams = new TwinStreams(m_demo, options, 2 * Points);
-            var camera = streams.Plan.Camera;
-            var alone = streams.Draw(camera).Gpu;
-            var other = Options(4, true, ColorMode.Elevation);
-            other.Gradient = Gradient.Turbo;
-            var size = streams.Ranges.Robust.Size;
-            streams.Add(m_demo, other, placement =>
-            {
-                placement.OriginWorld += new double3(0, 0, size.z);
-                return placement;
-            });
-            Compare(streams, camera, "two-colours");
+    /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing
+    /// outside is drawn.</summary>
+    [TestCase(false, false)]
+    [TestCase(true, false)]
+    [TestCase(true, true)]
+    [TestCase(true, true, 1)]
+    public void Draw_Clipped_IsThatOfTheSoftwareRasterizer(bool keeps, bool cuts, float sizePx = 3)
+    {
+        var options = Options(sizePx, sizePx > 1);
+        using var streams = new TwinStreams(m_demo, options, Points);
+        var bounds = streams.Ranges.Robust;
+        var all = streams.Draw(streams.Plan.Camera).Gpu;
+        var turned = new ClipBox(bounds.Min, bounds.Center, true);
+        double sin = math.sin(0.5), cos = math.cos(0.5);
+        turned.EdgesWorld = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
+            turned.EdgesWorld);
+        if (keeps)
+            options.ClipBoxes.Add(new ClipBox(bounds.Center - bounds.Size * 0.3, bounds.Center + bounds.Size * 0.3));
+        if (cuts)
+            options.ClipBoxes.Add(turned);
+        streams.Clip();
+        Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts + sizePx);
+        var left = streams.Draw(streams.Plan.Camera).Gpu;
+        int Covered(RgbaImage image) =>
+            Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
+        Assert.That(Covered(left), keeps ? Is.LessThan(Covered(all) * 0.8) : (IResolveConstraint)Is.EqualTo(Covered(all)));
+    }
 
-            var both = streams.Draw(camera).Gpu;
-            using var palettes = Palettes.CreateAll(Unity.Collections.Allocator.Persistent);
-            uint[] Of(int palette) => palettes.GetSubArray(palette * Palettes.Length, Palettes.Length).ToArray();
-            var classes = Of(Palettes.IndexOf(ColorMode.Classification));
-            var turbo = Of(Palettes.IndexOf(ColorMode.Elevation, Gradient.Turbo));
-            int Count(RgbaImage image, uint[] colors) =>
-                Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(image[i % 320, i / 320]));
-            Assert.That(Count(alone, turbo), Is.LessThan(Count(both, turbo) / 10));
-            Assert.That(Count(both, classes), Is.GreaterThan(500));
-        }
+    [TestCase(ColorMode.Classification)]
+    [TestCase(ColorMode.Rgb)]
+    [TestCase(ColorMode.Elevation)]
+    public void Draw_ClassesHidden_IsThatOfTheSoftwareRasterizer(ColorMode mode)
+    {
+        var options = Options(3, true, mode);
+        using var all = new TwinStreams(m_demo, options, Points);
+        var everything = all.Draw(all.Plan.Camera).Gpu;
+        Assert.That(options.TrySetStyle("classes", "2+5", out string error), Is.True, error);
+        using var streams = new TwinStreams(m_demo, options, Points);
+        Compare(streams, streams.Plan.Camera, "classes-" + mode);
+        var some = streams.Draw(streams.Plan.Camera).Gpu;
+        Assert.That(some.Rgba, Is.Not.EqualTo(everything.Rgba));
+        if (mode != ColorMode.Classification)
+            return;
+        using var palette = Palettes.Create(mode, Unity.Collections.Allocator.Persistent);
+        var wanted = new[] { palette[2], palette[5], options.Background };
+        Assert.That(Enumerable.Range(0, 320 * 180).Select(i => some[i % 320, i / 320]).Distinct(), Is.SubsetOf(wanted));
+    }
 
-        /// <summary>Sizes that differ from point to point: by distance, and by what is drawn at their place.</summary>
-        [TestCase("0.2u", true)]
-        [TestCase("0.2u", false)]
-        [TestCase("adaptive", true)]
-        [TestCase("adaptive", false)]
-        public void Draw_SizesInTheWorld_AreThoseOfTheSoftwareRasterizer(string size, bool isRound)
-        {
-            var options = Options(0, isRound);
-            Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
-            using var streams = new TwinStreams(m_demo, options, Points / 2);
-            var camera = streams.Plan.Camera;
-            var center = streams.Ranges.Robust.Center;
-            Compare(streams, camera, "size-" + size + (isRound ? "-round" : ""));
-            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
-                streams.Ranges.Robust.Size.y), "size-" + size + (isRound ? "-round" : "") + "-flat");
-        }
+    /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in
+    /// view.</summary>
+    [Test]
+    public void Draw_CameraBesideAPoint_IsThatOfTheSoftwareRasterizer()
+    {
+        using var streams = new TwinStreams(m_demo, Options(3, true), Points);
+        var outline = streams.Ranges.Outline;
+        var point = outline[outline.Length / 2];
+        Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
+        var eye = point + new double3(-0.008, 0.006, 0.002);
+        var camera = PictureCamera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60);
+        Compare(streams, camera, "beside");
+    }
 
-        [TestCase("1", false)]
-        [TestCase("1", false, false)]
-        [TestCase("5", true)]
-        [TestCase("adaptive", true)]
-        public void Draw_EyeDomeLighting_IsThatOfTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
-        {
-            var options = Options(0, isRound, ColorMode.Elevation);
-            options.EdlStrength = 0.4f;
-            Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
-            using var streams = new TwinStreams(m_demo, options, Points / 2, canCompute: canCompute);
-            Compare(streams, streams.Plan.Camera, "edl-" + size);
-            var center = streams.Ranges.Robust.Center;
-            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
-                streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
-        }
+    [Test]
+    public void Draw_FarAway_IsThatOfTheSoftwareRasterizer()
+    {
+        using var streams = new TwinStreams(m_demo, Options(1), Points);
+        var camera = streams.Plan.Camera;
+        var center = streams.Ranges.Robust.Center;
+        var far = PictureCamera.Perspective(center + (camera.EyeGeo - center) * 300, center, new double3(0, 0, 1), 0.15);
+        Compare(streams, far, "far");
+    }
 
-        [TestCase(0)]
-        [TestCase(0.4f)]
-        public void Draw_HolesFilled_IsThatOfTheSoftwareRasterizer(float edlStrength)
-        {
-            var options = Options(2, true);
-            options.EdlStrength = edlStrength;
-            using var open = new TwinStreams(m_demo, options, Points);
-            var holes = open.Draw(open.Plan.Camera).Cpu;
-            options.FillsHoles = true;
-            using var streams = new TwinStreams(m_demo, options, Points);
-            Compare(streams, streams.Plan.Camera, "holes-" + edlStrength);
-            var filled = streams.Draw(streams.Plan.Camera).Cpu;
-            int more = 0;
-            for (int i = 0; i < 320 * 180; i++)
-            {
-                bool wasCovered = holes[i % 320, i / 320] != options.Background;
-                more += !wasCovered && filled[i % 320, i / 320] != options.Background ? 1 : 0;
-                Assert.That(!wasCovered || filled[i % 320, i / 320] != options.Background);
-            }
-            Assert.That(more, Is.InRange(20, 2000));
-        }
+    [Test]
+    public void Draw_Orthographic_IsThatOfTheSoftwareRasterizer()
+    {
+        using var streams = new TwinStreams(m_demo, Options(2), Points);
+        var center = streams.Ranges.Robust.Center;
+        var size = streams.Ranges.Robust.Size;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y),
+            "orthographic");
+    }
 
-        /// <summary>Weights are rounded to a 32nd of the largest, on either side of it where a card's place of a pixel in a point
-        /// differs in its last bits: a mean of few points differs by one 255th then.</summary>
-        [TestCase("5", 0)]
-        [TestCase("adaptive:3", 0)]
-        [TestCase("adaptive:3", 0.3f)]
-        [TestCase("0.5u", 0)]
-        public void Draw_Splats_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
-        {
-            var options = Options();
-            options.EdlStrength = edlStrength;
-            Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", "splat", out error),
-                error);
-            using var streams = new TwinStreams(m_demo, options, Points);
-            string name = "splat-" + size.Replace(':', '-') + "-" + edlStrength;
-            Compare(streams, streams.Plan.Camera, name, 1);
-            var center = streams.Ranges.Robust.Center;
-            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
-                streams.Ranges.Robust.Size.y), name + "-flat", 1);
-        }
+    /// <summary>A cloud's transform: scaled, not evenly, and turned; the camera goes with it.</summary>
+    [TestCase(1e-3)]
+    [TestCase(1)]
+    [TestCase(1e6)]
+    public void Draw_PlacedInTheWorld_IsThatOfTheSoftwareRasterizer(double scale)
+    {
+        double sin = math.sin(0.7), cos = math.cos(0.7);
+        var linear = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
+            new double3x3(new double3(scale, 0, 0), new double3(0, scale * 1.5, 0), new double3(0, 0, scale * 0.8)));
+        using var streams = new TwinStreams(m_demo, Options(3, true), Points,
+            geo => new CloudPlacement(math.mul(linear, geo.Linear), math.mul(linear, geo.OriginWorld)));
+        var camera = streams.Plan.Camera;
+        var eye = math.mul(linear, camera.EyeGeo);
+        var center = math.mul(linear, streams.Ranges.Robust.Center);
+        Compare(streams, PictureCamera.Perspective(eye, center, new double3(0, 0, 1), 60), "placed-" + scale);
+    }
 
-        [TestCase("7", 0)]
-        [TestCase("adaptive", 0)]
-        [TestCase("adaptive", 0.4f)]
-        public void Draw_Paraboloids_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
-        {
-            var options = Options(0);
-            options.EdlStrength = edlStrength;
-            Assert.That(options.TrySetStyle("size", size, out string error) &&
-                options.TrySetStyle("points", "paraboloid", out error), Is.True, error);
-            using var streams = new TwinStreams(m_demo, options, Points / 2);
-            string name = "paraboloid-" + size + "-" + edlStrength;
-            Compare(streams, streams.Plan.Camera, name);
-            var center = streams.Ranges.Robust.Center;
-            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
-                streams.Ranges.Robust.Size.y), name + "-flat");
-        }
-
-        /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing
-        /// outside is drawn.</summary>
-        [TestCase(false, false)]
-        [TestCase(true, false)]
-        [TestCase(true, true)]
-        [TestCase(true, true, 1)]
-        public void Draw_Clipped_IsThatOfTheSoftwareRasterizer(bool keeps, bool cuts, float sizePx = 3)
-        {
-            var options = Options(sizePx, sizePx > 1);
-            using var streams = new TwinStreams(m_demo, options, Points);
-            var bounds = streams.Ranges.Robust;
-            var all = streams.Draw(streams.Plan.Camera).Gpu;
-            var turned = new ClipBox(bounds.Min, bounds.Center, true);
-            double sin = math.sin(0.5), cos = math.cos(0.5);
-            turned.EdgesWorld = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
-                turned.EdgesWorld);
-            if (keeps)
-                options.ClipBoxes.Add(new ClipBox(bounds.Center - bounds.Size * 0.3, bounds.Center + bounds.Size * 0.3));
-            if (cuts)
-                options.ClipBoxes.Add(turned);
-            streams.Clip();
-            Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts + sizePx);
-            var left = streams.Draw(streams.Plan.Camera).Gpu;
-            int Covered(RgbaImage image) =>
-                Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
-            Assert.That(Covered(left), keeps ? Is.LessThan(Covered(all) * 0.8) : (IResolveConstraint)Is.EqualTo(Covered(all)));
-        }
-
-        [TestCase(ColorMode.Classification)]
-        [TestCase(ColorMode.Rgb)]
-        [TestCase(ColorMode.Elevation)]
-        public void Draw_ClassesHidden_IsThatOfTheSoftwareRasterizer(ColorMode mode)
-        {
-            var options = Options(3, true, mode);
-            using var all = new TwinStreams(m_demo, options, Points);
-            var everything = all.Draw(all.Plan.Camera).Gpu;
-            Assert.That(options.TrySetStyle("classes", "2+5", out string error), Is.True, error);
-            using var streams = new TwinStreams(m_demo, options, Points);
-            Compare(streams, streams.Plan.Camera, "classes-" + mode);
-            var some = streams.Draw(streams.Plan.Camera).Gpu;
-            Assert.That(some.Rgba, Is.Not.EqualTo(everything.Rgba));
-            if (mode != ColorMode.Classification)
-                return;
-            using var palette = Palettes.Create(mode, Unity.Collections.Allocator.Persistent);
-            var wanted = new[] { palette[2], palette[5], options.Background };
-            Assert.That(Enumerable.Range(0, 320 * 180).Select(i => some[i % 320, i / 320]).Distinct(), Is.SubsetOf(wanted));
-        }
-
-        /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in
-        /// view.</summary>
-        [Test]
-        public void Draw_CameraBesideAPoint_IsThatOfTheSoftwareRasterizer()
-        {
-            using var streams = new TwinStreams(m_demo, Options(3, true), Points);
-            var outline = streams.Ranges.Outline;
-            var point = outline[outline.Length / 2];
-            Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
-            var eye = point + new double3(-0.008, 0.006, 0.002);
-            var camera = PictureCamera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60);
-            Compare(streams, camera, "beside");
-        }
-
-        [Test]
-        public void Draw_FarAway_IsThatOfTheSoftwareRasterizer()
-        {
-            using var streams = new TwinStreams(m_demo, Options(1), Points);
-            var camera = streams.Plan.Camera;
-            var center = streams.Ranges.Robust.Center;
-            var far = PictureCamera.Perspective(center + (camera.EyeGeo - center) * 300, center, new double3(0, 0, 1), 0.15);
-            Compare(streams, far, "far");
-        }
-
-        [Test]
-        public void Draw_Orthographic_IsThatOfTheSoftwareRasterizer()
-        {
-            using var streams = new TwinStreams(m_demo, Options(2), Points);
-            var center = streams.Ranges.Robust.Center;
-            var size = streams.Ranges.Robust.Size;
-            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y),
-                "orthographic");
-        }
-
-        /// <summary>A cloud's transform: scaled, not evenly, and turned; the camera goes with it.</summary>
-        [TestCase(1e-3)]
-        [TestCase(1)]
-        [TestCase(1e6)]
-        public void Draw_PlacedInTheWorld_IsThatOfTheSoftwareRasterizer(double scale)
-        {
-            double sin = math.sin(0.7), cos = math.cos(0.7);
-            var linear = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
-                new double3x3(new double3(scale, 0, 0), new double3(0, scale * 1.5, 0), new double3(0, 0, scale * 0.8)));
-            using var streams = new TwinStreams(m_demo, Options(3, true), Points,
-                geo => new CloudPlacement(math.mul(linear, geo.Linear), math.mul(linear, geo.OriginWorld)));
-            var camera = streams.Plan.Camera;
-            var eye = math.mul(linear, camera.EyeGeo);
-            var center = math.mul(linear, streams.Ranges.Robust.Center);
-            Compare(streams, PictureCamera.Perspective(eye, center, new double3(0, 0, 1), 60), "placed-" + scale);
-        }
-
-        [Category("Long")]
-        [TestCase("data/lion.laz", 1)]
-        [TestCase("data/lion.laz", 5)]
-        [TestCase("data/ca13_d.laz", 1)]
-        [TestCase("data/ca13_d.laz", 4)]
-        public void Draw_RealScans_AreThoseOfTheSoftwareRasterizer(string data, float sizePx)
-        {
-            string name = Path.GetFileNameWithoutExtension(data);
-            string cloud = Convert(TestData.PathOrIgnore(data), name);
-            using var streams = new TwinStreams(cloud, Options(sizePx, sizePx > 3, ColorMode.Auto), 60_000);
-            Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx);
-            var camera = streams.Plan.Camera;
-            var near = camera.EyeGeo + (streams.Ranges.Robust.Center - camera.EyeGeo) * 0.7;
-            Compare(streams, PictureCamera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60),
-                name + "-near-" + sizePx);
-        }
+    [Category("Long")]
+    [TestCase("data/lion.laz", 1)]
+    [TestCase("data/lion.laz", 5)]
+    [TestCase("data/ca13_d.laz", 1)]
+    [TestCase("data/ca13_d.laz", 4)]
+    public void Draw_RealScans_AreThoseOfTheSoftwareRasterizer(string data, float sizePx)
+    {
+        string name = Path.GetFileNameWithoutExtension(data);
+        string cloud = Convert(TestData.PathOrIgnore(data), name);
+        using var streams = new TwinStreams(cloud, Options(sizePx, sizePx > 3, ColorMode.Auto), 60_000);
+        Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx);
+        var camera = streams.Plan.Camera;
+        var near = camera.EyeGeo + (streams.Ranges.Robust.Center - camera.EyeGeo) * 0.7;
+        Compare(streams, PictureCamera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60),
+            name + "-near-" + sizePx);
     }
 }

@@ -1,55 +1,54 @@
 using FastPoints.HostTests.StandIns.Graphics;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>The verbs that draw on the graphics card.</summary>
+public sealed class GpuVerbsTests : GraphicsFixture
 {
-    /// <summary>The verbs that draw on the graphics card.</summary>
-    public sealed class GpuVerbsTests : GraphicsFixture
+    ScratchFolder m_scratch;
+    string m_cloud;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
     {
-        ScratchFolder m_scratch;
-        string m_cloud;
-
-        [OneTimeSetUp]
-        public void MakeCloud()
-        {
-            m_scratch = new ScratchFolder();
-            m_cloud = m_scratch["scan.fastpoints"];
-            var call = CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", m_cloud, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-        }
-
-        [OneTimeTearDown]
-        public void DeleteCloud() => m_scratch?.Dispose();
-
-        [Test]
-        public void Picture_OnTheGpu_SaysWhatDrewItAndIsNearThatOfTheCpu()
-        {
-            string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"], style = "size=3,points=round";
-            Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status,
-                Is.EqualTo(ExitStatus.Done));
-            var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "160x90", "--style", style,
-                "--against", cpu, "--json", "-");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-            Assert.That(call.Json.GetProperty("device").GetString(), Does.StartWith("gpu, "));
-            Assert.That(call.Json.GetProperty("points").GetInt64(), Is.GreaterThan(1000));
-            Assert.That(call.Json.GetProperty("psnr").GetDouble(), Is.GreaterThan(25));
-        }
-
-        [Test]
-        public void Fly_OnTheGpu_DrawsWhatTheCpuDraws()
-        {
-            string[] folders = { m_scratch["cpu"], m_scratch["gpu"] };
-            for (int i = 0; i < 2; i++)
-            {
-                var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "30", "--every", "15",
-                    "--size", "160x90", "-o", folders[i], i == 0 ? "--cpu" : "--gpu", "--style", "size=3,points=round");
-                Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-            }
-            var last = folders.Select(f => Png.Read(Path.Combine(f, "last.png"))).ToArray();
-            Assert.That(ImageError.Compare(last[1], last[0], new PictureOptions().Background).Psnr, Is.GreaterThan(25));
-        }
-
-        [Test]
-        public void Fly_OnBoth_IsAnError() =>
-            Assert.That(CliCall.Of("fly", m_cloud, "--cpu", "--gpu").Status, Is.EqualTo(ExitStatus.Usage));
+        m_scratch = new ScratchFolder();
+        m_cloud = m_scratch["scan.fastpoints"];
+        var call = CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", m_cloud, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
     }
+
+    [OneTimeTearDown]
+    public void DeleteCloud() => m_scratch?.Dispose();
+
+    [Test]
+    public void Picture_OnTheGpu_SaysWhatDrewItAndIsNearThatOfTheCpu()
+    {
+        string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"], style = "size=3,points=round";
+        Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status,
+            Is.EqualTo(ExitStatus.Done));
+        var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "160x90", "--style", style,
+            "--against", cpu, "--json", "-");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        Assert.That(call.Json.GetProperty("device").GetString(), Does.StartWith("gpu, "));
+        Assert.That(call.Json.GetProperty("points").GetInt64(), Is.GreaterThan(1000));
+        Assert.That(call.Json.GetProperty("psnr").GetDouble(), Is.GreaterThan(25));
+    }
+
+    [Test]
+    public void Fly_OnTheGpu_DrawsWhatTheCpuDraws()
+    {
+        string[] folders = { m_scratch["cpu"], m_scratch["gpu"] };
+        for (int i = 0; i < 2; i++)
+        {
+            var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "30", "--every", "15",
+                "--size", "160x90", "-o", folders[i], i == 0 ? "--cpu" : "--gpu", "--style", "size=3,points=round");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        }
+        var last = folders.Select(f => Png.Read(Path.Combine(f, "last.png"))).ToArray();
+        Assert.That(ImageError.Compare(last[1], last[0], new PictureOptions().Background).Psnr, Is.GreaterThan(25));
+    }
+
+    [Test]
+    public void Fly_OnBoth_IsAnError() =>
+        Assert.That(CliCall.Of("fly", m_cloud, "--cpu", "--gpu").Status, Is.EqualTo(ExitStatus.Usage));
 }

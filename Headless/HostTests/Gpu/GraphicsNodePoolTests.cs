@@ -1,215 +1,214 @@
 using FastPoints.Cli.Draw;
 using FastPoints.HostTests.StandIns.Graphics;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>Nodes in the memory of the graphics card: what lies there is what lies in the files.</summary>
+public sealed class GraphicsNodePoolTests : GraphicsFixture
 {
-    /// <summary>Nodes in the memory of the graphics card: what lies there is what lies in the files.</summary>
-    public sealed class GraphicsNodePoolTests : GraphicsFixture
+    const int MostFrames = 200_000;
+
+    ScratchFolder m_scratch;
+    string m_cloud;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
     {
-        const int MostFrames = 200_000;
+        m_scratch = new ScratchFolder();
+        m_cloud = m_scratch["demo.fastpoints"];
+        var call = CliCall.Of("convert", m_scratch.Demo(points: 250_000), "-o", m_cloud, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+    }
 
-        ScratchFolder m_scratch;
-        string m_cloud;
+    [OneTimeTearDown]
+    public void DeleteCloud() => m_scratch?.Dispose();
 
-        [OneTimeSetUp]
-        public void MakeCloud()
+    /// <param name="hasCompute">Otherwise the engine copies nodes.</param>
+    StreamContext Stream(bool hasCompute, long limitBytes, int bankBytes, int bytesPerUpload)
+    {
+        var copyPages = hasCompute ? new GpuShaders().CopyPages : null;
+        var stream = new StreamContext(new GraphicsNodePool(copyPages, limitBytes, bankBytes, bytesPerUpload));
+        stream.Settings.Selection.FinestSpacingPx = 0.1f;
+        stream.Settings.UploadBytesPerFrame = bytesPerUpload;
+        var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
+        stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+        return stream;
+    }
+
+    /// <summary>All of the cloud.</summary>
+    PictureCamera Above(StreamContext stream)
+    {
+        var source = stream.Clouds[0].Source;
+        using var folder = CloudFolder.Open(m_cloud);
+        var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
+        var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
+        var center = (low + high) / 2;
+        var eye = center + new double3(0, 0, math.cmax(high - low) * 2);
+        return PictureCamera.Perspective(eye, center, new double3(0, 1, 0), 60);
+    }
+
+    PictureCamera Near(StreamContext stream, double share, double heading)
+    {
+        var source = stream.Clouds[0].Source;
+        using var folder = CloudFolder.Open(m_cloud);
+        var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
+        var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
+        var eye = low + (high - low) * new double3(share, 1 - share, 0.7);
+        return PictureCamera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5),
+            new double3(0, 0, 1), 60);
+    }
+
+    static FrameStats Frame(StreamContext stream, PictureCamera camera)
+    {
+        using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(320, 180) };
+        var stats = FrameStep.Run(stream, views);
+        HeadlessGraphics.EndFrame();
+        return stats;
+    }
+
+    static void Rest(StreamContext stream, PictureCamera camera)
+    {
+        int quiet = 0;
+        for (int frame = 0; frame < MostFrames && quiet < 10; frame++)
         {
-            m_scratch = new ScratchFolder();
-            m_cloud = m_scratch["demo.fastpoints"];
-            var call = CliCall.Of("convert", m_scratch.Demo(points: 250_000), "-o", m_cloud, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            var stats = Frame(stream, camera);
+            quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+            Thread.Yield();
         }
+        Assert.That(quiet, Is.EqualTo(10), "streaming did not come to rest");
+    }
 
-        [OneTimeTearDown]
-        public void DeleteCloud() => m_scratch?.Dispose();
-
-        /// <param name="hasCompute">Otherwise the engine copies nodes.</param>
-        StreamContext Stream(bool hasCompute, long limitBytes, int bankBytes, int bytesPerUpload)
+    /// <summary>Each drawn node's bytes on the card, against those of its file.</summary>
+    static void CheckBytes(StreamContext stream)
+    {
+        var pool = (GraphicsNodePool)stream.Pool;
+        var source = stream.Clouds[0].Source;
+        foreach (var nodes in stream.Drawn.AsArray().ToArray().GroupBy(d => d.Range.Bank))
         {
-            var copyPages = hasCompute ? new GpuShaders().CopyPages : null;
-            var stream = new StreamContext(new GraphicsNodePool(copyPages, limitBytes, bankBytes, bytesPerUpload));
-            stream.Settings.Selection.FinestSpacingPx = 0.1f;
-            stream.Settings.UploadBytesPerFrame = bytesPerUpload;
-            var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
-            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-            return stream;
-        }
-
-        /// <summary>All of the cloud.</summary>
-        PictureCamera Above(StreamContext stream)
-        {
-            var source = stream.Clouds[0].Source;
-            using var folder = CloudFolder.Open(m_cloud);
-            var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
-            var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
-            var center = (low + high) / 2;
-            var eye = center + new double3(0, 0, math.cmax(high - low) * 2);
-            return PictureCamera.Perspective(eye, center, new double3(0, 1, 0), 60);
-        }
-
-        PictureCamera Near(StreamContext stream, double share, double heading)
-        {
-            var source = stream.Clouds[0].Source;
-            using var folder = CloudFolder.Open(m_cloud);
-            var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
-            var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
-            var eye = low + (high - low) * new double3(share, 1 - share, 0.7);
-            return PictureCamera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5),
-                new double3(0, 0, 1), 60);
-        }
-
-        static FrameStats Frame(StreamContext stream, PictureCamera camera)
-        {
-            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(320, 180) };
-            var stats = FrameStep.Run(stream, views);
-            HeadlessGraphics.EndFrame();
-            return stats;
-        }
-
-        static void Rest(StreamContext stream, PictureCamera camera)
-        {
-            int quiet = 0;
-            for (int frame = 0; frame < MostFrames && quiet < 10; frame++)
+            var bank = new byte[pool.BankBytes];
+            pool.BufferOf(nodes.Key).GetData(bank);
+            foreach (var drawn in nodes)
             {
-                var stats = Frame(stream, camera);
-                quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
-                Thread.Yield();
-            }
-            Assert.That(quiet, Is.EqualTo(10), "streaming did not come to rest");
-        }
-
-        /// <summary>Each drawn node's bytes on the card, against those of its file.</summary>
-        static void CheckBytes(StreamContext stream)
-        {
-            var pool = (GraphicsNodePool)stream.Pool;
-            var source = stream.Clouds[0].Source;
-            foreach (var nodes in stream.Drawn.AsArray().ToArray().GroupBy(d => d.Range.Bank))
-            {
-                var bank = new byte[pool.BankBytes];
-                pool.BufferOf(nodes.Key).GetData(bank);
-                foreach (var drawn in nodes)
+                byte[] file = File.ReadAllBytes(source.PathOf(drawn.Page));
+                int at = drawn.Range.FirstPage * NodePool.PageBytes;
+                for (int p = 0; p < source.Planes.Length; p++)
                 {
-                    byte[] file = File.ReadAllBytes(source.PathOf(drawn.Page));
-                    int at = drawn.Range.FirstPage * NodePool.PageBytes;
-                    for (int p = 0; p < source.Planes.Length; p++)
-                    {
-                        var range = stream.Clouds[0].RangeOf(drawn.Page, drawn.Node, p);
-                        Assert.That(bank.AsSpan(at, (int)range.LengthBytes).SequenceEqual(
-                            file.AsSpan((int)range.OffsetBytes, (int)range.LengthBytes)), Is.True, "plane " + p);
-                        at += (int)range.LengthBytes;
-                    }
+                    var range = stream.Clouds[0].RangeOf(drawn.Page, drawn.Node, p);
+                    Assert.That(bank.AsSpan(at, (int)range.LengthBytes).SequenceEqual(
+                        file.AsSpan((int)range.OffsetBytes, (int)range.LengthBytes)), Is.True, "plane " + p);
+                    at += (int)range.LengthBytes;
                 }
             }
         }
+    }
 
-        /// <summary>In a pool too small for the cloud, nodes come and go over one another.</summary>
-        [TestCase(true, 1 << 18)]
-        [TestCase(true, 1 << 12)]
-        [TestCase(false, 1 << 18)]
-        [TestCase(false, 1 << 12)]
-        public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(bool hasCompute, int bytesPerUpload)
+    /// <summary>In a pool too small for the cloud, nodes come and go over one another.</summary>
+    [TestCase(true, 1 << 18)]
+    [TestCase(true, 1 << 12)]
+    [TestCase(false, 1 << 18)]
+    [TestCase(false, 1 << 12)]
+    public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(bool hasCompute, int bytesPerUpload)
+    {
+        using var stream = Stream(hasCompute, 3 << 19, 1 << 19, bytesPerUpload);
+        int evicted = 0;
+        for (int place = 0; place < 12; place++)
         {
-            using var stream = Stream(hasCompute, 3 << 19, 1 << 19, bytesPerUpload);
-            int evicted = 0;
-            for (int place = 0; place < 12; place++)
-            {
-                // Not all come to rest: uploads of one place end at the next.
-                var camera = Near(stream, place / 11.0, place);
-                if (place % 3 == 2)
-                    Rest(stream, camera);
-                else
-                    for (int frame = 0; frame < 6; frame++)
-                        evicted += Frame(stream, camera).EvictedNodes;
-                CheckBytes(stream);
-            }
-            Assert.That(evicted, Is.GreaterThan(3));
-            Assert.That(stream.Pool.FindProblem(), Is.Null);
-        }
-
-        /// <summary>A card that is five frames behind, frames without updates, updates without frames: what a copy has yet to
-        /// read is not written to again. (Memory that is locked is filled with something else; locked too early, it
-        /// throws.)</summary>
-        [Test]
-        public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
-        {
-            HeadlessGraphics.FramesBehind = 5;
-            try
-            {
-                using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
-                int uploaded = 0;
-                for (int step = 0; step < 400; step++)
-                {
-                    using var views = new NativeArray<StreamView>(1, Allocator.Temp)
-                    {
-                        [0] = Near(stream, step / 40 / 9.0, step / 40).ToStreamView(320, 180),
-                    };
-                    if (step % 7 != 3)
-                        uploaded += FrameStep.Run(stream, views).UploadedNodes;
-                    if (step % 100 < 60)
-                        HeadlessGraphics.EndFrame();
-                    Thread.Sleep(1);
-                }
-                Assert.That(uploaded, Is.GreaterThan(40));
-                Rest(stream, Near(stream, 0.5, 1));
-                CheckBytes(stream);
-            }
-            finally
-            {
-                HeadlessGraphics.FramesBehind = 0;
-            }
-        }
-
-        [Test]
-        public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
-        {
-            using var stream = Stream(true, 4 << 20, 1 << 19, 1 << 18);
-            stream.Settings.Selection.FinestSpacingPx = 0;
-            Rest(stream, Above(stream));
-            long allocated = stream.Pool.AllocatedBytes, used = HeadlessGraphics.UsedBytes;
-            Assert.That(allocated, Is.GreaterThan(1 << 20));
-            stream.Pool.LimitBytes = 1 << 19;
-            Rest(stream, Above(stream));
-            HeadlessGraphics.WaitForIdle();
-            Assert.That(stream.Pool.AllocatedBytes, Is.EqualTo(1 << 19));
-            Assert.That(HeadlessGraphics.UsedBytes, Is.EqualTo(used - allocated + (1 << 19)));
+            // Not all come to rest: uploads of one place end at the next.
+            var camera = Near(stream, place / 11.0, place);
+            if (place % 3 == 2)
+                Rest(stream, camera);
+            else
+                for (int frame = 0; frame < 6; frame++)
+                    evicted += Frame(stream, camera).EvictedNodes;
             CheckBytes(stream);
         }
+        Assert.That(evicted, Is.GreaterThan(3));
+        Assert.That(stream.Pool.FindProblem(), Is.Null);
+    }
 
-        /// <summary>Once all has been made: what is drawn at once depends on when reads arrive, and a buffer may have to grow
-        /// late. Garbage of a frame would be in every round. The safety checks of the test build remember each job, so that what
-        /// schedules jobs is not looked at here.</summary>
-        [Test]
-        public void Record_FrameAfterFrame_MakesNoGarbage()
+    /// <summary>A card that is five frames behind, frames without updates, updates without frames: what a copy has yet to
+    /// read is not written to again. (Memory that is locked is filled with something else; locked too early, it
+    /// throws.)</summary>
+    [Test]
+    public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
+    {
+        HeadlessGraphics.FramesBehind = 5;
+        try
         {
             using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
-            var shaders = new GpuShaders();
-            using var materials = new PointMaterials(shaders.Points, shaders.Compose);
-            using var sizes = new SizeTree();
-            using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool, sizes);
-            renderer.List.SetLook(0, new CloudLook { Plane = 1, Scale = 1 / 256.0 });
-            using var commands = new UnityEngine.Rendering.CommandBuffer();
-            var cameras = Enumerable.Range(0, 6).Select(i => Near(stream, i / 5.0, i)).ToArray();
-            long Garbage(int frames)
+            int uploaded = 0;
+            for (int step = 0; step < 400; step++)
             {
-                long garbage = 0;
-                for (int frame = 0; frame < frames; frame++)
+                using var views = new NativeArray<StreamView>(1, Allocator.Temp)
                 {
-                    var camera = cameras[frame / 10 % cameras.Length];
-                    Frame(stream, camera);
-                    var view = RenderViews.Of(camera, 320, 180, 0);
-                    view.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Adaptive(), EdlStrength = 0.25f };
-                    renderer.Prepare(stream, camera.ToStreamView(320, 180), view.Style);
-                    long before = GC.GetAllocatedBytesForCurrentThread();
-                    commands.Clear();
-                    renderer.Record(commands, view);
-                    garbage += GC.GetAllocatedBytesForCurrentThread() - before;
-                }
-                return garbage;
+                    [0] = Near(stream, step / 40 / 9.0, step / 40).ToStreamView(320, 180),
+                };
+                if (step % 7 != 3)
+                    uploaded += FrameStep.Run(stream, views).UploadedNodes;
+                if (step % 100 < 60)
+                    HeadlessGraphics.EndFrame();
+                Thread.Sleep(1);
             }
-            long left = Garbage(600);
-            for (int round = 0; round < 8 && left > 0; round++)
-                left = Garbage(240);
-            Assert.That(left, Is.Zero);
+            Assert.That(uploaded, Is.GreaterThan(40));
+            Rest(stream, Near(stream, 0.5, 1));
+            CheckBytes(stream);
         }
+        finally
+        {
+            HeadlessGraphics.FramesBehind = 0;
+        }
+    }
+
+    [Test]
+    public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
+    {
+        using var stream = Stream(true, 4 << 20, 1 << 19, 1 << 18);
+        stream.Settings.Selection.FinestSpacingPx = 0;
+        Rest(stream, Above(stream));
+        long allocated = stream.Pool.AllocatedBytes, used = HeadlessGraphics.UsedBytes;
+        Assert.That(allocated, Is.GreaterThan(1 << 20));
+        stream.Pool.LimitBytes = 1 << 19;
+        Rest(stream, Above(stream));
+        HeadlessGraphics.WaitForIdle();
+        Assert.That(stream.Pool.AllocatedBytes, Is.EqualTo(1 << 19));
+        Assert.That(HeadlessGraphics.UsedBytes, Is.EqualTo(used - allocated + (1 << 19)));
+        CheckBytes(stream);
+    }
+
+    /// <summary>Once all has been made: what is drawn at once depends on when reads arrive, and a buffer may have to grow
+    /// late. Garbage of a frame would be in every round. The safety checks of the test build remember each job, so that what
+    /// schedules jobs is not looked at here.</summary>
+    [Test]
+    public void Record_FrameAfterFrame_MakesNoGarbage()
+    {
+        using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
+        var shaders = new GpuShaders();
+        using var materials = new PointMaterials(shaders.Points, shaders.Compose);
+        using var sizes = new SizeTree();
+        using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool, sizes);
+        renderer.List.SetLook(0, new CloudLook { Plane = 1, Scale = 1 / 256.0 });
+        using var commands = new UnityEngine.Rendering.CommandBuffer();
+        var cameras = Enumerable.Range(0, 6).Select(i => Near(stream, i / 5.0, i)).ToArray();
+        long Garbage(int frames)
+        {
+            long garbage = 0;
+            for (int frame = 0; frame < frames; frame++)
+            {
+                var camera = cameras[frame / 10 % cameras.Length];
+                Frame(stream, camera);
+                var view = RenderViews.Of(camera, 320, 180, 0);
+                view.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Adaptive(), EdlStrength = 0.25f };
+                renderer.Prepare(stream, camera.ToStreamView(320, 180), view.Style);
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                commands.Clear();
+                renderer.Record(commands, view);
+                garbage += GC.GetAllocatedBytesForCurrentThread() - before;
+            }
+            return garbage;
+        }
+        long left = Garbage(600);
+        for (int round = 0; round < 8 && left > 0; round++)
+            left = Garbage(240);
+        Assert.That(left, Is.Zero);
     }
 }

@@ -1,131 +1,130 @@
 using FastPoints.Cli.Draw;
 using FastPoints.HostTests.StandIns.Graphics;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>A world with a cloud, and cameras of the engine's that look at it through a pipeline's pass.</summary>
+public abstract class PipelineFixture : GraphicsFixture
 {
-    /// <summary>A world with a cloud, and cameras of the engine's that look at it through a pipeline's pass.</summary>
-    public abstract class PipelineFixture : GraphicsFixture
+    protected const int WidthPx = 320, HeightPx = 180;
+    const int MostFrames = 200_000;
+
+    ScratchFolder m_scratch;
+    string m_cloud;
+    World m_world;
+    PipelineHost m_pipeline;
+
+    protected PointCloudSystemGroup Group { get; private set; }
+
+    internal PointScene Scene { get; private set; }
+
+    protected void Begin(string pipeline) => m_pipeline = PipelineHost.Make(pipeline);
+
+    [OneTimeSetUp]
+    public void MakeCloud()
     {
-        protected const int WidthPx = 320, HeightPx = 180;
-        const int MostFrames = 200_000;
+        m_scratch = new ScratchFolder();
+        m_cloud = m_scratch["scan.fastpoints"];
+        var call = CliCall.Of("convert", m_scratch.Demo(points: 30_000), "-o", m_cloud, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+    }
 
-        ScratchFolder m_scratch;
-        string m_cloud;
-        World m_world;
-        PipelineHost m_pipeline;
+    [OneTimeTearDown]
+    public void DeleteCloud() => m_scratch?.Dispose();
 
-        protected PointCloudSystemGroup Group { get; private set; }
-
-        internal PointScene Scene { get; private set; }
-
-        protected void Begin(string pipeline) => m_pipeline = PipelineHost.Make(pipeline);
-
-        [OneTimeSetUp]
-        public void MakeCloud()
+    [SetUp]
+    public void MakeWorld()
+    {
+        m_world = new World("game");
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+            typeof(CollectViewsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem),
+            typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem),
+            typeof(TrackNodesSystem));
+        Group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        var shaders = new GpuShaders();
+        Group.Begin(shaders.CreatePool(64 << 20, 8 << 20, 1 << 20));
+        Group.Stream.Settings.Selection.SmallestNodePx = 0;
+        Group.Stream.Settings.Selection.FinestSpacingPx = 0;
+        PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream)
         {
-            m_scratch = new ScratchFolder();
-            m_cloud = m_scratch["scan.fastpoints"];
-            var call = CliCall.Of("convert", m_scratch.Demo(points: 30_000), "-o", m_cloud, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-        }
+            Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
+        };
+    }
 
-        [OneTimeTearDown]
-        public void DeleteCloud() => m_scratch?.Dispose();
+    [TearDown]
+    public void EndWorld()
+    {
+        m_pipeline?.Dispose();
+        HeadlessGraphics.WaitForIdle();
+        Scene.Dispose();
+        m_world.Dispose();
+    }
 
-        [SetUp]
-        public void MakeWorld()
+    /// <summary>A cloud of the world's, around its origin.</summary>
+    internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
+    {
+        var plan = FlightCloud.Add(m_cloud, reference, options, default, out var ranges, out int number);
+        placement = reference.Clouds[number].Placement;
+        placement.OriginWorld -= math.round(ranges.Robust.Center);
+        reference.Clouds[number].Placement = placement;
+        var source = new FolderSource(Store.CloudFolder.Open(m_cloud), Store.StoreLayout.ColorName);
+        var entities = m_world.EntityManager;
+        var entity = entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
+        entities.SetComponentData(entity, new PointCloudPlacement { Value = placement });
+        entities.AddComponentObject(entity, new PointCloudSource { Source = source });
+        Scene.SetLook(0, CloudLooks.Of(plan.Colors, source));
+        return plan;
+    }
+
+    protected static Camera CameraAt(PictureCamera at, Matrix4x4 projection, RenderTexture target)
+    {
+        var camera = new GameObject("camera").AddComponent<Camera>();
+        var place = Matrix4x4.identity;
+        place.SetColumn(3, new Vector4((float)at.EyeGeo.x, (float)at.EyeGeo.y, (float)at.EyeGeo.z, 1));
+        SceneLoop.Place(camera.transform, place);
+        camera.worldToCameraMatrix = ViewOf(at);
+        camera.projectionMatrix = projection;
+        camera.targetTexture = target;
+        return camera;
+    }
+
+    protected static Matrix4x4 ViewOf(PictureCamera at)
+    {
+        var view = Matrix4x4.identity;
+        view.SetRow(0, Row(at.Right, at.EyeGeo));
+        view.SetRow(1, Row(at.Up, at.EyeGeo));
+        view.SetRow(2, Row(-at.Forward, at.EyeGeo));
+        return view;
+    }
+
+    static Vector4 Row(double3 axis, double3 eye) =>
+        new Vector4((float)axis.x, (float)axis.y, (float)axis.z, (float)-math.dot(axis, eye));
+
+    /// <summary>The pipeline draws the camera once.</summary>
+    protected void RenderOnce(Camera camera) => m_pipeline.Render(camera);
+
+    /// <summary>The picture when streaming has come to rest.</summary>
+    /// <param name="slice">Of the camera's target.</param>
+    protected RgbaImage Render(Camera camera, int slice = 0)
+    {
+        for (int frame = 0; frame < MostFrames; frame++)
         {
-            m_world = new World("game");
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(CollectViewsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem),
-                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem),
-                typeof(TrackNodesSystem));
-            Group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            var shaders = new GpuShaders();
-            Group.Begin(shaders.CreatePool(64 << 20, 8 << 20, 1 << 20));
-            Group.Stream.Settings.Selection.SmallestNodePx = 0;
-            Group.Stream.Settings.Selection.FinestSpacingPx = 0;
-            PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream)
-            {
-                Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
-            };
-        }
-
-        [TearDown]
-        public void EndWorld()
-        {
-            m_pipeline?.Dispose();
-            HeadlessGraphics.WaitForIdle();
-            Scene.Dispose();
-            m_world.Dispose();
-        }
-
-        /// <summary>A cloud of the world's, around its origin.</summary>
-        internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
-        {
-            var plan = FlightCloud.Add(m_cloud, reference, options, default, out var ranges, out int number);
-            placement = reference.Clouds[number].Placement;
-            placement.OriginWorld -= math.round(ranges.Robust.Center);
-            reference.Clouds[number].Placement = placement;
-            var source = new FolderSource(Store.CloudFolder.Open(m_cloud), Store.StoreLayout.ColorName);
-            var entities = m_world.EntityManager;
-            var entity = entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
-            entities.SetComponentData(entity, new PointCloudPlacement { Value = placement });
-            entities.AddComponentObject(entity, new PointCloudSource { Source = source });
-            Scene.SetLook(0, CloudLooks.Of(plan.Colors, source));
-            return plan;
-        }
-
-        protected static Camera CameraAt(PictureCamera at, Matrix4x4 projection, RenderTexture target)
-        {
-            var camera = new GameObject("camera").AddComponent<Camera>();
-            var place = Matrix4x4.identity;
-            place.SetColumn(3, new Vector4((float)at.EyeGeo.x, (float)at.EyeGeo.y, (float)at.EyeGeo.z, 1));
-            SceneLoop.Place(camera.transform, place);
-            camera.worldToCameraMatrix = ViewOf(at);
-            camera.projectionMatrix = projection;
-            camera.targetTexture = target;
-            return camera;
-        }
-
-        protected static Matrix4x4 ViewOf(PictureCamera at)
-        {
-            var view = Matrix4x4.identity;
-            view.SetRow(0, Row(at.Right, at.EyeGeo));
-            view.SetRow(1, Row(at.Up, at.EyeGeo));
-            view.SetRow(2, Row(-at.Forward, at.EyeGeo));
-            return view;
-        }
-
-        static Vector4 Row(double3 axis, double3 eye) =>
-            new Vector4((float)axis.x, (float)axis.y, (float)axis.z, (float)-math.dot(axis, eye));
-
-        /// <summary>The pipeline draws the camera once.</summary>
-        protected void RenderOnce(Camera camera) => m_pipeline.Render(camera);
-
-        /// <summary>The picture when streaming has come to rest.</summary>
-        /// <param name="slice">Of the camera's target.</param>
-        protected RgbaImage Render(Camera camera, int slice = 0)
-        {
-            for (int frame = 0; frame < MostFrames; frame++)
-            {
-                m_pipeline.Render(camera);
-                m_world.Update();
-                HeadlessGraphics.EndFrame();
-                if (frame > 2 && Group.Stats.IsSettled)
-                    break;
-                Thread.Yield();
-            }
-            Assert.That(Group.Stats.IsSettled, Is.True, "streaming did not come to rest");
             m_pipeline.Render(camera);
-            var request = AsyncGPUReadback.Request(camera.targetTexture);
-            request.WaitForCompletion();
-            // Into a texture the engine draws with the lowest row first.
-            var pixels = request.GetData<byte>(slice).ToArray();
-            var image = new RgbaImage(WidthPx, HeightPx);
-            for (int row = 0; row < HeightPx; row++)
-                Array.Copy(pixels, (HeightPx - 1 - row) * WidthPx * 4, image.Rgba, row * WidthPx * 4, WidthPx * 4);
-            return image;
+            m_world.Update();
+            HeadlessGraphics.EndFrame();
+            if (frame > 2 && Group.Stats.IsSettled)
+                break;
+            Thread.Yield();
         }
+        Assert.That(Group.Stats.IsSettled, Is.True, "streaming did not come to rest");
+        m_pipeline.Render(camera);
+        var request = AsyncGPUReadback.Request(camera.targetTexture);
+        request.WaitForCompletion();
+        // Into a texture the engine draws with the lowest row first.
+        var pixels = request.GetData<byte>(slice).ToArray();
+        var image = new RgbaImage(WidthPx, HeightPx);
+        for (int row = 0; row < HeightPx; row++)
+            Array.Copy(pixels, (HeightPx - 1 - row) * WidthPx * 4, image.Rgba, row * WidthPx * 4, WidthPx * 4);
+        return image;
     }
 }

@@ -1,24 +1,23 @@
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>As much of a render pipeline as it takes to draw one camera in a scene without meshes.</summary>
+abstract class PipelineHost : IDisposable
 {
-    /// <summary>As much of a render pipeline as it takes to draw one camera in a scene without meshes.</summary>
-    abstract class PipelineHost : IDisposable
+    public static PipelineHost Make(string name) => name switch
     {
-        public static PipelineHost Make(string name) => name switch
-        {
-            nameof(BuiltInHost) => new BuiltInHost(),
-            nameof(UrpHost) => new UrpHost(),
-            nameof(HdrpHost) => new HdrpHost(),
-            _ => throw new ArgumentException(name),
-        };
+        nameof(BuiltInHost) => new BuiltInHost(),
+        nameof(UrpHost) => new UrpHost(),
+        nameof(HdrpHost) => new HdrpHost(),
+        _ => throw new ArgumentException(name),
+    };
 
-        public abstract void Render(Camera camera);
+    public abstract void Render(Camera camera);
 
-        public abstract void Dispose();
+    public abstract void Dispose();
 
-        protected static void Clear(Camera camera, CommandBuffer commands)
-        {
-            commands.SetRenderTarget(camera.targetTexture, 0, CubemapFace.Unknown, -1);
-            commands.ClearRenderTarget(true, true, camera.backgroundColor);
-        }
+    protected static void Clear(Camera camera, CommandBuffer commands)
+    {
+        commands.SetRenderTarget(camera.targetTexture, 0, CubemapFace.Unknown, -1);
+        commands.ClearRenderTarget(true, true, camera.backgroundColor);
     }
 }

@@ -1,164 +1,163 @@
 using UnityEngine.Rendering.HighDefinition;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>A camera of the engine's in each pipeline, clouds of entities, a card: all of the way at once, against the
+/// software rasteriser.</summary>
+public sealed class PipelinePassTests : PipelineFixture
 {
-    /// <summary>A camera of the engine's in each pipeline, clouds of entities, a card: all of the way at once, against the
-    /// software rasteriser.</summary>
-    public sealed class PipelinePassTests : PipelineFixture
+    [TestCase(nameof(BuiltInHost), false)]
+    [TestCase(nameof(BuiltInHost), true)]
+    [TestCase(nameof(UrpHost), false)]
+    [TestCase(nameof(HdrpHost), false)]
+    [TestCase(nameof(BuiltInHost), false, 0.3f)]
+    [TestCase(nameof(UrpHost), true, 0.3f)]
+    [TestCase(nameof(HdrpHost), false, 0.3f)]
+    public void Render_CameraOfTheEngine_IsThePictureOfTheSoftwareRasterizer(string pipeline,
+        bool isOrthographic, float edlStrength = 0)
     {
-        [TestCase(nameof(BuiltInHost), false)]
-        [TestCase(nameof(BuiltInHost), true)]
-        [TestCase(nameof(UrpHost), false)]
-        [TestCase(nameof(HdrpHost), false)]
-        [TestCase(nameof(BuiltInHost), false, 0.3f)]
-        [TestCase(nameof(UrpHost), true, 0.3f)]
-        [TestCase(nameof(HdrpHost), false, 0.3f)]
-        public void Render_CameraOfTheEngine_IsThePictureOfTheSoftwareRasterizer(string pipeline,
-            bool isOrthographic, float edlStrength = 0)
+        Scene.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = edlStrength };
+        Begin(pipeline);
+        var options = new PictureOptions
         {
-            Scene.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = edlStrength };
-            Begin(pipeline);
-            var options = new PictureOptions
+            WidthPx = WidthPx,
+            HeightPx = HeightPx,
+            PointSizePx = 3,
+            RoundPoints = true,
+            EdlStrength = edlStrength,
+            Color = ColorMode.Rgb,
+        };
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        reference.Settings.Selection = Group.Stream.Settings.Selection;
+        using var picture = new StreamedPicture(options);
+        var plan = Add(reference, options, out _);
+        picture.Add(new StreamedBlocks(reference, 0, plan), plan.Mode);
+        var eye = new double3(-60, -45, 40);
+        var at = isOrthographic ? PictureCamera.Orthographic(eye, new double3(0, 0, 0), new double3(0, 0, 1), 60)
+            : PictureCamera.Perspective(eye, new double3(0, 0, 0), new double3(0, 0, 1), 60);
+        var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        target.Create();
+        float aspect = (float)WidthPx / HeightPx;
+        var camera = CameraAt(at, isOrthographic ? Matrix4x4.Ortho(-30 * aspect, 30 * aspect, -30, 30, 0.1f, 1000)
+            : Matrix4x4.Perspective(60, aspect, 0.1f, 10_000), target);
+        camera.backgroundColor = new Color(24 / 255f, 26 / 255f, 30 / 255f, 1);
+        var drawn = Render(camera);
+        Assert.That(Scene.RecordedPictures, Is.GreaterThan(0));
+
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+        var view = views;
+        view[0] = CameraViews.StreamViewOf(camera);
+        while (!FrameStep.Run(reference, views).IsSettled)
+            Thread.Yield();
+        Assert.That(Group.Stats.DrawnPoints, Is.EqualTo(ReferencePoints(reference)).And.GreaterThan(10_000));
+        var wanted = picture.Draw(at);
+        int differ = 0, covered = 0;
+        for (int y = 0; y < HeightPx; y++)
+            for (int x = 0; x < WidthPx; x++)
             {
-                WidthPx = WidthPx,
-                HeightPx = HeightPx,
-                PointSizePx = 3,
-                RoundPoints = true,
-                EdlStrength = edlStrength,
-                Color = ColorMode.Rgb,
-            };
-            using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-            reference.Settings.Selection = Group.Stream.Settings.Selection;
-            using var picture = new StreamedPicture(options);
-            var plan = Add(reference, options, out _);
-            picture.Add(new StreamedBlocks(reference, 0, plan), plan.Mode);
-            var eye = new double3(-60, -45, 40);
-            var at = isOrthographic ? PictureCamera.Orthographic(eye, new double3(0, 0, 0), new double3(0, 0, 1), 60)
-                : PictureCamera.Perspective(eye, new double3(0, 0, 0), new double3(0, 0, 1), 60);
-            var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
-            target.Create();
-            float aspect = (float)WidthPx / HeightPx;
-            var camera = CameraAt(at, isOrthographic ? Matrix4x4.Ortho(-30 * aspect, 30 * aspect, -30, 30, 0.1f, 1000)
-                : Matrix4x4.Perspective(60, aspect, 0.1f, 10_000), target);
-            camera.backgroundColor = new Color(24 / 255f, 26 / 255f, 30 / 255f, 1);
-            var drawn = Render(camera);
-            Assert.That(Scene.RecordedPictures, Is.GreaterThan(0));
-
-            using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-            var view = views;
-            view[0] = CameraViews.StreamViewOf(camera);
-            while (!FrameStep.Run(reference, views).IsSettled)
-                Thread.Yield();
-            Assert.That(Group.Stats.DrawnPoints, Is.EqualTo(ReferencePoints(reference)).And.GreaterThan(10_000));
-            var wanted = picture.Draw(at);
-            int differ = 0, covered = 0;
-            for (int y = 0; y < HeightPx; y++)
-                for (int x = 0; x < WidthPx; x++)
-                {
-                    covered += wanted[x, y] != options.Background ? 1 : 0;
-                    differ += wanted[x, y] != drawn[x, y] ? 1 : 0;
-                }
-            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory,
-                pipeline + (isOrthographic ? "-flat" : "") + (edlStrength > 0 ? "-edl" : "") + ".png");
-            File.WriteAllBytes(output, Png.Encode(drawn));
-            Assert.That(covered, Is.GreaterThan(2000));
-            Assert.That(differ / (double)covered, Is.LessThan(0.003), output);
-            UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            target.Release();
-        }
-
-        Camera LookingCamera(out RenderTexture target)
-        {
-            target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
-            target.Create();
-            return CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
-                Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
-        }
-
-        /// <summary>Play mode that is paused draws and does not update.</summary>
-        [TestCase(nameof(BuiltInHost))]
-        [TestCase(nameof(UrpHost))]
-        [TestCase(nameof(HdrpHost))]
-        public void Render_AgainAndAgainWithoutAnUpdate_KeepsTheLastViewOfEachCamera(string pipeline)
-        {
-            Begin(pipeline);
-            var first = LookingCamera(out var target);
-            var second = LookingCamera(out var otherTarget);
-            for (int frame = 0; frame < 50; frame++)
-            {
-                second.projectionMatrix = Matrix4x4.Perspective(20 + frame, 16 / 9f, 0.1f, 10_000);
-                RenderOnce(first);
-                RenderOnce(second);
+                covered += wanted[x, y] != options.Background ? 1 : 0;
+                differ += wanted[x, y] != drawn[x, y] ? 1 : 0;
             }
-            Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
-            Assert.That(Scene.NextViews[0].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(first).ScalePx));
-            Assert.That(Scene.NextViews[1].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(second).ScalePx));
-            foreach (var camera in new[] { first, second })
-                UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            target.Release();
-            otherTarget.Release();
-        }
+        string output = Path.Combine(TestContext.CurrentContext.WorkDirectory,
+            pipeline + (isOrthographic ? "-flat" : "") + (edlStrength > 0 ? "-edl" : "") + ".png");
+        File.WriteAllBytes(output, Png.Encode(drawn));
+        Assert.That(covered, Is.GreaterThan(2000));
+        Assert.That(differ / (double)covered, Is.LessThan(0.003), output);
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
 
-        [Test]
-        public void Render_AfterAUrpCameraThatCouldNotBeCulled_RecordsOnePass()
+    Camera LookingCamera(out RenderTexture target)
+    {
+        target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        target.Create();
+        return CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
+            Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
+    }
+
+    /// <summary>Play mode that is paused draws and does not update.</summary>
+    [TestCase(nameof(BuiltInHost))]
+    [TestCase(nameof(UrpHost))]
+    [TestCase(nameof(HdrpHost))]
+    public void Render_AgainAndAgainWithoutAnUpdate_KeepsTheLastViewOfEachCamera(string pipeline)
+    {
+        Begin(pipeline);
+        var first = LookingCamera(out var target);
+        var second = LookingCamera(out var otherTarget);
+        for (int frame = 0; frame < 50; frame++)
         {
-            using var host = new UrpHost();
-            var camera = LookingCamera(out var target);
-            var unculled = LookingCamera(out var otherTarget);
-            RenderPipelineManager.Begin(unculled);
-            RenderPipelineManager.Begin(unculled);
-            host.Render(camera);
-            Assert.That(host.PassCount, Is.EqualTo(1));
-            host.Render(unculled);
-            Assert.That(host.PassCount, Is.EqualTo(1));
+            second.projectionMatrix = Matrix4x4.Perspective(20 + frame, 16 / 9f, 0.1f, 10_000);
+            RenderOnce(first);
+            RenderOnce(second);
+        }
+        Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
+        Assert.That(Scene.NextViews[0].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(first).ScalePx));
+        Assert.That(Scene.NextViews[1].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(second).ScalePx));
+        foreach (var camera in new[] { first, second })
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            UnityEngine.Object.DestroyImmediate(unculled.gameObject);
-            target.Release();
-            otherTarget.Release();
-        }
+        target.Release();
+        otherTarget.Release();
+    }
 
-        [Test]
-        public void Begin_HdrpBegunTwice_DrawsEachCameraOnce()
-        {
-            // A host begins twice.
-            using (new HdrpHost())
-                Assert.That(CustomPassVolume.Global, Has.Count.EqualTo(1));
-            Assert.That(CustomPassVolume.Global, Is.Empty);
-        }
+    [Test]
+    public void Render_AfterAUrpCameraThatCouldNotBeCulled_RecordsOnePass()
+    {
+        using var host = new UrpHost();
+        var camera = LookingCamera(out var target);
+        var unculled = LookingCamera(out var otherTarget);
+        RenderPipelineManager.Begin(unculled);
+        RenderPipelineManager.Begin(unculled);
+        host.Render(camera);
+        Assert.That(host.PassCount, Is.EqualTo(1));
+        host.Render(unculled);
+        Assert.That(host.PassCount, Is.EqualTo(1));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        UnityEngine.Object.DestroyImmediate(unculled.gameObject);
+        target.Release();
+        otherTarget.Release();
+    }
 
-        static long ReferencePoints(StreamContext stream)
-        {
-            long points = 0;
-            unsafe
-            {
-                foreach (var drawn in stream.Drawn)
-                    points += stream.Clouds[drawn.Cloud].Pages[drawn.Page].Nodes[drawn.Node].PointCount;
-            }
-            return points;
-        }
+    [Test]
+    public void Begin_HdrpBegunTwice_DrawsEachCameraOnce()
+    {
+        // A host begins twice.
+        using (new HdrpHost())
+            Assert.That(CustomPassVolume.Global, Has.Count.EqualTo(1));
+        Assert.That(CustomPassVolume.Global, Is.Empty);
+    }
 
-        [TestCase(nameof(BuiltInHost))]
-        [TestCase(nameof(UrpHost))]
-        [TestCase(nameof(HdrpHost))]
-        public void Render_CameraOfAPreview_DrawsNothingAndIsNotSelectedFor(string pipeline)
+    static long ReferencePoints(StreamContext stream)
+    {
+        long points = 0;
+        unsafe
         {
-            Begin(pipeline);
-            var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, EdlStrength = 0, Color = ColorMode.Rgb };
-            using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-            Add(reference, options, out _);
-            var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
-            target.Create();
-            var camera =
-                CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
-                Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
-            camera.cameraType = CameraType.Preview;
-            RenderOnce(camera);
-            Assert.That(Scene.NextViews.Length, Is.Zero);
-            camera.cameraType = CameraType.SceneView;
-            RenderOnce(camera);
-            Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
-            UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            target.Release();
+            foreach (var drawn in stream.Drawn)
+                points += stream.Clouds[drawn.Cloud].Pages[drawn.Page].Nodes[drawn.Node].PointCount;
         }
+        return points;
+    }
+
+    [TestCase(nameof(BuiltInHost))]
+    [TestCase(nameof(UrpHost))]
+    [TestCase(nameof(HdrpHost))]
+    public void Render_CameraOfAPreview_DrawsNothingAndIsNotSelectedFor(string pipeline)
+    {
+        Begin(pipeline);
+        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, EdlStrength = 0, Color = ColorMode.Rgb };
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, options, out _);
+        var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        target.Create();
+        var camera =
+            CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
+            Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
+        camera.cameraType = CameraType.Preview;
+        RenderOnce(camera);
+        Assert.That(Scene.NextViews.Length, Is.Zero);
+        camera.cameraType = CameraType.SceneView;
+        RenderOnce(camera);
+        Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
     }
 }

@@ -2,173 +2,172 @@ using FastPoints.Cli.Draw;
 using FastPoints.HostTests.StandIns.Graphics;
 using FastPoints.Rendering.BuiltIn;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>What a user does: a GameObject with a Point Cloud in front of a camera. Nothing else is set up.</summary>
+public sealed class SelfStartTests : GraphicsFixture
 {
-    /// <summary>What a user does: a GameObject with a Point Cloud in front of a camera. Nothing else is set up.</summary>
-    public sealed class SelfStartTests : GraphicsFixture
+    ScratchFolder m_scratch;
+    World m_world;
+
+    [SetUp]
+    public void MakeWorld()
     {
-        ScratchFolder m_scratch;
-        World m_world;
+        m_scratch = new ScratchFolder();
+        m_world = World.DefaultGameObjectInjectionWorld = new World("default");
+        var systems = typeof(PointCloudSystemGroup).Assembly.GetTypes()
+            .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray();
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, systems);
+        var shaders = new GpuShaders();
+        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
+        resources.Points = shaders.Points;
+        resources.Compose = shaders.Compose;
+        resources.Raster = shaders.Raster;
+        resources.CopyPages = shaders.CopyPages;
+        Resources.Assets[PointCloudResources.Path] = resources;
+        BuiltInPass.Begin();
+    }
 
-        [SetUp]
-        public void MakeWorld()
+    [TearDown]
+    public void EndWorld()
+    {
+        BuiltInPass.End();
+        HeadlessGraphics.WaitForIdle();
+        m_world.Dispose();
+        Resources.Assets.Clear();
+        m_scratch.Dispose();
+    }
+
+    [Test]
+    public void PointCloud_InFrontOfACamera_IsDrawn()
+    {
+        string path = m_scratch["scan.fastpoints"];
+        Assert.That(CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", path, "--quiet").Status,
+            Is.EqualTo(ExitStatus.Done));
+        var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        target.Create();
+        var camera = new GameObject("camera").AddComponent<Camera>();
+        camera.targetTexture = target;
+        camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
+        // 60 m above the cloud's middle, looking down: Unity's -Z is the camera's forward in a view matrix.
+        var above = Matrix4x4.identity;
+        above.SetColumn(3, new Vector4(0, 60, 0, 1));
+        SceneLoop.Place(camera.transform, above);
+        var view = Matrix4x4.zero;
+        view.SetRow(0, new Vector4(1, 0, 0, 0));
+        view.SetRow(1, new Vector4(0, 0, 1, 0));
+        view.SetRow(2, new Vector4(0, 1, 0, -60));
+        view.SetRow(3, new Vector4(0, 0, 0, 1));
+        camera.worldToCameraMatrix = view;
+
+        var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
+        settings.MillionPoints = 0.005f;
+        settings.MemoryMebibytes = 64;
+        settings.Shape = PointShape.Disc;
+        settings.Size = 5;
+        var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = path;
+        var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        for (int frame = 0; frame < 200_000 && !(group.Stats.IsSettled && group.Stats.DrawnPoints > 0); frame++)
         {
-            m_scratch = new ScratchFolder();
-            m_world = World.DefaultGameObjectInjectionWorld = new World("default");
-            var systems = typeof(PointCloudSystemGroup).Assembly.GetTypes()
-                .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray();
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, systems);
-            var shaders = new GpuShaders();
-            var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-            resources.Points = shaders.Points;
-            resources.Compose = shaders.Compose;
-            resources.Raster = shaders.Raster;
-            resources.CopyPages = shaders.CopyPages;
-            Resources.Assets[PointCloudResources.Path] = resources;
-            BuiltInPass.Begin();
+            SceneLoop.Update();
+            camera.Render();
+            m_world.Update();
+            HeadlessGraphics.EndFrame();
+            Thread.Yield();
         }
+        Assert.That(group.Stream.Settings.Selection.PointBudget, Is.EqualTo(5000));
+        Assert.That(group.Stream.Pool.LimitBytes, Is.EqualTo(64 << 20));
+        Assert.That((group.Scene.Style.Shape, group.Scene.Style.Size.Value), Is.EqualTo((PointShape.Disc, 5f)));
+        camera.Render();
+        var request = AsyncGPUReadback.Request(target);
+        request.WaitForCompletion();
+        var pixels = request.GetData<uint>().ToArray();
+        Assert.That(pixels.Count(p => (p & 0xFFFFFF) != 0), Is.GreaterThan(1000));
+        Assert.That(pixels.Distinct().Count(), Is.GreaterThan(100), "the scan's own colours");
 
-        [TearDown]
-        public void EndWorld()
+        Object.DestroyImmediate(settings.gameObject);
+        Object.DestroyImmediate(cloud.gameObject);
+        Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    /// <summary>
+    /// In paused play mode cameras go on drawing, and no system runs; without a window it is the other way round.
+    /// </summary>
+    [Test]
+    public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
+    {
+        var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        var camera = new GameObject("camera").AddComponent<Camera>();
+        camera.targetTexture = target;
+        camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
+        var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_scratch["none.fastpoints"];
+        m_world.Update();
+        var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+
+        for (int frame = 0; frame < 5; frame++)
+            camera.Render();
+        var before = group.Scene.NextViews[0];
+        camera.projectionMatrix = Matrix4x4.Perspective(30, 16 / 9f, 0.1f, 1000);
+        camera.Render();
+
+        Assert.That(group.Scene.NextViews.Length, Is.EqualTo(1));
+        Assert.That(group.Scene.NextViews[0].ScalePx, Is.GreaterThan(before.ScalePx));
+        m_world.Update();
+        m_world.Update();
+        Assert.That(group.Scene.NextViews.Length, Is.Zero);
+        Object.DestroyImmediate(cloud.gameObject);
+        Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [Test]
+    public void GraphicsMemory_OfTheProject_HoldsWhereNoSettingsAreAndNewOnesBeginWithIt()
+    {
+        string path = m_scratch["scan.fastpoints"];
+        Assert.That(CliCall.Of("convert", m_scratch.Demo(), "-o", path, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+        var project = FastPointsSettings.instance;
+        var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = path;
+        long Limit()
         {
-            BuiltInPass.End();
-            HeadlessGraphics.WaitForIdle();
-            m_world.Dispose();
-            Resources.Assets.Clear();
-            m_scratch.Dispose();
+            SceneLoop.Update();
+            m_world.Update();
+            return group.Stream.Pool.LimitBytes;
         }
-
-        [Test]
-        public void PointCloud_InFrontOfACamera_IsDrawn()
+        try
         {
-            string path = m_scratch["scan.fastpoints"];
-            Assert.That(CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", path, "--quiet").Status,
-                Is.EqualTo(ExitStatus.Done));
-            var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
-            target.Create();
-            var camera = new GameObject("camera").AddComponent<Camera>();
-            camera.targetTexture = target;
-            camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
-            // 60 m above the cloud's middle, looking down: Unity's -Z is the camera's forward in a view matrix.
-            var above = Matrix4x4.identity;
-            above.SetColumn(3, new Vector4(0, 60, 0, 1));
-            SceneLoop.Place(camera.transform, above);
-            var view = Matrix4x4.zero;
-            view.SetRow(0, new Vector4(1, 0, 0, 0));
-            view.SetRow(1, new Vector4(0, 0, 1, 0));
-            view.SetRow(2, new Vector4(0, 1, 0, -60));
-            view.SetRow(3, new Vector4(0, 0, 0, 1));
-            camera.worldToCameraMatrix = view;
-
+            project.GpuMiB = 96;
+            project.Apply();
+            Assert.That(Limit(), Is.EqualTo(96 << 20));
+            project.GpuMiB = 128;
+            project.Apply();
+            Assert.That(Limit(), Is.EqualTo(128 << 20), "from the next frame on");
             var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
-            settings.MillionPoints = 0.005f;
+            Assert.That(settings.MemoryMebibytes, Is.EqualTo(128));
             settings.MemoryMebibytes = 64;
-            settings.Shape = PointShape.Disc;
-            settings.Size = 5;
-            var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
-            cloud.Path = path;
-            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            for (int frame = 0; frame < 200_000 && !(group.Stats.IsSettled && group.Stats.DrawnPoints > 0); frame++)
-            {
-                SceneLoop.Update();
-                camera.Render();
-                m_world.Update();
-                HeadlessGraphics.EndFrame();
-                Thread.Yield();
-            }
-            Assert.That(group.Stream.Settings.Selection.PointBudget, Is.EqualTo(5000));
-            Assert.That(group.Stream.Pool.LimitBytes, Is.EqualTo(64 << 20));
-            Assert.That((group.Scene.Style.Shape, group.Scene.Style.Size.Value), Is.EqualTo((PointShape.Disc, 5f)));
-            camera.Render();
-            var request = AsyncGPUReadback.Request(target);
-            request.WaitForCompletion();
-            var pixels = request.GetData<uint>().ToArray();
-            Assert.That(pixels.Count(p => (p & 0xFFFFFF) != 0), Is.GreaterThan(1000));
-            Assert.That(pixels.Distinct().Count(), Is.GreaterThan(100), "the scan's own colours");
-
+            Assert.That(Limit(), Is.EqualTo(64 << 20));
             Object.DestroyImmediate(settings.gameObject);
+            Assert.That(Limit(), Is.EqualTo(128 << 20), "nobody says otherwise any more");
+        }
+        finally
+        {
+            project.GpuMiB = 512;
+            project.Apply();
             Object.DestroyImmediate(cloud.gameObject);
-            Object.DestroyImmediate(camera.gameObject);
-            target.Release();
         }
+    }
 
-        /// <summary>
-        /// In paused play mode cameras go on drawing, and no system runs; without a window it is the other way round.
-        /// </summary>
-        [Test]
-        public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
-        {
-            var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
-            var camera = new GameObject("camera").AddComponent<Camera>();
-            camera.targetTexture = target;
-            camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
-            var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
-            cloud.Path = m_scratch["none.fastpoints"];
-            m_world.Update();
-            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-
-            for (int frame = 0; frame < 5; frame++)
-                camera.Render();
-            var before = group.Scene.NextViews[0];
-            camera.projectionMatrix = Matrix4x4.Perspective(30, 16 / 9f, 0.1f, 1000);
-            camera.Render();
-
-            Assert.That(group.Scene.NextViews.Length, Is.EqualTo(1));
-            Assert.That(group.Scene.NextViews[0].ScalePx, Is.GreaterThan(before.ScalePx));
-            m_world.Update();
-            m_world.Update();
-            Assert.That(group.Scene.NextViews.Length, Is.Zero);
-            Object.DestroyImmediate(cloud.gameObject);
-            Object.DestroyImmediate(camera.gameObject);
-            target.Release();
-        }
-
-        [Test]
-        public void GraphicsMemory_OfTheProject_HoldsWhereNoSettingsAreAndNewOnesBeginWithIt()
-        {
-            string path = m_scratch["scan.fastpoints"];
-            Assert.That(CliCall.Of("convert", m_scratch.Demo(), "-o", path, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
-            var project = FastPointsSettings.instance;
-            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
-            cloud.Path = path;
-            long Limit()
-            {
-                SceneLoop.Update();
-                m_world.Update();
-                return group.Stream.Pool.LimitBytes;
-            }
-            try
-            {
-                project.GpuMiB = 96;
-                project.Apply();
-                Assert.That(Limit(), Is.EqualTo(96 << 20));
-                project.GpuMiB = 128;
-                project.Apply();
-                Assert.That(Limit(), Is.EqualTo(128 << 20), "from the next frame on");
-                var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
-                Assert.That(settings.MemoryMebibytes, Is.EqualTo(128));
-                settings.MemoryMebibytes = 64;
-                Assert.That(Limit(), Is.EqualTo(64 << 20));
-                Object.DestroyImmediate(settings.gameObject);
-                Assert.That(Limit(), Is.EqualTo(128 << 20), "nobody says otherwise any more");
-            }
-            finally
-            {
-                project.GpuMiB = 512;
-                project.Apply();
-                Object.DestroyImmediate(cloud.gameObject);
-            }
-        }
-
-        [Test]
-        public void World_WithoutClouds_TakesNoGraphicsMemory()
-        {
-            HeadlessGraphics.WaitForIdle();
-            long before = HeadlessGraphics.UsedBytes;
-            m_world.Update();
-            Assert.That(m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream, Is.Null);
-            Assert.That(HeadlessGraphics.UsedBytes, Is.EqualTo(before));
-        }
+    [Test]
+    public void World_WithoutClouds_TakesNoGraphicsMemory()
+    {
+        HeadlessGraphics.WaitForIdle();
+        long before = HeadlessGraphics.UsedBytes;
+        m_world.Update();
+        Assert.That(m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream, Is.Null);
+        Assert.That(HeadlessGraphics.UsedBytes, Is.EqualTo(before));
     }
 }

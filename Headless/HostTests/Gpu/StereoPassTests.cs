@@ -1,122 +1,121 @@
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>Both eyes of a headset in one target of two slices, against a camera at the place of each eye.</summary>
+public sealed class StereoPassTests : PipelineFixture
 {
-    /// <summary>Both eyes of a headset in one target of two slices, against a camera at the place of each eye.</summary>
-    public sealed class StereoPassTests : PipelineFixture
+    static readonly double3 s_eye = new(-60, -45, 40), s_target = new(0, 0, 0), s_up = new(0, 0, 1);
+
+    /// <summary>Eyes wide apart, and turned towards each other.</summary>
+    static PictureCamera At(int eye)
     {
-        static readonly double3 s_eye = new(-60, -45, 40), s_target = new(0, 0, 0), s_up = new(0, 0, 1);
+        var middle = PictureCamera.Perspective(s_eye, s_target, s_up, 60);
+        return PictureCamera.Perspective(s_eye + middle.Right * (eye == 0 ? -3.5 : 3.5), s_target, s_up, 60);
+    }
 
-        /// <summary>Eyes wide apart, and turned towards each other.</summary>
-        static PictureCamera At(int eye)
-        {
-            var middle = PictureCamera.Perspective(s_eye, s_target, s_up, 60);
-            return PictureCamera.Perspective(s_eye + middle.Right * (eye == 0 ? -3.5 : 3.5), s_target, s_up, 60);
-        }
+    /// <summary>Off-centre, to the outer side of each eye.</summary>
+    static Matrix4x4 ProjectionOf(int eye)
+    {
+        var projection = Matrix4x4.Perspective(60, (float)WidthPx / HeightPx, 0.1f, 10_000);
+        projection.m02 = eye == 0 ? -0.2f : 0.2f;
+        return projection;
+    }
 
-        /// <summary>Off-centre, to the outer side of each eye.</summary>
-        static Matrix4x4 ProjectionOf(int eye)
+    static RenderTexture Target(int slices)
+    {
+        var description = new RenderTextureDescriptor(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
+            GraphicsFormat.D32_SFloat)
         {
-            var projection = Matrix4x4.Perspective(60, (float)WidthPx / HeightPx, 0.1f, 10_000);
-            projection.m02 = eye == 0 ? -0.2f : 0.2f;
-            return projection;
-        }
-
-        static RenderTexture Target(int slices)
-        {
-            var description = new RenderTextureDescriptor(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
-                GraphicsFormat.D32_SFloat)
-            {
-                dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
-                volumeDepth = slices,
-            };
-            var target = new RenderTexture(description);
-            target.Create();
-            return target;
-        }
-
-        static Camera Headset(RenderTexture target)
-        {
-            var camera = CameraAt(PictureCamera.Perspective(s_eye, s_target, s_up, 60), ProjectionOf(0), target);
-            camera.stereoEnabled = true;
-            camera.Eyes = new[] { (ViewOf(At(0)), ProjectionOf(0)), (ViewOf(At(1)), ProjectionOf(1)) };
-            return camera;
-        }
-
-        static PointStyle StyleOf(string name) => name switch
-        {
-            "pixels" => new PointStyle { Shape = PointShape.Pixel, Size = PointSize.Pixels(1) },
-            "discs" => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
-            "adaptive" => new PointStyle { Shape = PointShape.Square, Size = PointSize.Adaptive() },
-            "splats" => new PointStyle { Shape = PointShape.Splat, Size = PointSize.Pixels(5) },
-            "paraboloids" => new PointStyle { Shape = PointShape.Paraboloid, Size = PointSize.World(0.5f) },
-            _ => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = 0.3f },
+            dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
+            volumeDepth = slices,
         };
+        var target = new RenderTexture(description);
+        target.Create();
+        return target;
+    }
 
-        [TestCase(nameof(UrpHost), "discs")]
-        [TestCase(nameof(UrpHost), "adaptive")]
-        [TestCase(nameof(UrpHost), "pixels")]
-        [TestCase(nameof(HdrpHost), "paraboloids")]
-        [TestCase(nameof(HdrpHost), "lit")]
-        [TestCase(nameof(UrpHost), "splats")]
-        public void Render_Headset_IsThePictureOfACameraAtEachEye(string pipeline, string style)
-        {
-            Scene.Style = StyleOf(style);
-            Begin(pipeline);
-            var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
-            using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-            Add(reference, options, out _);
-            var both = Target(2);
-            var headset = Headset(both);
-            var single = Target(1);
-            for (int eye = 0; eye < 2; eye++)
-            {
-                var seen = Render(headset, eye);
-                Assert.That(Scene.NextViews.Length, Is.EqualTo(2), "an announcement for each eye");
-                var camera = CameraAt(At(eye), ProjectionOf(eye), single);
-                var wanted = Render(camera);
-                int differ = 0, covered = 0;
-                for (int y = 0; y < HeightPx; y++)
-                    for (int x = 0; x < WidthPx; x++)
-                    {
-                        covered += (wanted[x, y] & 0xFFFFFF) != 0 ? 1 : 0;
-                        differ += wanted[x, y] != seen[x, y] ? 1 : 0;
-                    }
-                string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, "stereo-" + style + "-" + eye + ".png");
-                File.WriteAllBytes(output, Png.Encode(seen));
-                TestContext.Out.WriteLine($"{style}, eye {eye}: {covered} pixels covered, {differ} differ");
-                Assert.That(covered, Is.GreaterThan(2000), output);
-                Assert.That(differ / (double)covered, Is.LessThan(0.002), output);
-                UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            }
-            UnityEngine.Object.DestroyImmediate(headset.gameObject);
-            both.Release();
-            single.Release();
-        }
+    static Camera Headset(RenderTexture target)
+    {
+        var camera = CameraAt(PictureCamera.Perspective(s_eye, s_target, s_up, 60), ProjectionOf(0), target);
+        camera.stereoEnabled = true;
+        camera.Eyes = new[] { (ViewOf(At(0)), ProjectionOf(0)), (ViewOf(At(1)), ProjectionOf(1)) };
+        return camera;
+    }
 
-        /// <summary>As pipelines do that draw one eye after the other, each in a pass of its own.</summary>
-        [Test]
-        public void Render_OneEyeAtATime_IsThePictureOfACameraThereAndSelectsForBothOnce()
+    static PointStyle StyleOf(string name) => name switch
+    {
+        "pixels" => new PointStyle { Shape = PointShape.Pixel, Size = PointSize.Pixels(1) },
+        "discs" => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
+        "adaptive" => new PointStyle { Shape = PointShape.Square, Size = PointSize.Adaptive() },
+        "splats" => new PointStyle { Shape = PointShape.Splat, Size = PointSize.Pixels(5) },
+        "paraboloids" => new PointStyle { Shape = PointShape.Paraboloid, Size = PointSize.World(0.5f) },
+        _ => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = 0.3f },
+    };
+
+    [TestCase(nameof(UrpHost), "discs")]
+    [TestCase(nameof(UrpHost), "adaptive")]
+    [TestCase(nameof(UrpHost), "pixels")]
+    [TestCase(nameof(HdrpHost), "paraboloids")]
+    [TestCase(nameof(HdrpHost), "lit")]
+    [TestCase(nameof(UrpHost), "splats")]
+    public void Render_Headset_IsThePictureOfACameraAtEachEye(string pipeline, string style)
+    {
+        Scene.Style = StyleOf(style);
+        Begin(pipeline);
+        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, options, out _);
+        var both = Target(2);
+        var headset = Headset(both);
+        var single = Target(1);
+        for (int eye = 0; eye < 2; eye++)
         {
-            Scene.Style = StyleOf("discs");
-            Begin(nameof(BuiltInHost));
-            var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
-            using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-            Add(reference, options, out _);
-            var single = Target(1);
-            var headset = Headset(single);
-            for (int eye = 0; eye < 2; eye++)
-            {
-                headset.stereoActiveEye = (Camera.MonoOrStereoscopicEye)eye;
-                var seen = Render(headset);
-                headset.stereoActiveEye = Camera.MonoOrStereoscopicEye.Left;
-                RenderOnce(headset);
-                Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
-                var camera = CameraAt(At(eye), ProjectionOf(eye), single);
-                var wanted = Render(camera);
-                Assert.That(seen.Rgba, Is.EqualTo(wanted.Rgba), "eye " + eye);
-                UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            }
-            UnityEngine.Object.DestroyImmediate(headset.gameObject);
-            single.Release();
+            var seen = Render(headset, eye);
+            Assert.That(Scene.NextViews.Length, Is.EqualTo(2), "an announcement for each eye");
+            var camera = CameraAt(At(eye), ProjectionOf(eye), single);
+            var wanted = Render(camera);
+            int differ = 0, covered = 0;
+            for (int y = 0; y < HeightPx; y++)
+                for (int x = 0; x < WidthPx; x++)
+                {
+                    covered += (wanted[x, y] & 0xFFFFFF) != 0 ? 1 : 0;
+                    differ += wanted[x, y] != seen[x, y] ? 1 : 0;
+                }
+            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, "stereo-" + style + "-" + eye + ".png");
+            File.WriteAllBytes(output, Png.Encode(seen));
+            TestContext.Out.WriteLine($"{style}, eye {eye}: {covered} pixels covered, {differ} differ");
+            Assert.That(covered, Is.GreaterThan(2000), output);
+            Assert.That(differ / (double)covered, Is.LessThan(0.002), output);
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
+        UnityEngine.Object.DestroyImmediate(headset.gameObject);
+        both.Release();
+        single.Release();
+    }
+
+    /// <summary>As pipelines do that draw one eye after the other, each in a pass of its own.</summary>
+    [Test]
+    public void Render_OneEyeAtATime_IsThePictureOfACameraThereAndSelectsForBothOnce()
+    {
+        Scene.Style = StyleOf("discs");
+        Begin(nameof(BuiltInHost));
+        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, options, out _);
+        var single = Target(1);
+        var headset = Headset(single);
+        for (int eye = 0; eye < 2; eye++)
+        {
+            headset.stereoActiveEye = (Camera.MonoOrStereoscopicEye)eye;
+            var seen = Render(headset);
+            headset.stereoActiveEye = Camera.MonoOrStereoscopicEye.Left;
+            RenderOnce(headset);
+            Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
+            var camera = CameraAt(At(eye), ProjectionOf(eye), single);
+            var wanted = Render(camera);
+            Assert.That(seen.Rgba, Is.EqualTo(wanted.Rgba), "eye " + eye);
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        }
+        UnityEngine.Object.DestroyImmediate(headset.gameObject);
+        single.Release();
     }
 }

@@ -1,109 +1,108 @@
 using FastPoints.Cli.Draw;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>One cloud twice: in ordinary memory and on the graphics card, the same nodes of it, so that pictures of both
+/// can be held against one another.</summary>
+sealed class TwinStreams : IDisposable
 {
-    /// <summary>One cloud twice: in ordinary memory and on the graphics card, the same nodes of it, so that pictures of both
-    /// can be held against one another.</summary>
-    sealed class TwinStreams : IDisposable
+    const int MostFrames = 200_000;
+
+    readonly StreamContext m_cpu;
+    readonly StreamContext m_gpu;
+    readonly FlightPicture m_cpuPicture;
+    readonly FlightPicture m_gpuPicture;
+    readonly PictureOptions m_options;
+
+    /// <param name="place">From the cloud's own georeferenced placement to that in the test's world.</param>
+    /// <param name="canCompute">See <see cref="GpuPicture"/>.</param>
+    public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
+        bool canCompute = true)
     {
-        const int MostFrames = 200_000;
-
-        readonly StreamContext m_cpu;
-        readonly StreamContext m_gpu;
-        readonly FlightPicture m_cpuPicture;
-        readonly FlightPicture m_gpuPicture;
-        readonly PictureOptions m_options;
-
-        /// <param name="place">From the cloud's own georeferenced placement to that in the test's world.</param>
-        /// <param name="canCompute">See <see cref="GpuPicture"/>.</param>
-        public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
-            bool canCompute = true)
+        m_options = options;
+        var shaders = new GpuShaders();
+        m_cpu = new StreamContext(new MemoryNodePool(256 << 20, 8 << 20));
+        m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20, 1 << 20));
+        m_cpuPicture = new CpuPicture(m_cpu, options);
+        m_gpuPicture = new GpuPicture(shaders, m_gpu, options, canCompute);
+        foreach (var stream in new[] { m_cpu, m_gpu })
         {
-            m_options = options;
-            var shaders = new GpuShaders();
-            m_cpu = new StreamContext(new MemoryNodePool(256 << 20, 8 << 20));
-            m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20, 1 << 20));
-            m_cpuPicture = new CpuPicture(m_cpu, options);
-            m_gpuPicture = new GpuPicture(shaders, m_gpu, options, canCompute);
-            foreach (var stream in new[] { m_cpu, m_gpu })
-            {
-                stream.Settings.Selection.PointBudget = budget;
-                stream.Settings.Selection.FinestSpacingPx = 0;
-                stream.Settings.Selection.SmallestNodePx = 0;
-            }
-            Add(cloud, options, place);
+            stream.Settings.Selection.PointBudget = budget;
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.SmallestNodePx = 0;
         }
+        Add(cloud, options, place);
+    }
 
-        /// <summary>One more cloud, by other options: <see cref="Plan"/> and <see cref="Ranges"/> become its own.</summary>
-        public void Add(string cloud, PictureOptions options, Func<CloudPlacement, CloudPlacement> place = null)
+    /// <summary>One more cloud, by other options: <see cref="Plan"/> and <see cref="Ranges"/> become its own.</summary>
+    public void Add(string cloud, PictureOptions options, Func<CloudPlacement, CloudPlacement> place = null)
+    {
+        foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
         {
-            foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
-            {
-                var plan = FlightCloud.Add(cloud, stream, options, default, out var ranges, out int number);
-                if (place != null)
-                    stream.Clouds[number].Placement = place(stream.Clouds[number].Placement);
-                picture.Add(number, plan);
-                Plan = plan;
-                Ranges = ranges;
-            }
+            var plan = FlightCloud.Add(cloud, stream, options, default, out var ranges, out int number);
+            if (place != null)
+                stream.Clouds[number].Placement = place(stream.Clouds[number].Placement);
+            picture.Add(number, plan);
+            Plan = plan;
+            Ranges = ranges;
         }
+    }
 
-        /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to
-        /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
-        /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
-        /// pixel that differs changes the shade of those around it.</summary>
-        public double MostThatDiffer =>
-            !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
+    /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to
+    /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
+    /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
+    /// pixel that differs changes the shade of those around it.</summary>
+    public double MostThatDiffer =>
+        !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
-        public PicturePlan Plan { get; private set; }
-        public DisplayRanges Ranges { get; private set; }
+    public PicturePlan Plan { get; private set; }
+    public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>By what the options say now.</summary>
-        public void Clip()
+    /// <summary>By what the options say now.</summary>
+    public void Clip()
+    {
+        m_cpu.SetClipBoxes(m_options.ClipBoxes);
+        m_gpu.SetClipBoxes(m_options.ClipBoxes);
+    }
+
+    /// <summary>Pictures of the same nodes, of the same camera.</summary>
+    public (RgbaImage Cpu, RgbaImage Gpu) Draw(PictureCamera camera)
+    {
+        Settle(m_cpu, m_cpuPicture, camera);
+        Settle(m_gpu, m_gpuPicture, camera);
+        (int, int, int)[] Drawn(StreamContext stream) =>
+            stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)).ToArray();
+        Assert.That(Drawn(m_gpu), Is.EquivalentTo(Drawn(m_cpu)));
+        Assert.That(m_cpu.Drawn.Length, Is.GreaterThan(0));
+        return (m_cpuPicture.Draw(camera), m_gpuPicture.Draw(camera));
+    }
+
+    /// <summary>Of the pixels that either picture covers, the share that is not the same in both.</summary>
+    /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
+    public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int mostPerChannel = 0) =>
+        ImageError.ShareThatDiffers(pictures.Cpu, pictures.Gpu, m_options.Background, out covered, mostPerChannel);
+
+    public void Dispose()
+    {
+        m_cpuPicture.Dispose();
+        m_gpuPicture.Dispose();
+        m_cpu.Dispose();
+        m_gpu.Dispose();
+    }
+
+    void Settle(StreamContext stream, FlightPicture picture, PictureCamera camera)
+    {
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+        var view = views;
+        view[0] = camera.ToStreamView(m_options.WidthPx, m_options.HeightPx);
+        for (int frame = 0; frame < MostFrames; frame++)
         {
-            m_cpu.SetClipBoxes(m_options.ClipBoxes);
-            m_gpu.SetClipBoxes(m_options.ClipBoxes);
+            var stats = FrameStep.Run(stream, views);
+            picture.EndFrame();
+            if (stats.IsSettled)
+                return;
+            Thread.Yield();
         }
-
-        /// <summary>Pictures of the same nodes, of the same camera.</summary>
-        public (RgbaImage Cpu, RgbaImage Gpu) Draw(PictureCamera camera)
-        {
-            Settle(m_cpu, m_cpuPicture, camera);
-            Settle(m_gpu, m_gpuPicture, camera);
-            (int, int, int)[] Drawn(StreamContext stream) =>
-                stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)).ToArray();
-            Assert.That(Drawn(m_gpu), Is.EquivalentTo(Drawn(m_cpu)));
-            Assert.That(m_cpu.Drawn.Length, Is.GreaterThan(0));
-            return (m_cpuPicture.Draw(camera), m_gpuPicture.Draw(camera));
-        }
-
-        /// <summary>Of the pixels that either picture covers, the share that is not the same in both.</summary>
-        /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
-        public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int mostPerChannel = 0) =>
-            ImageError.ShareThatDiffers(pictures.Cpu, pictures.Gpu, m_options.Background, out covered, mostPerChannel);
-
-        public void Dispose()
-        {
-            m_cpuPicture.Dispose();
-            m_gpuPicture.Dispose();
-            m_cpu.Dispose();
-            m_gpu.Dispose();
-        }
-
-        void Settle(StreamContext stream, FlightPicture picture, PictureCamera camera)
-        {
-            using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-            var view = views;
-            view[0] = camera.ToStreamView(m_options.WidthPx, m_options.HeightPx);
-            for (int frame = 0; frame < MostFrames; frame++)
-            {
-                var stats = FrameStep.Run(stream, views);
-                picture.EndFrame();
-                if (stats.IsSettled)
-                    return;
-                Thread.Yield();
-            }
-            Assert.Fail("streaming did not come to rest");
-        }
+        Assert.Fail("streaming did not come to rest");
     }
 }

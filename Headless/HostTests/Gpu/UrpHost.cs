@@ -2,52 +2,51 @@ using FastPoints.Rendering.Urp;
 using UnityEngine.Rendering.RenderGraphModule;
 using UnityEngine.Rendering.Universal;
 
-namespace FastPoints.HostTests.Gpu
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>URP: passes are enqueued when a camera begins, and record themselves into a render graph.</summary>
+sealed class UrpHost : PipelineHost
 {
-    /// <summary>URP: passes are enqueued when a camera begins, and record themselves into a render graph.</summary>
-    sealed class UrpHost : PipelineHost
+    readonly Renderer m_renderer = new Renderer();
+
+    /// <summary>What the camera that was drawn last had in its graph.</summary>
+    public int PassCount { get; private set; }
+
+    sealed class Renderer : ScriptableRenderer
     {
-        readonly Renderer m_renderer = new Renderer();
+    }
 
-        /// <summary>What the camera that was drawn last had in its graph.</summary>
-        public int PassCount { get; private set; }
+    public UrpHost()
+    {
+        GraphicsSettings.currentRenderPipeline = new UniversalRenderPipelineAsset { scriptableRenderer = m_renderer };
+        UrpPass.Begin();
+    }
 
-        sealed class Renderer : ScriptableRenderer
-        {
-        }
+    public override void Render(Camera camera)
+    {
+        RenderPipelineManager.Begin(camera);
+        var graph = new RenderGraph();
+        using var frame = new ContextContainer();
+        var resources = frame.GetOrCreate<UniversalResourceData>();
+        // A pass has to say of each that it uses it.
+        resources.activeColorTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
+        resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
+        var cameraData = frame.GetOrCreate<UniversalCameraData>();
+        cameraData.camera = camera;
+        cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;
+        foreach (var pass in m_renderer.Passes)
+            pass.RecordRenderGraph(graph, frame);
+        m_renderer.Passes.Clear();
+        PassCount = graph.PassCount;
+        using var commands = new CommandBuffer();
+        Clear(camera, commands);
+        graph.Execute(commands);
+        Graphics.ExecuteCommandBuffer(commands);
+    }
 
-        public UrpHost()
-        {
-            GraphicsSettings.currentRenderPipeline = new UniversalRenderPipelineAsset { scriptableRenderer = m_renderer };
-            UrpPass.Begin();
-        }
-
-        public override void Render(Camera camera)
-        {
-            RenderPipelineManager.Begin(camera);
-            var graph = new RenderGraph();
-            using var frame = new ContextContainer();
-            var resources = frame.GetOrCreate<UniversalResourceData>();
-            // A pass has to say of each that it uses it.
-            resources.activeColorTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
-            resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
-            var cameraData = frame.GetOrCreate<UniversalCameraData>();
-            cameraData.camera = camera;
-            cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;
-            foreach (var pass in m_renderer.Passes)
-                pass.RecordRenderGraph(graph, frame);
-            m_renderer.Passes.Clear();
-            PassCount = graph.PassCount;
-            using var commands = new CommandBuffer();
-            Clear(camera, commands);
-            graph.Execute(commands);
-            Graphics.ExecuteCommandBuffer(commands);
-        }
-
-        public override void Dispose()
-        {
-            UrpPass.End();
-            GraphicsSettings.currentRenderPipeline = null;
-        }
+    public override void Dispose()
+    {
+        UrpPass.End();
+        GraphicsSettings.currentRenderPipeline = null;
     }
 }

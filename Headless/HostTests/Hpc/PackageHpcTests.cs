@@ -1,34 +1,33 @@
 using FastPoints.RepoTools.Hpc;
 
-namespace FastPoints.HostTests.Hpc
+namespace FastPoints.HostTests.Hpc;
+
+[TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
+public sealed class PackageHpcTests(string generation)
 {
-    [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
-    public sealed class PackageHpcTests(string generation)
+    private readonly string m_generation = generation;
+
+    [Test]
+    public void Jobs_OfThePackage_AreWhatBurstCompiles()
     {
-        private readonly string m_generation = generation;
+        using GenerationBuilds builds = Checkout.Builds(m_generation);
+        var verifier = new HpcVerifier(builds.Package);
 
-        [Test]
-        public void Jobs_OfThePackage_AreWhatBurstCompiles()
-        {
-            using GenerationBuilds builds = Checkout.Builds(m_generation);
-            var verifier = new HpcVerifier(builds.Package);
+        Assert.That(verifier.Verify(_ => true), Is.Empty);
+        Assert.That(verifier.WalkedCount, Is.GreaterThan(builds.Package.SelectMany(HpcEntries.Jobs).Count()));
+    }
 
-            Assert.That(verifier.Verify(_ => true), Is.Empty);
-            Assert.That(verifier.WalkedCount, Is.GreaterThan(builds.Package.SelectMany(HpcEntries.Jobs).Count()));
-        }
+    /// <summary>Jobs that call managed code, each with its reason in its summary.</summary>
+    private static readonly string[] s_managedJobs = { "FastPoints.Files.DecompressJob" };
 
-        /// <summary>Jobs that call managed code, each with its reason in its summary.</summary>
-        private static readonly string[] s_managedJobs = { "FastPoints.Files.DecompressJob" };
+    /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>
+    [Test]
+    public void Jobs_OfThePackage_AllHaveBurstCompile()
+    {
+        using GenerationBuilds builds = Checkout.Builds(m_generation);
+        IEnumerable<string> without = builds.Package.Where(m => m.Assembly.Name.Name != "FastPoints.Tests")
+            .SelectMany(HpcEntries.Jobs).Where(j => !HpcEntries.IsCompiled(j)).Select(j => j.FullName);
 
-        /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>
-        [Test]
-        public void Jobs_OfThePackage_AllHaveBurstCompile()
-        {
-            using GenerationBuilds builds = Checkout.Builds(m_generation);
-            IEnumerable<string> without = builds.Package.Where(m => m.Assembly.Name.Name != "FastPoints.Tests")
-                .SelectMany(HpcEntries.Jobs).Where(j => !HpcEntries.IsCompiled(j)).Select(j => j.FullName);
-
-            Assert.That(without, Is.EquivalentTo(s_managedJobs));
-        }
+        Assert.That(without, Is.EquivalentTo(s_managedJobs));
     }
 }

@@ -1,24 +1,23 @@
-namespace FastPoints.HostTests.Layers
+namespace FastPoints.HostTests.Layers;
+
+/// <summary>Code stripping leaves an assembly of a package out that nothing refers to, whatever it does when a player
+/// starts.</summary>
+public sealed class LinkedAssembliesTests
 {
-    /// <summary>Code stripping leaves an assembly of a package out that nothing refers to, whatever it does when a player
-    /// starts.</summary>
-    public sealed class LinkedAssembliesTests
+    [Test]
+    public void AssembliesThatBeginByThemselves_AreKeptByCodeStripping()
     {
-        [Test]
-        public void AssembliesThatBeginByThemselves_AreKeptByCodeStripping()
-        {
-            using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
-            var beginning = builds.Package.Where(m => m.Types.SelectMany(t => t.Methods).Any(IsCalledAtTheStart)).ToList();
+        using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
+        var beginning = builds.Package.Where(m => m.Types.SelectMany(t => t.Methods).Any(IsCalledAtTheStart)).ToList();
 
-            Assert.That(beginning.Select(m => m.Assembly.Name.Name),
-                Is.SupersetOf(new[] { "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp" }));
-            // A player has readers where something refers to them: they register themselves then.
-            Assert.That(
-                beginning.Where(m => !m.Assembly.CustomAttributes.Any(a => a.AttributeType.Name == "AlwaysLinkAssemblyAttribute"))
-                .Select(m => m.Assembly.Name.Name), Is.EqualTo(new[] { "FastPoints.Import" }));
-        }
-
-        static bool IsCalledAtTheStart(MethodDefinition method) =>
-            method.CustomAttributes.Any(a => a.AttributeType.Name == "RuntimeInitializeOnLoadMethodAttribute");
+        Assert.That(beginning.Select(m => m.Assembly.Name.Name),
+            Is.SupersetOf(new[] { "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp" }));
+        // A player has readers where something refers to them: they register themselves then.
+        Assert.That(
+            beginning.Where(m => !m.Assembly.CustomAttributes.Any(a => a.AttributeType.Name == "AlwaysLinkAssemblyAttribute"))
+            .Select(m => m.Assembly.Name.Name), Is.EqualTo(new[] { "FastPoints.Import" }));
     }
+
+    static bool IsCalledAtTheStart(MethodDefinition method) =>
+        method.CustomAttributes.Any(a => a.AttributeType.Name == "RuntimeInitializeOnLoadMethodAttribute");
 }

@@ -1,97 +1,96 @@
 using System.Collections;
 using System.Reflection;
 
-namespace FastPoints.HostTests.Manual
+namespace FastPoints.HostTests.Manual;
+
+/// <summary>The tables of settings.md against the components and the settings page: each visible field has its row, with the
+/// inspector's name, the default and the range.</summary>
+public sealed class ManualSettingsTests
 {
-    /// <summary>The tables of settings.md against the components and the settings page: each visible field has its row, with the
-    /// inspector's name, the default and the range.</summary>
-    public sealed class ManualSettingsTests
+    static readonly Type[] s_components = typeof(PointCloudSettings).Assembly.GetTypes()
+        .Where(t => typeof(MonoBehaviour).IsAssignableFrom(t) && t.IsPublic).ToArray();
+
+    static IEnumerable<string> Components() => s_components.Select(t => t.Name);
+
+    [TestCaseSource(nameof(Components))]
+    public void Table_OfAComponent_IsWhatTheInspectorShows(string name)
     {
-        static readonly Type[] s_components = typeof(PointCloudSettings).Assembly.GetTypes()
-            .Where(t => typeof(MonoBehaviour).IsAssignableFrom(t) && t.IsPublic).ToArray();
+        var type = s_components.Single(t => t.Name == name);
+        string menu = type.GetCustomAttribute<AddComponentMenu>().componentMenu;
+        var rows = ManualPage.Of("settings.md").TableUnder("### " + menu[(menu.LastIndexOf('/') + 1)..]);
 
-        static IEnumerable<string> Components() => s_components.Select(t => t.Name);
+        Assert.That(rows.Select(Written), Is.EqualTo(Fields(type).Select(f => Row(Nicified(f.Name), f, RangeOf(f)))));
+    }
 
-        [TestCaseSource(nameof(Components))]
-        public void Table_OfAComponent_IsWhatTheInspectorShows(string name)
+    [Test]
+    public void Table_OfProjectSettings_IsWhatThePageShows()
+    {
+        string source =
+            File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Assets/FastPointsSettingsPage.cs"));
+        var shown = Regex.Matches(source,
+            @"EditorGUILayout\.\w+\(""(?<label>[^""]+)"", settings\.(?<field>\w+)(, (?<low>\d+), (?<high>\d+))?\)")
+            .Select(m => Row(m.Groups["label"].Value, typeof(FastPointsSettings).GetField(m.Groups["field"].Value),
+                m.Groups["low"].Success ? m.Groups["low"].Value + " to " + m.Groups["high"].Value : null)).ToList();
+
+        Assert.That(shown, Has.Count.EqualTo(Fields(typeof(FastPointsSettings)).Count()), "each field is on the page");
+        Assert.That(ManualPage.Of("settings.md").TableUnder("## Project settings").Select(Written), Is.EqualTo(shown));
+    }
+
+    [TestCase("UploadMebibytesPerFrame", "Upload Mebibytes Per Frame")]
+    [TestCase("m_hiddenClasses", "Hidden Classes")]
+    [TestCase("MaxSizePx", "Max Size Px")]
+    public void Nicified_Field_IsAsTheInspectorHasIt(string field, string shown) =>
+        Assert.That(Nicified(field), Is.EqualTo(shown));
+
+    [Test]
+    public void Row_OtherDefaultOrRange_IsAnotherRow()
+    {
+        var field = typeof(PointCloudSettings).GetField(nameof(PointCloudSettings.MillionPoints));
+
+        Assert.That(Row("Million Points", field, RangeOf(field)),
+            Is.EqualTo("Million Points, `MillionPoints`, 2, 0.1 to 100"));
+    }
+
+    static string Written(string[] cells) => string.Join(", ", cells.Take(4));
+
+    static string Row(string label, FieldInfo field, string range) =>
+        string.Join(", ", label, "`" + field.Name + "`", DefaultOf(field), range ?? ChoicesOf(field.FieldType));
+
+    /// <summary>Those that Unity serializes and shows, as they are declared.</summary>
+    static IEnumerable<FieldInfo> Fields(Type type) =>
+        type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
+            .Where(f => (f.IsPublic || f.GetCustomAttribute<SerializeField>() != null) &&
+                f.GetCustomAttribute<HideInInspector>() == null);
+
+    static string DefaultOf(FieldInfo field)
+    {
+        object value = field.GetValue(Activator.CreateInstance(field.DeclaringType, true));
+        return value switch
         {
-            var type = s_components.Single(t => t.Name == name);
-            string menu = type.GetCustomAttribute<AddComponentMenu>().componentMenu;
-            var rows = ManualPage.Of("settings.md").TableUnder("### " + menu[(menu.LastIndexOf('/') + 1)..]);
+            null => "none",
+            bool isOn => isOn ? "on" : "off",
+            IList { Count: 0 } => "none",
+            IFormattable number => number.ToString(null, CultureInfo.InvariantCulture),
+            _ => value.ToString(),
+        };
+    }
 
-            Assert.That(rows.Select(Written), Is.EqualTo(Fields(type).Select(f => Row(Nicified(f.Name), f, RangeOf(f)))));
-        }
+    static string RangeOf(FieldInfo field)
+    {
+        if (field.GetCustomAttribute<UnityEngine.RangeAttribute>() is { } range)
+            return string.Create(CultureInfo.InvariantCulture, $"{range.min} to {range.max}");
+        return field.GetCustomAttribute<MinAttribute>() is { } least
+            ? string.Create(CultureInfo.InvariantCulture, $"{least.min} or more") : null;
+    }
 
-        [Test]
-        public void Table_OfProjectSettings_IsWhatThePageShows()
-        {
-            string source =
-                File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Assets/FastPointsSettingsPage.cs"));
-            var shown = Regex.Matches(source,
-                @"EditorGUILayout\.\w+\(""(?<label>[^""]+)"", settings\.(?<field>\w+)(, (?<low>\d+), (?<high>\d+))?\)")
-                .Select(m => Row(m.Groups["label"].Value, typeof(FastPointsSettings).GetField(m.Groups["field"].Value),
-                    m.Groups["low"].Success ? m.Groups["low"].Value + " to " + m.Groups["high"].Value : null)).ToList();
+    static string ChoicesOf(Type type) => type == typeof(bool) ? "on, off"
+        : type.IsEnum ? string.Join(", ", Enum.GetNames(type)) : "any";
 
-            Assert.That(shown, Has.Count.EqualTo(Fields(typeof(FastPointsSettings)).Count()), "each field is on the page");
-            Assert.That(ManualPage.Of("settings.md").TableUnder("## Project settings").Select(Written), Is.EqualTo(shown));
-        }
-
-        [TestCase("UploadMebibytesPerFrame", "Upload Mebibytes Per Frame")]
-        [TestCase("m_hiddenClasses", "Hidden Classes")]
-        [TestCase("MaxSizePx", "Max Size Px")]
-        public void Nicified_Field_IsAsTheInspectorHasIt(string field, string shown) =>
-            Assert.That(Nicified(field), Is.EqualTo(shown));
-
-        [Test]
-        public void Row_OtherDefaultOrRange_IsAnotherRow()
-        {
-            var field = typeof(PointCloudSettings).GetField(nameof(PointCloudSettings.MillionPoints));
-
-            Assert.That(Row("Million Points", field, RangeOf(field)),
-                Is.EqualTo("Million Points, `MillionPoints`, 2, 0.1 to 100"));
-        }
-
-        static string Written(string[] cells) => string.Join(", ", cells.Take(4));
-
-        static string Row(string label, FieldInfo field, string range) =>
-            string.Join(", ", label, "`" + field.Name + "`", DefaultOf(field), range ?? ChoicesOf(field.FieldType));
-
-        /// <summary>Those that Unity serializes and shows, as they are declared.</summary>
-        static IEnumerable<FieldInfo> Fields(Type type) =>
-            type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
-                .Where(f => (f.IsPublic || f.GetCustomAttribute<SerializeField>() != null) &&
-                    f.GetCustomAttribute<HideInInspector>() == null);
-
-        static string DefaultOf(FieldInfo field)
-        {
-            object value = field.GetValue(Activator.CreateInstance(field.DeclaringType, true));
-            return value switch
-            {
-                null => "none",
-                bool isOn => isOn ? "on" : "off",
-                IList { Count: 0 } => "none",
-                IFormattable number => number.ToString(null, CultureInfo.InvariantCulture),
-                _ => value.ToString(),
-            };
-        }
-
-        static string RangeOf(FieldInfo field)
-        {
-            if (field.GetCustomAttribute<UnityEngine.RangeAttribute>() is { } range)
-                return string.Create(CultureInfo.InvariantCulture, $"{range.min} to {range.max}");
-            return field.GetCustomAttribute<MinAttribute>() is { } least
-                ? string.Create(CultureInfo.InvariantCulture, $"{least.min} or more") : null;
-        }
-
-        static string ChoicesOf(Type type) => type == typeof(bool) ? "on, off"
-            : type.IsEnum ? string.Join(", ", Enum.GetNames(type)) : "any";
-
-        /// <summary>As Unity's inspector names a field: without prefix, a blank before each capital that begins a word.</summary>
-        static string Nicified(string field)
-        {
-            string name = field.StartsWith("m_", StringComparison.Ordinal) ? field[2..] : field;
-            return Regex.Replace(char.ToUpperInvariant(name[0]) + name[1..],
-                "(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ");
-        }
+    /// <summary>As Unity's inspector names a field: without prefix, a blank before each capital that begins a word.</summary>
+    static string Nicified(string field)
+    {
+        string name = field.StartsWith("m_", StringComparison.Ordinal) ? field[2..] : field;
+        return Regex.Replace(char.ToUpperInvariant(name[0]) + name[1..],
+            "(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ");
     }
 }

@@ -3,90 +3,89 @@ using FastPoints.Preview;
 using FastPoints.Tests.Support;
 using StandIns.Scheduling;
 
-namespace FastPoints.HostTests.Preview
+namespace FastPoints.HostTests.Preview;
+
+/// <summary>What a preview does to all of its sample is cut: into as many slices, at least, as a bound of places for each
+/// makes.</summary>
+[NonParallelizable]
+public sealed class PreviewSliceTests
 {
-    /// <summary>What a preview does to all of its sample is cut: into as many slices, at least, as a bound of places for each
-    /// makes.</summary>
-    [NonParallelizable]
-    public sealed class PreviewSliceTests
+    const int MostPlaces = 1 << 17, MostRuns = 1 << 14, MostLookedUp = 1 << 16;
+
+    static Dictionary<string, int> RunsOf(Action work)
     {
-        const int MostPlaces = 1 << 17, MostRuns = 1 << 14, MostLookedUp = 1 << 16;
-
-        static Dictionary<string, int> RunsOf(Action work)
+        JobTimes.Begin();
+        try
         {
-            JobTimes.Begin();
-            try
-            {
-                work();
-            }
-            finally
-            {
-                s_last = JobTimes.End();
-            }
-            return s_last.ToDictionary(k => k.Key.Name, k => k.Value.Count);
+            work();
         }
-
-        static Dictionary<Type, JobRuns> s_last = [];
-
-        static int Slices(int places, int most) => (places + most - 1) / most;
-
-        static void AreCut(Dictionary<string, int> runs, int slices, params string[] jobs)
+        finally
         {
-            foreach (string job in jobs)
-                Assert.That(runs.GetValueOrDefault(job), Is.GreaterThanOrEqualTo(slices), job);
+            s_last = JobTimes.End();
         }
+        return s_last.ToDictionary(k => k.Key.Name, k => k.Value.Count);
+    }
 
-        [Test]
-        public void Preview_ByRuns_IsCut()
-        {
-            const int points = 1_000_000;
-            string path = Path.Combine(Path.GetTempPath(), $"fastpoints-slices-{Guid.NewGuid():N}.ply");
-            byte[] header = Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex 4000000"
-                + "\nproperty int x\nproperty int y\nproperty int z\nend_header\n");
-            try
-            {
-                // Points of zeros, of which the disk has nothing.
-                using (var file = File.Create(path))
-                {
-                    file.Write(header);
-                    file.SetLength(header.Length + 12 * 4_000_000L);
-                }
-                using var reader = PointReaders.Open(path);
-                var runs = RunsOf(() =>
-                {
-                    using var preview = new PreviewCloud(reader, new PreviewOptions { Points = points });
-                    WorkPump.RunToEnd(preview.Run(new StageProgress()));
-                    Assert.That(preview.Sample.Count, Is.EqualTo(points));
-                });
-                AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob", "NumberPlacesJob", "MeasureBoundsJob");
-                AreCut(runs, 3 * Slices(points, MostPlaces), "MeasureRangeJob");
-                AreCut(runs, Slices(points / 16, MostRuns), "RankStrataJob", "PlanWaveJob", "ListRunsJob");
-            }
-            finally
-            {
-                File.Delete(path);
-            }
-        }
+    static Dictionary<Type, JobRuns> s_last = [];
 
-        /// <param name="blockPoints">Blocks are read whole.</param>
-        [TestCase(20_000)]
-        [TestCase(1_000_000)]
-        public void Refining_IsCut(int blockPoints)
+    static int Slices(int places, int most) => (places + most - 1) / most;
+
+    static void AreCut(Dictionary<string, int> runs, int slices, params string[] jobs)
+    {
+        foreach (string job in jobs)
+            Assert.That(runs.GetValueOrDefault(job), Is.GreaterThanOrEqualTo(slices), job);
+    }
+
+    [Test]
+    public void Preview_ByRuns_IsCut()
+    {
+        const int points = 1_000_000;
+        string path = Path.Combine(Path.GetTempPath(), $"fastpoints-slices-{Guid.NewGuid():N}.ply");
+        byte[] header = Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex 4000000"
+            + "\nproperty int x\nproperty int y\nproperty int z\nend_header\n");
+        try
         {
-            const int points = 1_000_000, all = 3_000_000, waves = 2;
-            using var reader = new VirtualReader(all, blockPoints, false);
+            // Points of zeros, of which the disk has nothing.
+            using (var file = File.Create(path))
+            {
+                file.Write(header);
+                file.SetLength(header.Length + 12 * 4_000_000L);
+            }
+            using var reader = PointReaders.Open(path);
             var runs = RunsOf(() =>
             {
-                using var sampler = new RefiningSampler(reader, points, 1, null,
-                    new BoundsGeo(default, new double3(1500, 1500, 1)));
-                WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
-                Assert.That(sampler.Sample.Count, Is.EqualTo(points));
+                using var preview = new PreviewCloud(reader, new PreviewOptions { Points = points });
+                WorkPump.RunToEnd(preview.Run(new StageProgress()));
+                Assert.That(preview.Sample.Count, Is.EqualTo(points));
             });
-            // At a fifth and at a half, and in the end.
-            AreCut(runs, waves * Slices(points, MostPlaces), "GatherPlacesJob", "ListBlockRunsJob");
-            AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob");
-            AreCut(runs, Slices(all, MostPlaces), "SampleBlockJob");
-            AreCut(runs, Slices(all / 2, MostLookedUp), "AppendEmptyCellsJob");
+            AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob", "NumberPlacesJob", "MeasureBoundsJob");
+            AreCut(runs, 3 * Slices(points, MostPlaces), "MeasureRangeJob");
+            AreCut(runs, Slices(points / 16, MostRuns), "RankStrataJob", "PlanWaveJob", "ListRunsJob");
         }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+
+    /// <param name="blockPoints">Blocks are read whole.</param>
+    [TestCase(20_000)]
+    [TestCase(1_000_000)]
+    public void Refining_IsCut(int blockPoints)
+    {
+        const int points = 1_000_000, all = 3_000_000, waves = 2;
+        using var reader = new VirtualReader(all, blockPoints, false);
+        var runs = RunsOf(() =>
+        {
+            using var sampler = new RefiningSampler(reader, points, 1, null,
+                new BoundsGeo(default, new double3(1500, 1500, 1)));
+            WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
+            Assert.That(sampler.Sample.Count, Is.EqualTo(points));
+        });
+        // At a fifth and at a half, and in the end.
+        AreCut(runs, waves * Slices(points, MostPlaces), "GatherPlacesJob", "ListBlockRunsJob");
+        AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob");
+        AreCut(runs, Slices(all, MostPlaces), "SampleBlockJob");
+        AreCut(runs, Slices(all / 2, MostLookedUp), "AppendEmptyCellsJob");
     }
 }

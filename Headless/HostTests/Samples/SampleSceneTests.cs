@@ -3,157 +3,156 @@ using FastPoints.HostTests.Editor;
 using FastPoints.Samples.AttributeColours;
 using UnityEditor.SceneManagement;
 
-namespace FastPoints.HostTests.Samples
+namespace FastPoints.HostTests.Samples;
+
+/// <summary>The menu commands of samples, and the scan that their scenes show.</summary>
+public sealed class SampleSceneTests
 {
-    /// <summary>The menu commands of samples, and the scan that their scenes show.</summary>
-    public sealed class SampleSceneTests
+    EditorProject m_project;
+
+    [SetUp]
+    public void OpenProject() => m_project = new EditorProject();
+
+    [TearDown]
+    public void CloseProject()
     {
-        EditorProject m_project;
+        EditorApplication.isPlaying = false;
+        Debug.s_sink = null;
+        EditorSceneManager.s_goesOn = true;
+        m_project.Dispose();
+    }
 
-        [SetUp]
-        public void OpenProject() => m_project = new EditorProject();
+    static MethodInfo[] Commands() => Assembly.Load("FastPoints.Samples.Editor").GetTypes()
+        .SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.NonPublic))
+        .Where(m => m.GetCustomAttribute<MenuItem>() != null).ToArray();
 
-        [TearDown]
-        public void CloseProject()
-        {
-            EditorApplication.isPlaying = false;
-            Debug.s_sink = null;
-            EditorSceneManager.s_goesOn = true;
-            m_project.Dispose();
-        }
+    static string[] Names() => Commands().Select(m => m.GetCustomAttribute<MenuItem>().menuItem).ToArray();
 
-        static MethodInfo[] Commands() => Assembly.Load("FastPoints.Samples.Editor").GetTypes()
-            .SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.NonPublic))
-            .Where(m => m.GetCustomAttribute<MenuItem>() != null).ToArray();
+    string Street => m_project.Paths.Absolute("PointClouds/street.las");
 
-        static string[] Names() => Commands().Select(m => m.GetCustomAttribute<MenuItem>().menuItem).ToArray();
+    /// <summary>A smaller one in its place: what is there is not scanned again.</summary>
+    void PutSmallStreet()
+    {
+        Directory.CreateDirectory(Path.GetDirectoryName(Street));
+        m_project.Scratch.Demo("project/PointClouds/street.las", 3000);
+    }
 
-        string Street => m_project.Paths.Absolute("PointClouds/street.las");
+    static void Updates(Func<bool> isDone) => ImportProject.Updates(() => EditorApplication.update?.Invoke(), isDone);
 
-        /// <summary>A smaller one in its place: what is there is not scanned again.</summary>
-        void PutSmallStreet()
-        {
-            Directory.CreateDirectory(Path.GetDirectoryName(Street));
-            m_project.Scratch.Demo("project/PointClouds/street.las", 3000);
-        }
+    [TestCaseSource(nameof(Names))]
+    public void Command_OfASample_MakesItsScene(string name)
+    {
+        PutSmallStreet();
+        Camera.main = null;
 
-        static void Updates(Func<bool> isDone) => ImportProject.Updates(() => EditorApplication.update?.Invoke(), isDone);
+        Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem == name).Invoke(null, null);
+        Updates(() => Camera.main != null);
 
-        [TestCaseSource(nameof(Names))]
-        public void Command_OfASample_MakesItsScene(string name)
-        {
-            PutSmallStreet();
-            Camera.main = null;
+        Assert.That(m_project.Asset(SampleScan.AssetPath), Is.Not.Null);
+        Assert.That(Camera.main.transform.position.y, Is.GreaterThan(0));
+    }
 
-            Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem == name).Invoke(null, null);
-            Updates(() => Camera.main != null);
+    [Test]
+    public void Command_OfASample_ClosesTheSceneBefore()
+    {
+        PutSmallStreet();
+        var before = new GameObject("of the scene before");
+        Camera.main = null;
+        Commands()[0].Invoke(null, null);
+        Updates(() => Camera.main != null);
+        Assert.That(before == null, Is.True);
+    }
 
-            Assert.That(m_project.Asset(SampleScan.AssetPath), Is.Not.Null);
-            Assert.That(Camera.main.transform.position.y, Is.GreaterThan(0));
-        }
+    [Test]
+    public void Commands_OfSamples_AreOneForEachListedSample()
+    {
+        string package = Checkout.Repository.PackageRoot;
+        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(package, "package.json")));
+        var listed = manifest.RootElement.GetProperty("samples").EnumerateArray()
+            .Select(s => (Path: s.GetProperty("path").GetString(), Name: s.GetProperty("displayName").GetString())).ToArray();
 
-        [Test]
-        public void Command_OfASample_ClosesTheSceneBefore()
-        {
-            PutSmallStreet();
-            var before = new GameObject("of the scene before");
-            Camera.main = null;
-            Commands()[0].Invoke(null, null);
-            Updates(() => Camera.main != null);
-            Assert.That(before == null, Is.True);
-        }
+        Assert.That(listed.Select(s => s.Path), Is.EquivalentTo(Directory.GetDirectories(Path.Combine(package, "Samples~"))
+            .Select(d => "Samples~/" + Path.GetFileName(d))));
+        Assert.That(Names(), Is.EquivalentTo(listed.Select(s => "FastPoints/Samples/" + s.Name)));
+        Assert.That(listed.Where(s => !File.Exists(Path.Combine(package, s.Path, "README.md"))), Is.Empty);
+    }
 
-        [Test]
-        public void Commands_OfSamples_AreOneForEachListedSample()
-        {
-            string package = Checkout.Repository.PackageRoot;
-            using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(package, "package.json")));
-            var listed = manifest.RootElement.GetProperty("samples").EnumerateArray()
-                .Select(s => (Path: s.GetProperty("path").GetString(), Name: s.GetProperty("displayName").GetString())).ToArray();
+    [Test]
+    public void AttributeColours_Scene_HasTheSwitchOnTheCloud()
+    {
+        PutSmallStreet();
 
-            Assert.That(listed.Select(s => s.Path), Is.EquivalentTo(Directory.GetDirectories(Path.Combine(package, "Samples~"))
-                .Select(d => "Samples~/" + Path.GetFileName(d))));
-            Assert.That(Names(), Is.EquivalentTo(listed.Select(s => "FastPoints/Samples/" + s.Name)));
-            Assert.That(listed.Where(s => !File.Exists(Path.Combine(package, s.Path, "README.md"))), Is.Empty);
-        }
+        Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem.EndsWith("Attribute colours")).Invoke(null, null);
+        Updates(() => Selection.activeObject is GameObject o && o.GetComponent<ColourSwitch>() != null);
 
-        [Test]
-        public void AttributeColours_Scene_HasTheSwitchOnTheCloud()
-        {
-            PutSmallStreet();
+        var cloud = ((GameObject)Selection.activeObject).GetComponent<FastPoints.Entities.PointCloud>();
+        Assert.That(cloud.Cloud, Is.SameAs(m_project.Asset(SampleScan.AssetPath)));
+    }
 
-            Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem.EndsWith("Attribute colours")).Invoke(null, null);
-            Updates(() => Selection.activeObject is GameObject o && o.GetComponent<ColourSwitch>() != null);
+    [Test]
+    public void Make_UserKeepsHisScene_NothingIsMade()
+    {
+        PutSmallStreet();
+        EditorSceneManager.s_goesOn = false;
+        Camera.main = null;
+        bool isFilled = false;
 
-            var cloud = ((GameObject)Selection.activeObject).GetComponent<FastPoints.Entities.PointCloud>();
-            Assert.That(cloud.Cloud, Is.SameAs(m_project.Asset(SampleScan.AssetPath)));
-        }
+        SampleScene.Make(_ => isFilled = true);
+        Updates(() => m_project.Asset(SampleScan.AssetPath) != null);
 
-        [Test]
-        public void Make_UserKeepsHisScene_NothingIsMade()
-        {
-            PutSmallStreet();
-            EditorSceneManager.s_goesOn = false;
-            Camera.main = null;
-            bool isFilled = false;
+        Assert.That(Camera.main, Is.Null);
+        Assert.That(isFilled, Is.False);
+    }
 
-            SampleScene.Make(_ => isFilled = true);
-            Updates(() => m_project.Asset(SampleScan.AssetPath) != null);
+    /// <summary>In play mode Unity makes no scenes: it throws.</summary>
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Make_InPlayMode_SaysSoAndMakesNothing(bool fromTheStart)
+    {
+        PutSmallStreet();
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        bool isFilled = false;
 
-            Assert.That(Camera.main, Is.Null);
-            Assert.That(isFilled, Is.False);
-        }
+        EditorApplication.isPlaying = fromTheStart;
+        SampleScene.Make(_ => isFilled = true);
+        EditorApplication.isPlaying = true;
+        Updates(() => logged.Count > 0);
 
-        /// <summary>In play mode Unity makes no scenes: it throws.</summary>
-        [TestCase(true)]
-        [TestCase(false)]
-        public void Make_InPlayMode_SaysSoAndMakesNothing(bool fromTheStart)
-        {
-            PutSmallStreet();
-            var logged = new List<string>();
-            Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-            bool isFilled = false;
+        Assert.That(logged.Single(), Does.StartWith("Warning: FastPoints: ").And.Contains("play mode"));
+        Assert.That(isFilled, Is.False);
+        Assert.That(() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single),
+            Throws.InvalidOperationException);
+    }
 
-            EditorApplication.isPlaying = fromTheStart;
-            SampleScene.Make(_ => isFilled = true);
-            EditorApplication.isPlaying = true;
-            Updates(() => logged.Count > 0);
+    [Test]
+    public void Get_AskedTwiceAndAgain_MakesOneAsset()
+    {
+        PutSmallStreet();
+        var got = new List<PointCloudAsset>();
 
-            Assert.That(logged.Single(), Does.StartWith("Warning: FastPoints: ").And.Contains("play mode"));
-            Assert.That(isFilled, Is.False);
-            Assert.That(() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single),
-                Throws.InvalidOperationException);
-        }
+        SampleScan.Get(got.Add);
+        SampleScan.Get(got.Add);
+        Updates(() => got.Count == 2);
+        SampleScan.Get(got.Add);
 
-        [Test]
-        public void Get_AskedTwiceAndAgain_MakesOneAsset()
-        {
-            PutSmallStreet();
-            var got = new List<PointCloudAsset>();
+        Assert.That(got, Has.Count.EqualTo(3));
+        Assert.That(got.Distinct().Count(), Is.EqualTo(1));
+        Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"),
+            Has.Length.EqualTo(1));
+    }
 
-            SampleScan.Get(got.Add);
-            SampleScan.Get(got.Add);
-            Updates(() => got.Count == 2);
-            SampleScan.Get(got.Add);
+    [Test]
+    public void Get_ScriptsReloadedMidway_LeavesNothing()
+    {
+        bool isMade = false;
+        SampleScan.Get(_ => isMade = true);
+        Updates(() => Directory.GetFiles(Path.GetDirectoryName(Street)).Length > 0);
 
-            Assert.That(got, Has.Count.EqualTo(3));
-            Assert.That(got.Distinct().Count(), Is.EqualTo(1));
-            Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"),
-                Has.Length.EqualTo(1));
-        }
+        AssemblyReloadEvents.Reload();
 
-        [Test]
-        public void Get_ScriptsReloadedMidway_LeavesNothing()
-        {
-            bool isMade = false;
-            SampleScan.Get(_ => isMade = true);
-            Updates(() => Directory.GetFiles(Path.GetDirectoryName(Street)).Length > 0);
-
-            AssemblyReloadEvents.Reload();
-
-            Assert.That(Directory.GetFiles(Path.GetDirectoryName(Street), "street*"), Is.Empty);
-            Assert.That(isMade, Is.False);
-            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
-        }
+        Assert.That(Directory.GetFiles(Path.GetDirectoryName(Street), "street*"), Is.Empty);
+        Assert.That(isMade, Is.False);
+        Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
     }
 }

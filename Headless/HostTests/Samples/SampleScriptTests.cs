@@ -4,163 +4,162 @@ using FastPoints.Samples.RunTimeLoading;
 using FastPoints.Samples.StreamingFlight;
 using CloudGrid = FastPoints.Samples.ManyClouds.CloudGrid;
 
-namespace FastPoints.HostTests.Samples
+namespace FastPoints.HostTests.Samples;
+
+/// <summary>What the scripts of <c>Samples~</c> do in play mode.</summary>
+public sealed class SampleScriptTests
 {
-    /// <summary>What the scripts of <c>Samples~</c> do in play mode.</summary>
-    public sealed class SampleScriptTests
+    SampleWorld m_world;
+
+    [SetUp]
+    public void Play() => m_world = new SampleWorld();
+
+    [TearDown]
+    public void Stop()
     {
-        SampleWorld m_world;
+        UnityEngine.Debug.s_sink = null;
+        m_world.Dispose();
+    }
 
-        [SetUp]
-        public void Play() => m_world = new SampleWorld();
+    [Test]
+    public void LoadFromDisk_FileOnDisk_IsConvertedOnceAndShown()
+    {
+        string source = m_world.Scratch.Demo("scan.laz", 5000), target = m_world.Scratch["scan.fastpoints"];
+        var load = m_world.Add<LoadFromDisk>(l => l.Source = source);
 
-        [TearDown]
-        public void Stop()
+        m_world.Frames(() => load.IsDone);
+        m_world.Settle();
+
+        Assert.That(load.Status, Is.EqualTo(target));
+        Assert.That(m_world.Group.Stats.DrawnPoints, Is.EqualTo(5000));
+        Assert.That(CliCall.Of("verify", target, "--against", source, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+        var made = Directory.GetFiles(target, "*", SearchOption.AllDirectories).Select(File.GetLastWriteTimeUtc).Max();
+        load.enabled = false;
+        load.enabled = true;
+        m_world.Frames(() => load.IsDone);
+        Assert.That(Directory.GetFiles(target, "*", SearchOption.AllDirectories).Select(File.GetLastWriteTimeUtc).Max(),
+            Is.EqualTo(made));
+    }
+
+    [Test]
+    public void LoadFromDisk_NoFileGiven_ShowsTheStreet()
+    {
+        var load = m_world.Add<LoadFromDisk>();
+
+        m_world.Frames(() => load.IsDone);
+
+        using var folder = CloudFolder.Open(m_world.Scratch["street.fastpoints"]);
+        Assert.That(folder.Manifest.Points, Is.EqualTo(200_000));
+    }
+
+    [Test]
+    public void LoadFromDisk_FileThatIsNotThere_SaysSo()
+    {
+        var logged = "";
+        UnityEngine.Debug.s_sink = (_, text) => logged += text;
+        var load = m_world.Add<LoadFromDisk>(l => l.Source = m_world.Scratch["absent.las"]);
+
+        m_world.Frames(() => load.Status.Contains("absent.las"));
+        m_world.Frame();
+
+        Assert.That(logged, Does.Contain("absent.las"));
+        Assert.That(load.IsDone, Is.False);
+    }
+
+    [Test]
+    public void LoadFromDisk_DisabledMidway_LeavesNoFileOpen()
+    {
+        var load = m_world.Add<LoadFromDisk>(l => l.Source = m_world.Scratch.Demo(points: 20_000));
+        m_world.Frames(() => load.Status.Contains('%'));
+        load.enabled = false;
+        // Windows refuses to delete what is open; here the writer's lock tells.
+        load.enabled = true;
+        m_world.Frames(() => load.IsDone);
+        Assert.That(m_world.Scratch["demo.fastpoints"], Does.Exist);
+    }
+
+    [Test]
+    public void EntitiesOnlyStart_Cloud_IsStreamedAndEachNodeTinted()
+    {
+        var asset = m_world.Asset(20_000);
+        var start = m_world.Add<EntitiesOnlyStart>(s => s.Cloud = asset);
+
+        m_world.Settle();
+        m_world.Frame();
+
+        Assert.That(m_world.Group.Stream.Settings.Selection.PointBudget, Is.EqualTo(1_000_000));
+        Assert.That(m_world.Count<Tint>(), Is.EqualTo(m_world.Count<PointCloudNode>()).And.GreaterThan(0));
+        start.enabled = false;
+        m_world.Frames(() => m_world.Count<PointCloudNode>() == 0);
+    }
+
+    [Test]
+    public void CloudGrid_NineClouds_ShareTheStreamAndGoWithTheGrid()
+    {
+        var asset = m_world.Asset(3000);
+        var grid = m_world.Add<CloudGrid>(g => (g.Cloud, g.Side) = (asset, 3));
+
+        m_world.Frames(() => m_world.Count<StreamedPointCloud>() == 9);
+        var before = m_world.Group.Stream.Clouds.Select(c => c.Placement.OriginWorld).ToArray();
+        m_world.Frame();
+        var after = m_world.Group.Stream.Clouds.Select(c => c.Placement.OriginWorld).ToArray();
+
+        Assert.That(Enumerable.Range(0, 9).Count(i => !before[i].Equals(after[i])), Is.EqualTo(3), "every third turns");
+        grid.enabled = false;
+        m_world.Frames(() => m_world.Count<StreamedPointCloud>() == 0);
+    }
+
+    [Test]
+    public void FlyThrough_OneRound_StaysInTheCloudAndComesBack()
+    {
+        var asset = m_world.Asset(3000);
+        var cloud = m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = asset);
+        // The host's frames take a sixtieth of a second.
+        var fly = m_world.Add<FlyThrough>(f => (f.Cloud, f.Seconds) = (cloud, 2));
+        var size = asset.BoundsMax - asset.BoundsMin;
+        var places = Enumerable.Range(0, 121).Select(_ =>
         {
-            UnityEngine.Debug.s_sink = null;
-            m_world.Dispose();
-        }
+            SceneLoop.Update();
+            return fly.transform.position;
+        }).ToArray();
 
-        [Test]
-        public void LoadFromDisk_FileOnDisk_IsConvertedOnceAndShown()
-        {
-            string source = m_world.Scratch.Demo("scan.laz", 5000), target = m_world.Scratch["scan.fastpoints"];
-            var load = m_world.Add<LoadFromDisk>(l => l.Source = source);
+        Assert.That(places.Max(p => p.x) - places.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
+        Assert.That(places.Max(p => p.z) - places.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
+        Assert.That((places[120] - places[0]).magnitude, Is.LessThan(0.01f));
+        var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
+        var level = new Vector3(along.x, 0, along.z).normalized;
+        Assert.That(Vector3.Dot(level, (places[120] - places[119]).normalized),
+            Is.GreaterThan(0.85f), "it looks along its way");
+        Assert.That(along.y, Is.LessThan(0), "and down");
+    }
 
-            m_world.Frames(() => load.IsDone);
-            m_world.Settle();
+    [Test]
+    public void FrameFigures_OfAFrame_SayWhatIsDrawn()
+    {
+        m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = m_world.Asset(3000));
+        m_world.Settle();
 
-            Assert.That(load.Status, Is.EqualTo(target));
-            Assert.That(m_world.Group.Stats.DrawnPoints, Is.EqualTo(5000));
-            Assert.That(CliCall.Of("verify", target, "--against", source, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
-            var made = Directory.GetFiles(target, "*", SearchOption.AllDirectories).Select(File.GetLastWriteTimeUtc).Max();
-            load.enabled = false;
-            load.enabled = true;
-            m_world.Frames(() => load.IsDone);
-            Assert.That(Directory.GetFiles(target, "*", SearchOption.AllDirectories).Select(File.GetLastWriteTimeUtc).Max(),
-                Is.EqualTo(made));
-        }
+        Assert.That(FrameFigures.TryGetFigures(out var stats), Is.True);
+        Assert.That(FrameFigures.Describe(stats), Does.StartWith("3,000 points in "));
+    }
 
-        [Test]
-        public void LoadFromDisk_NoFileGiven_ShowsTheStreet()
-        {
-            var load = m_world.Add<LoadFromDisk>();
+    [Test]
+    public void ColourSwitch_ClassHidden_IsNotShownUntilItIsAgain()
+    {
+        var asset = m_world.Asset(3000);
+        var colours = m_world.Add<ColourSwitch>();
+        var cloud = colours.GetComponent<FastPoints.Entities.PointCloud>();
+        cloud.Cloud = asset;
 
-            m_world.Frames(() => load.IsDone);
+        colours.Show(2, false);
+        colours.Show(6, false);
+        colours.Show(6, true);
 
-            using var folder = CloudFolder.Open(m_world.Scratch["street.fastpoints"]);
-            Assert.That(folder.Manifest.Points, Is.EqualTo(200_000));
-        }
-
-        [Test]
-        public void LoadFromDisk_FileThatIsNotThere_SaysSo()
-        {
-            var logged = "";
-            UnityEngine.Debug.s_sink = (_, text) => logged += text;
-            var load = m_world.Add<LoadFromDisk>(l => l.Source = m_world.Scratch["absent.las"]);
-
-            m_world.Frames(() => load.Status.Contains("absent.las"));
-            m_world.Frame();
-
-            Assert.That(logged, Does.Contain("absent.las"));
-            Assert.That(load.IsDone, Is.False);
-        }
-
-        [Test]
-        public void LoadFromDisk_DisabledMidway_LeavesNoFileOpen()
-        {
-            var load = m_world.Add<LoadFromDisk>(l => l.Source = m_world.Scratch.Demo(points: 20_000));
-            m_world.Frames(() => load.Status.Contains('%'));
-            load.enabled = false;
-            // Windows refuses to delete what is open; here the writer's lock tells.
-            load.enabled = true;
-            m_world.Frames(() => load.IsDone);
-            Assert.That(m_world.Scratch["demo.fastpoints"], Does.Exist);
-        }
-
-        [Test]
-        public void EntitiesOnlyStart_Cloud_IsStreamedAndEachNodeTinted()
-        {
-            var asset = m_world.Asset(20_000);
-            var start = m_world.Add<EntitiesOnlyStart>(s => s.Cloud = asset);
-
-            m_world.Settle();
-            m_world.Frame();
-
-            Assert.That(m_world.Group.Stream.Settings.Selection.PointBudget, Is.EqualTo(1_000_000));
-            Assert.That(m_world.Count<Tint>(), Is.EqualTo(m_world.Count<PointCloudNode>()).And.GreaterThan(0));
-            start.enabled = false;
-            m_world.Frames(() => m_world.Count<PointCloudNode>() == 0);
-        }
-
-        [Test]
-        public void CloudGrid_NineClouds_ShareTheStreamAndGoWithTheGrid()
-        {
-            var asset = m_world.Asset(3000);
-            var grid = m_world.Add<CloudGrid>(g => (g.Cloud, g.Side) = (asset, 3));
-
-            m_world.Frames(() => m_world.Count<StreamedPointCloud>() == 9);
-            var before = m_world.Group.Stream.Clouds.Select(c => c.Placement.OriginWorld).ToArray();
-            m_world.Frame();
-            var after = m_world.Group.Stream.Clouds.Select(c => c.Placement.OriginWorld).ToArray();
-
-            Assert.That(Enumerable.Range(0, 9).Count(i => !before[i].Equals(after[i])), Is.EqualTo(3), "every third turns");
-            grid.enabled = false;
-            m_world.Frames(() => m_world.Count<StreamedPointCloud>() == 0);
-        }
-
-        [Test]
-        public void FlyThrough_OneRound_StaysInTheCloudAndComesBack()
-        {
-            var asset = m_world.Asset(3000);
-            var cloud = m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = asset);
-            // The host's frames take a sixtieth of a second.
-            var fly = m_world.Add<FlyThrough>(f => (f.Cloud, f.Seconds) = (cloud, 2));
-            var size = asset.BoundsMax - asset.BoundsMin;
-            var places = Enumerable.Range(0, 121).Select(_ =>
-            {
-                SceneLoop.Update();
-                return fly.transform.position;
-            }).ToArray();
-
-            Assert.That(places.Max(p => p.x) - places.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
-            Assert.That(places.Max(p => p.z) - places.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
-            Assert.That((places[120] - places[0]).magnitude, Is.LessThan(0.01f));
-            var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
-            var level = new Vector3(along.x, 0, along.z).normalized;
-            Assert.That(Vector3.Dot(level, (places[120] - places[119]).normalized),
-                Is.GreaterThan(0.85f), "it looks along its way");
-            Assert.That(along.y, Is.LessThan(0), "and down");
-        }
-
-        [Test]
-        public void FrameFigures_OfAFrame_SayWhatIsDrawn()
-        {
-            m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = m_world.Asset(3000));
-            m_world.Settle();
-
-            Assert.That(FrameFigures.TryGetFigures(out var stats), Is.True);
-            Assert.That(FrameFigures.Describe(stats), Does.StartWith("3,000 points in "));
-        }
-
-        [Test]
-        public void ColourSwitch_ClassHidden_IsNotShownUntilItIsAgain()
-        {
-            var asset = m_world.Asset(3000);
-            var colours = m_world.Add<ColourSwitch>();
-            var cloud = colours.GetComponent<FastPoints.Entities.PointCloud>();
-            cloud.Cloud = asset;
-
-            colours.Show(2, false);
-            colours.Show(6, false);
-            colours.Show(6, true);
-
-            Assert.That(cloud.HiddenClasses, Is.EqualTo(new[] { 2 }));
-            m_world.Frames(() => m_world.Count<PointCloudLook>() == 1);
-            Assert.That(m_world.World.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity).Value.HiddenClasses.Has(2),
-                Is.True);
-            cloud.Color = ColorMode.Classification;
-            Assert.That(cloud.HiddenClasses, Is.EqualTo(new[] { 2 }));
-        }
+        Assert.That(cloud.HiddenClasses, Is.EqualTo(new[] { 2 }));
+        m_world.Frames(() => m_world.Count<PointCloudLook>() == 1);
+        Assert.That(m_world.World.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity).Value.HiddenClasses.Has(2),
+            Is.True);
+        cloud.Color = ColorMode.Classification;
+        Assert.That(cloud.HiddenClasses, Is.EqualTo(new[] { 2 }));
     }
 }

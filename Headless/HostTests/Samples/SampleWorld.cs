@@ -1,93 +1,92 @@
-namespace FastPoints.HostTests.Samples
+namespace FastPoints.HostTests.Samples;
+
+/// <summary>A world that plays, with a camera that sees all, for the scripts of samples.</summary>
+sealed class SampleWorld : IDisposable
 {
-    /// <summary>A world that plays, with a camera that sees all, for the scripts of samples.</summary>
-    sealed class SampleWorld : IDisposable
+    const int MostFrames = 10_000_000;
+
+    readonly List<GameObject> m_objects = new List<GameObject>();
+
+    public SampleWorld()
     {
-        const int MostFrames = 10_000_000;
+        World = World.DefaultGameObjectInjectionWorld = new World("sample");
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(World, typeof(PointCloudSystemGroup).Assembly.GetTypes()
+            .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray());
+        Group = World.GetExistingSystemManaged<PointCloudSystemGroup>();
+        Group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
+        Application.PlayerFiles = Scratch.Root;
+        SceneLoop.IsPlaying = true;
+    }
 
-        readonly List<GameObject> m_objects = new List<GameObject>();
+    public ScratchFolder Scratch { get; } = new ScratchFolder();
+    public World World { get; }
+    public PointCloudSystemGroup Group { get; }
 
-        public SampleWorld()
+    /// <summary>A converted cloud's asset.</summary>
+    public PointCloudAsset Asset(int points)
+    {
+        string path = Scratch["scan.fastpoints"];
+        var call = CliCall.Of("convert", Scratch.Demo(points: points), "-o", path, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(FastPoints.Cli.ExitStatus.Done), call.Error);
+        using var folder = FastPoints.Store.CloudFolder.Open(path);
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        asset.PlayerPath = path;
+        asset.BoundsMin = folder.Manifest.BoundsGeo.Min;
+        asset.BoundsMax = folder.Manifest.BoundsGeo.Max;
+        asset.MetresPerUnit = folder.Manifest.MetresPerUnit;
+        return asset;
+    }
+
+    /// <summary>On a GameObject of its own, which goes with the world; what it shows is set before it is enabled.</summary>
+    public T Add<T>(Action<T> set = null)
+        where T : MonoBehaviour
+    {
+        var holder = new GameObject(typeof(T).Name);
+        m_objects.Add(holder);
+        holder.SetActive(false);
+        var component = holder.AddComponent<T>();
+        set?.Invoke(component);
+        holder.SetActive(true);
+        return component;
+    }
+
+    public void Frame()
+    {
+        SceneLoop.Update();
+        Group.Views.Add(new StreamView { EyeWorld = new double3(0, 30, 0), ScalePx = 500 });
+        World.Update();
+    }
+
+    public void Frames(Func<bool> isDone)
+    {
+        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
         {
-            World = World.DefaultGameObjectInjectionWorld = new World("sample");
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(World, typeof(PointCloudSystemGroup).Assembly.GetTypes()
-                .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray());
-            Group = World.GetExistingSystemManaged<PointCloudSystemGroup>();
-            Group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
-            Application.PlayerFiles = Scratch.Root;
-            SceneLoop.IsPlaying = true;
+            Frame();
+            Thread.Yield();
         }
+        Assert.That(isDone(), Is.True);
+    }
 
-        public ScratchFolder Scratch { get; } = new ScratchFolder();
-        public World World { get; }
-        public PointCloudSystemGroup Group { get; }
+    /// <summary>Until all that the camera needs is drawn, and entities have followed.</summary>
+    public void Settle() => Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 &&
+        Count<PointCloudNode>() == Group.Stats.CachedNodes);
 
-        /// <summary>A converted cloud's asset.</summary>
-        public PointCloudAsset Asset(int points)
-        {
-            string path = Scratch["scan.fastpoints"];
-            var call = CliCall.Of("convert", Scratch.Demo(points: points), "-o", path, "--quiet");
-            Assert.That(call.Status, Is.EqualTo(FastPoints.Cli.ExitStatus.Done), call.Error);
-            using var folder = FastPoints.Store.CloudFolder.Open(path);
-            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
-            asset.PlayerPath = path;
-            asset.BoundsMin = folder.Manifest.BoundsGeo.Min;
-            asset.BoundsMax = folder.Manifest.BoundsGeo.Max;
-            asset.MetresPerUnit = folder.Manifest.MetresPerUnit;
-            return asset;
-        }
+    public int Count<T>()
+        where T : unmanaged, IComponentData
+    {
+        using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(World.EntityManager);
+        return query.CalculateEntityCount();
+    }
 
-        /// <summary>On a GameObject of its own, which goes with the world; what it shows is set before it is enabled.</summary>
-        public T Add<T>(Action<T> set = null)
-            where T : MonoBehaviour
-        {
-            var holder = new GameObject(typeof(T).Name);
-            m_objects.Add(holder);
-            holder.SetActive(false);
-            var component = holder.AddComponent<T>();
-            set?.Invoke(component);
-            holder.SetActive(true);
-            return component;
-        }
-
-        public void Frame()
-        {
-            SceneLoop.Update();
-            Group.Views.Add(new StreamView { EyeWorld = new double3(0, 30, 0), ScalePx = 500 });
-            World.Update();
-        }
-
-        public void Frames(Func<bool> isDone)
-        {
-            for (int frame = 0; frame < MostFrames && !isDone(); frame++)
-            {
-                Frame();
-                Thread.Yield();
-            }
-            Assert.That(isDone(), Is.True);
-        }
-
-        /// <summary>Until all that the camera needs is drawn, and entities have followed.</summary>
-        public void Settle() => Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 &&
-            Count<PointCloudNode>() == Group.Stats.CachedNodes);
-
-        public int Count<T>()
-            where T : unmanaged, IComponentData
-        {
-            using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(World.EntityManager);
-            return query.CalculateEntityCount();
-        }
-
-        public void Dispose()
-        {
-            foreach (var holder in m_objects)
-                UnityEngine.Object.DestroyImmediate(holder);
-            SceneLoop.Update();
-            SceneLoop.IsPlaying = false;
-            World.Dispose();
-            World.DefaultGameObjectInjectionWorld = null;
-            Application.PlayerFiles = null;
-            Scratch.Dispose();
-        }
+    public void Dispose()
+    {
+        foreach (var holder in m_objects)
+            UnityEngine.Object.DestroyImmediate(holder);
+        SceneLoop.Update();
+        SceneLoop.IsPlaying = false;
+        World.Dispose();
+        World.DefaultGameObjectInjectionWorld = null;
+        Application.PlayerFiles = null;
+        Scratch.Dispose();
     }
 }

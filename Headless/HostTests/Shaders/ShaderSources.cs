@@ -1,29 +1,28 @@
-namespace FastPoints.HostTests.Shaders
+namespace FastPoints.HostTests.Shaders;
+
+/// <summary>The repository's shaders, in every variant that can be asked for.</summary>
+static class ShaderSources
 {
-    /// <summary>The repository's shaders, in every variant that can be asked for.</summary>
-    static class ShaderSources
+    /// <summary>Shaders and compute shaders below a folder, by their paths in the repository.</summary>
+    internal static IEnumerable<string> In(string folder) => Checkout.Files().Where(f =>
+        f.StartsWith(folder + "/", StringComparison.Ordinal)
+        && (f.EndsWith(".shader", StringComparison.Ordinal) || f.EndsWith(".compute", StringComparison.Ordinal)));
+
+    /// <summary>Each kernel, or each stage of each pass, in each variant.</summary>
+    internal static IEnumerable<ShaderStage> StagesOf(string path)
     {
-        /// <summary>Shaders and compute shaders below a folder, by their paths in the repository.</summary>
-        internal static IEnumerable<string> In(string folder) => Checkout.Files().Where(f =>
-            f.StartsWith(folder + "/", StringComparison.Ordinal)
-            && (f.EndsWith(".shader", StringComparison.Ordinal) || f.EndsWith(".compute", StringComparison.Ordinal)));
-
-        /// <summary>Each kernel, or each stage of each pass, in each variant.</summary>
-        internal static IEnumerable<ShaderStage> StagesOf(string path)
+        if (path.EndsWith(".compute", StringComparison.Ordinal))
         {
-            if (path.EndsWith(".compute", StringComparison.Ordinal))
-            {
-                var source = new ComputeSource(path);
-                return source.Kernels.SelectMany(kernel => Variants(source.Keywords).Select(v => source.Kernel(kernel, v)));
-            }
-            return ShaderLabReader.Read(path).Passes
-                .SelectMany(pass => Variants(pass.Keywords).SelectMany(v => new[] { pass.Vertex(v), pass.Fragment(v) }));
+            var source = new ComputeSource(path);
+            return source.Kernels.SelectMany(kernel => Variants(source.Keywords).Select(v => source.Kernel(kernel, v)));
         }
+        return ShaderLabReader.Read(path).Passes
+            .SelectMany(pass => Variants(pass.Keywords).SelectMany(v => new[] { pass.Vertex(v), pass.Fragment(v) }));
+    }
 
-        static IEnumerable<long> Variants(KeywordGroup[] groups)
-        {
-            for (long variant = 0; variant < KeywordVariant.Count(groups); variant++)
-                yield return variant;
-        }
+    static IEnumerable<long> Variants(KeywordGroup[] groups)
+    {
+        for (long variant = 0; variant < KeywordVariant.Count(groups); variant++)
+            yield return variant;
     }
 }

@@ -1,77 +1,76 @@
 using StandIns.Entities;
 using Unity.Transforms;
 
-namespace FastPoints.HostTests.StandIns
+namespace FastPoints.HostTests.StandIns;
+
+/// <summary>What baking refuses.</summary>
+public sealed class BakingTests
 {
-    /// <summary>What baking refuses.</summary>
-    public sealed class BakingTests
+    World m_world;
+    GameObject m_object;
+    Authoring m_authoring;
+
+    [SetUp]
+    public void MakeAuthoring()
     {
-        World m_world;
-        GameObject m_object;
-        Authoring m_authoring;
+        m_world = new World("bakes");
+        m_object = new GameObject("authoring");
+        m_authoring = m_object.AddComponent<Authoring>();
+        m_authoring.Used = ScriptableObject.CreateInstance<ScriptableObject>();
+    }
 
-        [SetUp]
-        public void MakeAuthoring()
+    [TearDown]
+    public void DestroyAuthoring()
+    {
+        UnityEngine.Object.DestroyImmediate(m_object);
+        m_world.Dispose();
+    }
+
+    [Test]
+    public void Bake_AnObjectThatIsReadWithoutADependency_IsRefused() =>
+        Assert.That(() => Baking.Bake(new CarelessBaker(), m_authoring, m_world),
+            Throws.InvalidOperationException.With.Message.Contains("Used"));
+
+    [Test]
+    public void Bake_OneComponentTwice_IsRefused() =>
+        Assert.That(() => Baking.Bake(new TwiceBaker(), m_authoring, m_world),
+            Throws.InvalidOperationException.With.Message.Contains("duplicate"));
+
+    [Test]
+    public void Bake_EntityOfAnother_IsRefused() =>
+        Assert.That(() => Baking.Bake(new StrangerBaker(m_world.EntityManager.CreateEntity()), m_authoring, m_world),
+            Throws.InvalidOperationException.With.Message.Contains("doesn't belong"));
+
+    sealed class Authoring : MonoBehaviour
+    {
+        public ScriptableObject Used;
+    }
+
+    sealed class CarelessBaker : Baker<Authoring>
+    {
+        public override void Bake(Authoring authoring) =>
+            AddComponent(GetEntity(authoring.Used != null ? TransformUsageFlags.Dynamic : TransformUsageFlags.None),
+                new LocalToWorld());
+    }
+
+    sealed class TwiceBaker : Baker<Authoring>
+    {
+        public override void Bake(Authoring authoring)
         {
-            m_world = new World("bakes");
-            m_object = new GameObject("authoring");
-            m_authoring = m_object.AddComponent<Authoring>();
-            m_authoring.Used = ScriptableObject.CreateInstance<ScriptableObject>();
+            DependsOn(authoring.Used);
+            AddComponent(GetEntity(TransformUsageFlags.None), new LocalToWorld());
+            AddComponent(GetEntity(TransformUsageFlags.None), new LocalToWorld());
         }
+    }
 
-        [TearDown]
-        public void DestroyAuthoring()
+    sealed class StrangerBaker(Entity stranger) : Baker<Authoring>
+    {
+        readonly Entity m_stranger = stranger;
+
+        public override void Bake(Authoring authoring)
         {
-            UnityEngine.Object.DestroyImmediate(m_object);
-            m_world.Dispose();
-        }
-
-        [Test]
-        public void Bake_AnObjectThatIsReadWithoutADependency_IsRefused() =>
-            Assert.That(() => Baking.Bake(new CarelessBaker(), m_authoring, m_world),
-                Throws.InvalidOperationException.With.Message.Contains("Used"));
-
-        [Test]
-        public void Bake_OneComponentTwice_IsRefused() =>
-            Assert.That(() => Baking.Bake(new TwiceBaker(), m_authoring, m_world),
-                Throws.InvalidOperationException.With.Message.Contains("duplicate"));
-
-        [Test]
-        public void Bake_EntityOfAnother_IsRefused() =>
-            Assert.That(() => Baking.Bake(new StrangerBaker(m_world.EntityManager.CreateEntity()), m_authoring, m_world),
-                Throws.InvalidOperationException.With.Message.Contains("doesn't belong"));
-
-        sealed class Authoring : MonoBehaviour
-        {
-            public ScriptableObject Used;
-        }
-
-        sealed class CarelessBaker : Baker<Authoring>
-        {
-            public override void Bake(Authoring authoring) =>
-                AddComponent(GetEntity(authoring.Used != null ? TransformUsageFlags.Dynamic : TransformUsageFlags.None),
-                    new LocalToWorld());
-        }
-
-        sealed class TwiceBaker : Baker<Authoring>
-        {
-            public override void Bake(Authoring authoring)
-            {
-                DependsOn(authoring.Used);
-                AddComponent(GetEntity(TransformUsageFlags.None), new LocalToWorld());
-                AddComponent(GetEntity(TransformUsageFlags.None), new LocalToWorld());
-            }
-        }
-
-        sealed class StrangerBaker(Entity stranger) : Baker<Authoring>
-        {
-            readonly Entity m_stranger = stranger;
-
-            public override void Bake(Authoring authoring)
-            {
-                DependsOn(authoring.Used);
-                AddComponent(m_stranger, new LocalToWorld());
-            }
+            DependsOn(authoring.Used);
+            AddComponent(m_stranger, new LocalToWorld());
         }
     }
 }

@@ -1,268 +1,267 @@
-namespace FastPoints.HostTests.StandIns
+namespace FastPoints.HostTests.StandIns;
+
+/// <summary>Entities, queries, systems and groups: what Unity's do, of what the package uses.</summary>
+public sealed class EntityTests
 {
-    /// <summary>Entities, queries, systems and groups: what Unity's do, of what the package uses.</summary>
-    public sealed class EntityTests
+    struct Health : IComponentData
     {
-        struct Health : IComponentData
+        public int Value;
+    }
+
+    struct Burning : IComponentData, IEnableableComponent
+    {
+    }
+
+    struct Grave : ICleanupComponentData
+    {
+        public int Number;
+    }
+
+    sealed class Owned : IComponentData, IDisposable
+    {
+        public bool IsDisposed;
+
+        public void Dispose() => IsDisposed = true;
+    }
+
+    World m_world;
+
+    EntityManager Entities => m_world.EntityManager;
+
+    [SetUp]
+    public void MakeWorld() => m_world = new World("test");
+
+    [TearDown]
+    public void EndWorld()
+    {
+        if (m_world.IsCreated)
+            m_world.Dispose();
+    }
+
+    int Count(EntityQuery query) => query.CalculateEntityCount();
+
+    [Test]
+    public void CreateAndDestroy_ManyInAnyOrder_KeepTheirData()
+    {
+        var random = new Unity.Mathematics.Random(3);
+        var alive = new List<(Entity Entity, int Value)>();
+        for (int i = 0; i < 5000; i++)
         {
-            public int Value;
-        }
-
-        struct Burning : IComponentData, IEnableableComponent
-        {
-        }
-
-        struct Grave : ICleanupComponentData
-        {
-            public int Number;
-        }
-
-        sealed class Owned : IComponentData, IDisposable
-        {
-            public bool IsDisposed;
-
-            public void Dispose() => IsDisposed = true;
-        }
-
-        World m_world;
-
-        EntityManager Entities => m_world.EntityManager;
-
-        [SetUp]
-        public void MakeWorld() => m_world = new World("test");
-
-        [TearDown]
-        public void EndWorld()
-        {
-            if (m_world.IsCreated)
-                m_world.Dispose();
-        }
-
-        int Count(EntityQuery query) => query.CalculateEntityCount();
-
-        [Test]
-        public void CreateAndDestroy_ManyInAnyOrder_KeepTheirData()
-        {
-            var random = new Unity.Mathematics.Random(3);
-            var alive = new List<(Entity Entity, int Value)>();
-            for (int i = 0; i < 5000; i++)
+            if (alive.Count > 0 && random.NextInt(3) == 0)
             {
-                if (alive.Count > 0 && random.NextInt(3) == 0)
-                {
-                    int gone = random.NextInt(alive.Count);
-                    Entities.DestroyEntity(alive[gone].Entity);
-                    Assert.That(Entities.Exists(alive[gone].Entity), Is.False);
-                    alive.RemoveAt(gone);
-                    continue;
-                }
-                var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-                Entities.SetComponentData(entity, new Health { Value = i });
-                if (i % 2 == 0)
-                    Entities.AddComponent<Burning>(entity);
-                alive.Add((entity, i));
+                int gone = random.NextInt(alive.Count);
+                Entities.DestroyEntity(alive[gone].Entity);
+                Assert.That(Entities.Exists(alive[gone].Entity), Is.False);
+                alive.RemoveAt(gone);
+                continue;
             }
-            foreach (var (entity, value) in alive)
-                Assert.That(Entities.GetComponentData<Health>(entity).Value, Is.EqualTo(value));
-            using var query = Entities.CreateEntityQuery(ComponentType.ReadOnly<Health>());
-            using var all = query.ToEntityArray(Allocator.Temp);
-            Assert.That(all.ToArray(), Is.EquivalentTo(alive.Select(a => a.Entity)));
-        }
-
-        [Test]
-        public void Queries_OfEnableableComponents_LookAtTheirBits()
-        {
-            var burns = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
-            var out1 = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
-            Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-            Entities.SetComponentEnabled<Burning>(out1, false);
-            Assert.That(Entities.IsComponentEnabled<Burning>(burns), Is.True, "enabled when it is added");
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Burning>().Build(Entities)), Is.EqualTo(1));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithNone<Burning>().Build(Entities)),
-                Is.EqualTo(2));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithDisabled<Burning>().Build(Entities)), Is.EqualTo(1));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithPresent<Burning>().Build(Entities)), Is.EqualTo(2));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithAbsent<Burning>().Build(Entities)),
-                Is.EqualTo(1));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAny<Burning>().Build(Entities)), Is.EqualTo(1));
-        }
-
-        [Test]
-        public void DestroyEntity_WithCleanup_KeepsThatUntilItIsRemoved()
-        {
             var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-            Entities.AddComponentData(entity, new Grave { Number = 7 });
-            Entities.DestroyEntity(entity);
-            Assert.That(Entities.Exists(entity), Is.True);
-            Assert.That(Entities.HasComponent<Health>(entity), Is.False);
-            Assert.That(Entities.GetComponentData<Grave>(entity).Number, Is.EqualTo(7));
-            Entities.RemoveComponent<Grave>(entity);
-            Assert.That(Entities.Exists(entity), Is.False);
-        }
-
-        [Test]
-        public void ManagedComponent_ThatCanBeDisposed_IsWhenItGoes()
-        {
-            Owned Add(out Entity entity)
-            {
-                var owned = new Owned();
-                entity = Entities.CreateEntity();
-                Entities.AddComponentObject(entity, owned);
+            Entities.SetComponentData(entity, new Health { Value = i });
+            if (i % 2 == 0)
                 Entities.AddComponent<Burning>(entity);
-                Assert.That(Entities.GetComponentObject<Owned>(entity), Is.SameAs(owned));
-                Assert.That(owned.IsDisposed, Is.False);
-                return owned;
-            }
-            var destroyed = Add(out var first);
-            var removed = Add(out var second);
-            var left = Add(out _);
-            Entities.DestroyEntity(first);
-            Entities.RemoveComponent<Owned>(second);
-            Assert.That((destroyed.IsDisposed, removed.IsDisposed, left.IsDisposed), Is.EqualTo((true, true, false)));
-            m_world.Dispose();
-            Assert.That(left.IsDisposed, Is.True);
+            alive.Add((entity, i));
         }
+        foreach (var (entity, value) in alive)
+            Assert.That(Entities.GetComponentData<Health>(entity).Value, Is.EqualTo(value));
+        using var query = Entities.CreateEntityQuery(ComponentType.ReadOnly<Health>());
+        using var all = query.ToEntityArray(Allocator.Temp);
+        Assert.That(all.ToArray(), Is.EquivalentTo(alive.Select(a => a.Entity)));
+    }
 
-        /// <summary>Planted violations: what Unity refuses.</summary>
-        [Test]
-        public void Misuse_Throws()
+    [Test]
+    public void Queries_OfEnableableComponents_LookAtTheirBits()
+    {
+        var burns = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
+        var out1 = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
+        Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+        Entities.SetComponentEnabled<Burning>(out1, false);
+        Assert.That(Entities.IsComponentEnabled<Burning>(burns), Is.True, "enabled when it is added");
+        Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Burning>().Build(Entities)), Is.EqualTo(1));
+        Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithNone<Burning>().Build(Entities)),
+            Is.EqualTo(2));
+        Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithDisabled<Burning>().Build(Entities)), Is.EqualTo(1));
+        Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithPresent<Burning>().Build(Entities)), Is.EqualTo(2));
+        Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithAbsent<Burning>().Build(Entities)),
+            Is.EqualTo(1));
+        Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAny<Burning>().Build(Entities)), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void DestroyEntity_WithCleanup_KeepsThatUntilItIsRemoved()
+    {
+        var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+        Entities.AddComponentData(entity, new Grave { Number = 7 });
+        Entities.DestroyEntity(entity);
+        Assert.That(Entities.Exists(entity), Is.True);
+        Assert.That(Entities.HasComponent<Health>(entity), Is.False);
+        Assert.That(Entities.GetComponentData<Grave>(entity).Number, Is.EqualTo(7));
+        Entities.RemoveComponent<Grave>(entity);
+        Assert.That(Entities.Exists(entity), Is.False);
+    }
+
+    [Test]
+    public void ManagedComponent_ThatCanBeDisposed_IsWhenItGoes()
+    {
+        Owned Add(out Entity entity)
         {
-            var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-            Entities.DestroyEntity(gone);
-            var bare = Entities.CreateEntity();
-            Assert.That(() => Entities.GetComponentData<Health>(gone),
-                Throws.ArgumentException.With.Message.Contains("must exist"));
-            Assert.That(() => Entities.GetComponentData<Health>(bare),
-                Throws.ArgumentException.With.Message.Contains("has not been added"));
-            Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
-            Entities.AddComponent<Burning>(bare);
-            Assert.That(() => Entities.GetComponentData<Burning>(bare),
-                Throws.ArgumentException.With.Message.Contains("zero sized"));
-            Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
-            Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
-            var manager = Entities;
-            m_world.Dispose();
-            Assert.That(() => manager.CreateEntity(), Throws.InstanceOf<ObjectDisposedException>());
-            Assert.That(() => Entities.DestroyEntity(gone), Throws.InstanceOf<ObjectDisposedException>());
+            var owned = new Owned();
+            entity = Entities.CreateEntity();
+            Entities.AddComponentObject(entity, owned);
+            Entities.AddComponent<Burning>(entity);
+            Assert.That(Entities.GetComponentObject<Owned>(entity), Is.SameAs(owned));
+            Assert.That(owned.IsDisposed, Is.False);
+            return owned;
         }
+        var destroyed = Add(out var first);
+        var removed = Add(out var second);
+        var left = Add(out _);
+        Entities.DestroyEntity(first);
+        Entities.RemoveComponent<Owned>(second);
+        Assert.That((destroyed.IsDisposed, removed.IsDisposed, left.IsDisposed), Is.EqualTo((true, true, false)));
+        m_world.Dispose();
+        Assert.That(left.IsDisposed, Is.True);
+    }
 
-        static readonly List<string> s_calls = new List<string>();
+    /// <summary>Planted violations: what Unity refuses.</summary>
+    [Test]
+    public void Misuse_Throws()
+    {
+        var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+        Entities.DestroyEntity(gone);
+        var bare = Entities.CreateEntity();
+        Assert.That(() => Entities.GetComponentData<Health>(gone),
+            Throws.ArgumentException.With.Message.Contains("must exist"));
+        Assert.That(() => Entities.GetComponentData<Health>(bare),
+            Throws.ArgumentException.With.Message.Contains("has not been added"));
+        Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
+        Entities.AddComponent<Burning>(bare);
+        Assert.That(() => Entities.GetComponentData<Burning>(bare),
+            Throws.ArgumentException.With.Message.Contains("zero sized"));
+        Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
+        Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
+        var manager = Entities;
+        m_world.Dispose();
+        Assert.That(() => manager.CreateEntity(), Throws.InstanceOf<ObjectDisposedException>());
+        Assert.That(() => Entities.DestroyEntity(gone), Throws.InstanceOf<ObjectDisposedException>());
+    }
 
-        abstract class Noting : SystemBase
+    static readonly List<string> s_calls = new List<string>();
+
+    abstract class Noting : SystemBase
+    {
+        protected override void OnCreate() => s_calls.Add("+" + GetType().Name);
+
+        protected override void OnStartRunning() => s_calls.Add(">" + GetType().Name);
+
+        protected override void OnUpdate() => s_calls.Add(GetType().Name);
+
+        protected override void OnStopRunning() => s_calls.Add("<" + GetType().Name);
+
+        protected override void OnDestroy() => s_calls.Add("-" + GetType().Name);
+    }
+
+    [UpdateInGroup(typeof(PresentationSystemGroup))]
+    sealed class Group : ComponentSystemGroup
+    {
+    }
+
+    [UpdateInGroup(typeof(Group), OrderLast = true)]
+    sealed class A : Noting
+    {
+    }
+
+    [UpdateInGroup(typeof(Group))]
+    [UpdateAfter(typeof(C))]
+    sealed class B : Noting
+    {
+    }
+
+    [UpdateInGroup(typeof(Group))]
+    sealed class C : Noting
+    {
+    }
+
+    [UpdateInGroup(typeof(Group))]
+    [UpdateBefore(typeof(C))]
+    sealed class D : Noting
+    {
+    }
+
+    [Test]
+    public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
+    {
+        s_calls.Clear();
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(B), typeof(C),
+            typeof(D));
+        s_calls.Clear();
+        m_world.Update();
+        Assert.That(s_calls, Is.EqualTo(new[] { ">D", "D", ">C", "C", ">B", "B", ">A", "A" }));
+        m_world.GetExistingSystemManaged<C>().Enabled = false;
+        s_calls.Clear();
+        m_world.Update();
+        m_world.Update();
+        Assert.That(s_calls, Is.EqualTo(new[] { "D", "<C", "B", "A", "D", "B", "A" }));
+        s_calls.Clear();
+        m_world.Dispose();
+        Assert.That(s_calls, Is.EqualTo(new[] { "<D", "<B", "<A", "-D", "-C", "-B", "-A" }));
+    }
+
+    [Test]
+    public void World_DisposedTwice_Throws()
+    {
+        m_world.Dispose();
+        Assert.That(() => m_world.Dispose(), Throws.ArgumentException);
+    }
+
+    [UpdateInGroup(typeof(Group))]
+    sealed class E : Noting
+    {
+        protected override void OnUpdate() => throw new ArithmeticException("thrown in a system");
+
+        protected override void OnDestroy() => throw new ArithmeticException("thrown at the end");
+    }
+
+    [Test]
+    public void System_ThatThrows_IsLoggedAndKeepsNoOtherFromRunning()
+    {
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(E));
+        s_calls.Clear();
+        Assert.That(() => m_world.Update(), Throws.Nothing);
+        Assert.That(s_calls, Is.EqualTo(new[] { ">E", ">A", "A" }));
+        Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
+        Assert.That(() => m_world.Dispose(), Throws.Nothing);
+        Assert.That(s_calls, Has.Member("-A"));
+        Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
+    }
+
+    [UpdateInGroup(typeof(Group), OrderFirst = true)]
+    [UpdateAfter(typeof(C))]
+    sealed class F : Noting
+    {
+    }
+
+    [Test]
+    public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()
+    {
+        var logged = new List<string>();
+        UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        try
         {
-            protected override void OnCreate() => s_calls.Add("+" + GetType().Name);
-
-            protected override void OnStartRunning() => s_calls.Add(">" + GetType().Name);
-
-            protected override void OnUpdate() => s_calls.Add(GetType().Name);
-
-            protected override void OnStopRunning() => s_calls.Add("<" + GetType().Name);
-
-            protected override void OnDestroy() => s_calls.Add("-" + GetType().Name);
-        }
-
-        [UpdateInGroup(typeof(PresentationSystemGroup))]
-        sealed class Group : ComponentSystemGroup
-        {
-        }
-
-        [UpdateInGroup(typeof(Group), OrderLast = true)]
-        sealed class A : Noting
-        {
-        }
-
-        [UpdateInGroup(typeof(Group))]
-        [UpdateAfter(typeof(C))]
-        sealed class B : Noting
-        {
-        }
-
-        [UpdateInGroup(typeof(Group))]
-        sealed class C : Noting
-        {
-        }
-
-        [UpdateInGroup(typeof(Group))]
-        [UpdateBefore(typeof(C))]
-        sealed class D : Noting
-        {
-        }
-
-        [Test]
-        public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
-        {
-            s_calls.Clear();
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(B), typeof(C),
-                typeof(D));
-            s_calls.Clear();
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A));
+            Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("Warning").And.Some.Contains("group was not created"));
+            logged.Clear();
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group),
+                typeof(B), typeof(F), typeof(C));
             m_world.Update();
-            Assert.That(s_calls, Is.EqualTo(new[] { ">D", "D", ">C", "C", ">B", "B", ">A", "A" }));
-            m_world.GetExistingSystemManaged<C>().Enabled = false;
-            s_calls.Clear();
-            m_world.Update();
-            m_world.Update();
-            Assert.That(s_calls, Is.EqualTo(new[] { "D", "<C", "B", "A", "D", "B", "A" }));
-            s_calls.Clear();
-            m_world.Dispose();
-            Assert.That(s_calls, Is.EqualTo(new[] { "<D", "<B", "<A", "-D", "-C", "-B", "-A" }));
+            Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("precedence"));
+            logged.Clear();
+            m_world.GetExistingSystemManaged<Group>().RemoveSystemFromUpdateList(m_world.GetExistingSystemManaged<C>());
+            m_world.GetExistingSystemManaged<Group>().SortSystems();
+            Assert.That(logged, Has.Some.Contains("both have to be in"));
         }
-
-        [Test]
-        public void World_DisposedTwice_Throws()
+        finally
         {
-            m_world.Dispose();
-            Assert.That(() => m_world.Dispose(), Throws.ArgumentException);
-        }
-
-        [UpdateInGroup(typeof(Group))]
-        sealed class E : Noting
-        {
-            protected override void OnUpdate() => throw new ArithmeticException("thrown in a system");
-
-            protected override void OnDestroy() => throw new ArithmeticException("thrown at the end");
-        }
-
-        [Test]
-        public void System_ThatThrows_IsLoggedAndKeepsNoOtherFromRunning()
-        {
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(E));
-            s_calls.Clear();
-            Assert.That(() => m_world.Update(), Throws.Nothing);
-            Assert.That(s_calls, Is.EqualTo(new[] { ">E", ">A", "A" }));
-            Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
-            Assert.That(() => m_world.Dispose(), Throws.Nothing);
-            Assert.That(s_calls, Has.Member("-A"));
-            Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
-        }
-
-        [UpdateInGroup(typeof(Group), OrderFirst = true)]
-        [UpdateAfter(typeof(C))]
-        sealed class F : Noting
-        {
-        }
-
-        [Test]
-        public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()
-        {
-            var logged = new List<string>();
-            UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-            try
-            {
-                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A));
-                Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("Warning").And.Some.Contains("group was not created"));
-                logged.Clear();
-                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group),
-                    typeof(B), typeof(F), typeof(C));
-                m_world.Update();
-                Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("precedence"));
-                logged.Clear();
-                m_world.GetExistingSystemManaged<Group>().RemoveSystemFromUpdateList(m_world.GetExistingSystemManaged<C>());
-                m_world.GetExistingSystemManaged<Group>().SortSystems();
-                Assert.That(logged, Has.Some.Contains("both have to be in"));
-            }
-            finally
-            {
-                UnityEngine.Debug.s_sink = null;
-            }
+            UnityEngine.Debug.s_sink = null;
         }
     }
 }

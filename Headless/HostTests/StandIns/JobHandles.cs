@@ -1,12 +1,11 @@
-namespace FastPoints.HostTests.StandIns
+namespace FastPoints.HostTests.StandIns;
+
+static class JobHandles
 {
-    static class JobHandles
+    /// <summary>Throws what a job threw: Unity logs it.</summary>
+    public static void CompleteAndThrow(this JobHandle handle)
     {
-        /// <summary>Throws what a job threw: Unity logs it.</summary>
-        public static void CompleteAndThrow(this JobHandle handle)
-        {
-            handle.Complete();
-            LoggedExceptions.ThrowFirst();
-        }
+        handle.Complete();
+        LoggedExceptions.ThrowFirst();
     }
 }

@@ -1,62 +1,61 @@
-namespace FastPoints.HostTests.Writing
+namespace FastPoints.HostTests.Writing;
+
+/// <summary>Who may write a cloud's folder.</summary>
+public sealed class CloudFolderWriterTests
 {
-    /// <summary>Who may write a cloud's folder.</summary>
-    public sealed class CloudFolderWriterTests
+    ScratchFolder m_scratch;
+    string m_target;
+    string m_part;
+    string m_lock;
+
+    [SetUp]
+    public void MakeScratch()
     {
-        ScratchFolder m_scratch;
-        string m_target;
-        string m_part;
-        string m_lock;
+        m_scratch = new ScratchFolder();
+        m_target = m_scratch["cloud.fastpoints"];
+        m_part = m_target + StoreFormat.PartSuffix;
+        m_lock = Path.Combine(m_part, "build.lock");
+    }
 
-        [SetUp]
-        public void MakeScratch()
+    [TearDown]
+    public void DeleteScratch() => m_scratch.Dispose();
+
+    [Test]
+    public void Create_WhileAnotherWriterHasTheFolder_IsRefusedAndTakesNothing()
+    {
+        using (var first = new CloudFolderWriter(m_target))
         {
-            m_scratch = new ScratchFolder();
-            m_target = m_scratch["cloud.fastpoints"];
-            m_part = m_target + StoreFormat.PartSuffix;
-            m_lock = Path.Combine(m_part, "build.lock");
-        }
-
-        [TearDown]
-        public void DeleteScratch() => m_scratch.Dispose();
-
-        [Test]
-        public void Create_WhileAnotherWriterHasTheFolder_IsRefusedAndTakesNothing()
-        {
-            using (var first = new CloudFolderWriter(m_target))
-            {
-                Assert.That(() => new CloudFolderWriter(m_target), Throws.TypeOf<PointCloudException>().With.Message.EndsWith(
-                    "is being built by process " + Environment.ProcessId + " on " + Environment.MachineName));
-                CloudFolderWriter.DeleteUnfinished(m_target);
-                Assert.That(File.Exists(m_lock), Is.True);
-                first.Complete();
-            }
-            Assert.That(Directory.Exists(m_part), Is.False);
-            Assert.That(File.Exists(Path.Combine(m_target, "build.lock")), Is.False);
-        }
-
-        [Test]
-        public void DeleteUnfinished_OfAFolderThatWasKept_LeavesNothing()
-        {
-            var writer = new CloudFolderWriter(m_target);
-            writer.Keep();
-            writer.Dispose();
-            Assert.That(Directory.Exists(m_part), Is.True);
-            Assert.That(File.Exists(m_lock), Is.False);
+            Assert.That(() => new CloudFolderWriter(m_target), Throws.TypeOf<PointCloudException>().With.Message.EndsWith(
+                "is being built by process " + Environment.ProcessId + " on " + Environment.MachineName));
             CloudFolderWriter.DeleteUnfinished(m_target);
-            Assert.That(Directory.Exists(m_part), Is.False);
-        }
-
-        [Test]
-        public void Complete_OfAFolderThatSomebodyHasTakenOver_FailsAndLeavesItToHim()
-        {
-            var writer = new CloudFolderWriter(m_target);
-            File.WriteAllText(m_lock, "far\n7\n1\nanother load\n");
-            Assert.That(writer.Complete,
-                Throws.TypeOf<PointCloudException>().With.Message.EndsWith("was taken over by another process"));
-            writer.Dispose();
             Assert.That(File.Exists(m_lock), Is.True);
-            Assert.That(Directory.Exists(m_target), Is.False);
+            first.Complete();
         }
+        Assert.That(Directory.Exists(m_part), Is.False);
+        Assert.That(File.Exists(Path.Combine(m_target, "build.lock")), Is.False);
+    }
+
+    [Test]
+    public void DeleteUnfinished_OfAFolderThatWasKept_LeavesNothing()
+    {
+        var writer = new CloudFolderWriter(m_target);
+        writer.Keep();
+        writer.Dispose();
+        Assert.That(Directory.Exists(m_part), Is.True);
+        Assert.That(File.Exists(m_lock), Is.False);
+        CloudFolderWriter.DeleteUnfinished(m_target);
+        Assert.That(Directory.Exists(m_part), Is.False);
+    }
+
+    [Test]
+    public void Complete_OfAFolderThatSomebodyHasTakenOver_FailsAndLeavesItToHim()
+    {
+        var writer = new CloudFolderWriter(m_target);
+        File.WriteAllText(m_lock, "far\n7\n1\nanother load\n");
+        Assert.That(writer.Complete,
+            Throws.TypeOf<PointCloudException>().With.Message.EndsWith("was taken over by another process"));
+        writer.Dispose();
+        Assert.That(File.Exists(m_lock), Is.True);
+        Assert.That(Directory.Exists(m_target), Is.False);
     }
 }

@@ -1,136 +1,135 @@
 using System.Diagnostics;
 
-namespace FastPoints.HostTests.Writing
+namespace FastPoints.HostTests.Writing;
+
+public sealed class FolderLockTests
 {
-    public sealed class FolderLockTests
+    ScratchFolder m_scratch;
+    string m_path;
+
+    [SetUp]
+    public void MakeScratch()
     {
-        ScratchFolder m_scratch;
-        string m_path;
+        m_scratch = new ScratchFolder();
+        m_path = Path.Combine(m_scratch["PointClouds"], "imports.lock");
+    }
 
-        [SetUp]
-        public void MakeScratch()
+    [TearDown]
+    public void DeleteScratch() => m_scratch.Dispose();
+
+    static (int, long) Dead()
+    {
+        using var process = Process.Start(new ProcessStartInfo("dotnet", "--version") { RedirectStandardOutput = true });
+        var dead = (process.Id, process.StartTime.ToUniversalTime().Ticks);
+        process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        return dead;
+    }
+
+    [Test]
+    public void TryTake_WhileItIsHeld_TellsTheOwner()
+    {
+        Assert.That(FolderLock.TryTake(m_path, out var first), Is.Null);
+        Assert.That(FolderLock.TryTake(m_path, "else", (1, 1), out var second),
+            Is.EqualTo("process " + Environment.ProcessId + " on " + Environment.MachineName));
+        Assert.That(second, Is.Null);
+
+        first.Dispose();
+        Assert.That(File.Exists(m_path), Is.False);
+        Assert.That(FolderLock.TryTake(m_path, out second), Is.Null);
+        second.Dispose();
+    }
+
+    [Test]
+    public void TryTake_OwnerThatCrashed_IsTakenOver()
+    {
+        FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out var crashed);
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+
+        crashed.Dispose();
+        Assert.That(File.Exists(m_path), Is.True, "it is not its own any more");
+        Assert.That(crashed.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.False);
+        Assert.That(next.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
+        next.Dispose();
+        Assert.That(Directory.GetFileSystemEntries(m_scratch["PointClouds"]), Is.Empty);
+    }
+
+    [Test]
+    public void TryTake_NumberOfAProcessThatIsAnotherNow_IsTakenOver()
+    {
+        var (id, began) = FolderLock.Self();
+        FolderLock.TryTake(m_path, Environment.MachineName, (id, began - TimeSpan.TicksPerHour), out _);
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        next.Dispose();
+    }
+
+    [Test]
+    public void TryTake_LeftByScriptsOfThisProcessThatWereLoadedBefore_IsTakenOver()
+    {
+        FolderLock.TryTake(m_path, out _);
+        string[] lines = File.ReadAllText(m_path).Split('\n');
+        lines[3] = "another load";
+        File.WriteAllText(m_path, string.Join("\n", lines));
+
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        next.Dispose();
+    }
+
+    [Test]
+    public void TryTake_RuntimeThatCannotTellProcesses_KeepsItsOwnOutAndTakesOverWhatARunBeforeLeft()
+    {
+        var unknown = default((int, long));
+        FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _);
+        Assert.That(FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _), Is.EqualTo("another process"));
+        string[] lines = File.ReadAllText(m_path).Split('\n');
+        lines[3] = "another run";
+        File.WriteAllText(m_path, string.Join("\n", lines));
+
+        Assert.That(FolderLock.TryTake(m_path, Environment.MachineName, unknown, out var next), Is.Null);
+        next.Dispose();
+    }
+
+    [Test]
+    public void Renew_FileThatCannotBeRead_IsKeptAndOneThatIsGoneIsNot()
+    {
+        FolderLock.TryTake(m_path, out var held);
+        File.Delete(m_path);
+        Assert.That(held.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.False);
+
+        FolderLock.TryTake(m_path, out held);
+        using (new FileStream(m_path, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
+            Assert.That(held.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
+        held.Dispose();
+    }
+
+    [Test]
+    public void TryTake_OwnerOnAnotherMachine_IsTakenOverWhenItIsSilent()
+    {
+        FolderLock.TryTake(m_path, "far", (7, 1), out var far);
+        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));
+
+        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.GoneAfter - TimeSpan.FromSeconds(1));
+        Assert.That(far.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
+        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"), "it was renewed");
+
+        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.GoneAfter - TimeSpan.FromSeconds(1));
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        Assert.That(far.Renew(DateTime.UtcNow + 3 * FolderLock.RenewAfter), Is.False);
+        next.Dispose();
+    }
+
+    [Test]
+    public void TryTake_ManyAtOnce_OneHasIt()
+    {
+        var dead = Dead();
+        for (int round = 0; round < 50; round++)
         {
-            m_scratch = new ScratchFolder();
-            m_path = Path.Combine(m_scratch["PointClouds"], "imports.lock");
+            FolderLock.TryTake(m_path, Environment.MachineName, dead, out _);
+            var taken = new FolderLock[8];
+            Parallel.For(0, taken.Length, i => FolderLock.TryTake(m_path, out taken[i]));
+            Assert.That(taken.Count(t => t != null), Is.EqualTo(1));
+            taken.Single(t => t != null).Dispose();
         }
-
-        [TearDown]
-        public void DeleteScratch() => m_scratch.Dispose();
-
-        static (int, long) Dead()
-        {
-            using var process = Process.Start(new ProcessStartInfo("dotnet", "--version") { RedirectStandardOutput = true });
-            var dead = (process.Id, process.StartTime.ToUniversalTime().Ticks);
-            process.StandardOutput.ReadToEnd();
-            process.WaitForExit();
-            return dead;
-        }
-
-        [Test]
-        public void TryTake_WhileItIsHeld_TellsTheOwner()
-        {
-            Assert.That(FolderLock.TryTake(m_path, out var first), Is.Null);
-            Assert.That(FolderLock.TryTake(m_path, "else", (1, 1), out var second),
-                Is.EqualTo("process " + Environment.ProcessId + " on " + Environment.MachineName));
-            Assert.That(second, Is.Null);
-
-            first.Dispose();
-            Assert.That(File.Exists(m_path), Is.False);
-            Assert.That(FolderLock.TryTake(m_path, out second), Is.Null);
-            second.Dispose();
-        }
-
-        [Test]
-        public void TryTake_OwnerThatCrashed_IsTakenOver()
-        {
-            FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out var crashed);
-            Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
-
-            crashed.Dispose();
-            Assert.That(File.Exists(m_path), Is.True, "it is not its own any more");
-            Assert.That(crashed.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.False);
-            Assert.That(next.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
-            next.Dispose();
-            Assert.That(Directory.GetFileSystemEntries(m_scratch["PointClouds"]), Is.Empty);
-        }
-
-        [Test]
-        public void TryTake_NumberOfAProcessThatIsAnotherNow_IsTakenOver()
-        {
-            var (id, began) = FolderLock.Self();
-            FolderLock.TryTake(m_path, Environment.MachineName, (id, began - TimeSpan.TicksPerHour), out _);
-            Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
-            next.Dispose();
-        }
-
-        [Test]
-        public void TryTake_LeftByScriptsOfThisProcessThatWereLoadedBefore_IsTakenOver()
-        {
-            FolderLock.TryTake(m_path, out _);
-            string[] lines = File.ReadAllText(m_path).Split('\n');
-            lines[3] = "another load";
-            File.WriteAllText(m_path, string.Join("\n", lines));
-
-            Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
-            next.Dispose();
-        }
-
-        [Test]
-        public void TryTake_RuntimeThatCannotTellProcesses_KeepsItsOwnOutAndTakesOverWhatARunBeforeLeft()
-        {
-            var unknown = default((int, long));
-            FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _);
-            Assert.That(FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _), Is.EqualTo("another process"));
-            string[] lines = File.ReadAllText(m_path).Split('\n');
-            lines[3] = "another run";
-            File.WriteAllText(m_path, string.Join("\n", lines));
-
-            Assert.That(FolderLock.TryTake(m_path, Environment.MachineName, unknown, out var next), Is.Null);
-            next.Dispose();
-        }
-
-        [Test]
-        public void Renew_FileThatCannotBeRead_IsKeptAndOneThatIsGoneIsNot()
-        {
-            FolderLock.TryTake(m_path, out var held);
-            File.Delete(m_path);
-            Assert.That(held.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.False);
-
-            FolderLock.TryTake(m_path, out held);
-            using (new FileStream(m_path, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
-                Assert.That(held.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
-            held.Dispose();
-        }
-
-        [Test]
-        public void TryTake_OwnerOnAnotherMachine_IsTakenOverWhenItIsSilent()
-        {
-            FolderLock.TryTake(m_path, "far", (7, 1), out var far);
-            Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));
-
-            File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.GoneAfter - TimeSpan.FromSeconds(1));
-            Assert.That(far.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
-            Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"), "it was renewed");
-
-            File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.GoneAfter - TimeSpan.FromSeconds(1));
-            Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
-            Assert.That(far.Renew(DateTime.UtcNow + 3 * FolderLock.RenewAfter), Is.False);
-            next.Dispose();
-        }
-
-        [Test]
-        public void TryTake_ManyAtOnce_OneHasIt()
-        {
-            var dead = Dead();
-            for (int round = 0; round < 50; round++)
-            {
-                FolderLock.TryTake(m_path, Environment.MachineName, dead, out _);
-                var taken = new FolderLock[8];
-                Parallel.For(0, taken.Length, i => FolderLock.TryTake(m_path, out taken[i]));
-                Assert.That(taken.Count(t => t != null), Is.EqualTo(1));
-                taken.Single(t => t != null).Dispose();
-            }
-            Assert.That(Directory.GetFileSystemEntries(m_scratch["PointClouds"]), Is.Empty);
-        }
+        Assert.That(Directory.GetFileSystemEntries(m_scratch["PointClouds"]), Is.Empty);
     }
 }

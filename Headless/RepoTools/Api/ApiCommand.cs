@@ -1,66 +1,65 @@
-namespace FastPoints.RepoTools.Api
+namespace FastPoints.RepoTools.Api;
+
+/// <summary>
+/// Writes Headless/Api/used.tsv: the lines of the full list that a conformance check of all generations touches. They
+/// hold a clone that has no full list to the same signatures.
+/// </summary>
+public static class ApiCommand
 {
-    /// <summary>
-    /// Writes Headless/Api/used.tsv: the lines of the full list that a conformance check of all generations touches. They
-    /// hold a clone that has no full list to the same signatures.
-    /// </summary>
-    public static class ApiCommand
+    public static ToolResult Run(Repository repository, bool check)
     {
-        public static ToolResult Run(Repository repository, bool check)
-        {
-            bool hasFull = Directory.Exists(repository.FullApi);
-            if (!hasFull && !check)
-                throw new ToolException($"no full list in {repository.FullApi}: set FASTPOINTS_DATA to the "
-                    + "folder that has unity-api");
-            if (!File.Exists(repository.UsedApi) && check)
-                return new ToolResult("nothing committed",
-                    new[] { "Headless/Api/used.tsv is not there (RepoTools api writes it)" });
+        bool hasFull = Directory.Exists(repository.FullApi);
+        if (!hasFull && !check)
+            throw new ToolException($"no full list in {repository.FullApi}: set FASTPOINTS_DATA to the "
+                + "folder that has unity-api");
+        if (!File.Exists(repository.UsedApi) && check)
+            return new ToolResult("nothing committed",
+                new[] { "Headless/Api/used.tsv is not there (RepoTools api writes it)" });
 
-            UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi) : UnityApi.LoadUsed(repository.UsedApi);
-            List<string> problems = Check(repository, api);
-            if (check)
-                problems.AddRange(StandInUse.Check(repository));
-            if (!check)
-            {
-                string text = Compose(api.Touched);
-                Directory.CreateDirectory(Path.GetDirectoryName(repository.UsedApi)!);
-                File.WriteAllText(repository.UsedApi, text);
-            }
-            else if (hasFull)
-            {
-                UnityApi used = UnityApi.LoadUsed(repository.UsedApi);
-                foreach (ApiRow row in api.Touched)
-                {
-                    ApiRow? committed = used.FindAny(row.Id);
-                    if (committed == null)
-                        problems.Add($"{row.Id} is used and not in Headless/Api/used.tsv (RepoTools api writes it)");
-                    else if (committed != row)
-                        problems.Add($"{row.Id} differs in Headless/Api/used.tsv (RepoTools api writes it)");
-                }
-            }
-            return new ToolResult($"{api.Touched.Count()} signatures of Unity used", problems);
-        }
-
-        /// <summary>All generations' builds against one list.</summary>
-        public static List<string> Check(Repository repository, UnityApi api)
+        UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi) : UnityApi.LoadUsed(repository.UsedApi);
+        List<string> problems = Check(repository, api);
+        if (check)
+            problems.AddRange(StandInUse.Check(repository));
+        if (!check)
         {
-            AssemblyTable assemblies = AssemblyTable.Load(repository.PackageRoot);
-            var problems = new List<string>();
-            foreach (string generation in Repository.Generations)
-            {
-                using var builds = new GenerationBuilds(repository, generation);
-                var conformance = new Conformance(api, generation, assemblies);
-                problems.AddRange(builds.Package.SelectMany(conformance.Check));
-            }
-            return problems;
+            string text = Compose(api.Touched);
+            Directory.CreateDirectory(Path.GetDirectoryName(repository.UsedApi)!);
+            File.WriteAllText(repository.UsedApi, text);
         }
-
-        private static string Compose(IEnumerable<ApiRow> rows)
+        else if (hasFull)
         {
-            var text = new StringBuilder(ApiRow.Header).Append('\n');
-            foreach (ApiRow row in rows)
-                text.Append(row.Compose()).Append('\n');
-            return text.ToString();
+            UnityApi used = UnityApi.LoadUsed(repository.UsedApi);
+            foreach (ApiRow row in api.Touched)
+            {
+                ApiRow? committed = used.FindAny(row.Id);
+                if (committed == null)
+                    problems.Add($"{row.Id} is used and not in Headless/Api/used.tsv (RepoTools api writes it)");
+                else if (committed != row)
+                    problems.Add($"{row.Id} differs in Headless/Api/used.tsv (RepoTools api writes it)");
+            }
         }
+        return new ToolResult($"{api.Touched.Count()} signatures of Unity used", problems);
+    }
+
+    /// <summary>All generations' builds against one list.</summary>
+    public static List<string> Check(Repository repository, UnityApi api)
+    {
+        AssemblyTable assemblies = AssemblyTable.Load(repository.PackageRoot);
+        var problems = new List<string>();
+        foreach (string generation in Repository.Generations)
+        {
+            using var builds = new GenerationBuilds(repository, generation);
+            var conformance = new Conformance(api, generation, assemblies);
+            problems.AddRange(builds.Package.SelectMany(conformance.Check));
+        }
+        return problems;
+    }
+
+    private static string Compose(IEnumerable<ApiRow> rows)
+    {
+        var text = new StringBuilder(ApiRow.Header).Append('\n');
+        foreach (ApiRow row in rows)
+            text.Append(row.Compose()).Append('\n');
+        return text.ToString();
     }
 }

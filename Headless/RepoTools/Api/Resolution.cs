@@ -1,42 +1,41 @@
-namespace FastPoints.RepoTools.Api
+namespace FastPoints.RepoTools.Api;
+
+/// <summary>Definitions behind references, where their assembly is at hand: .NET's own need not be.</summary>
+internal static class Resolution
 {
-    /// <summary>Definitions behind references, where their assembly is at hand: .NET's own need not be.</summary>
-    internal static class Resolution
+    internal static TypeDefinition? Of(TypeReference type)
     {
-        internal static TypeDefinition? Of(TypeReference type)
+        try
         {
-            try
-            {
-                return type.Resolve();
-            }
-            catch (AssemblyResolutionException)
-            {
-                return null;
-            }
+            return type.Resolve();
         }
-
-        internal static FieldDefinition? Of(FieldReference field)
+        catch (AssemblyResolutionException)
         {
-            try
-            {
-                return field.Resolve();
-            }
-            catch (AssemblyResolutionException)
-            {
-                return null;
-            }
+            return null;
         }
+    }
 
-        internal static MethodDefinition? Of(MethodReference method)
+    internal static FieldDefinition? Of(FieldReference field)
+    {
+        try
         {
-            try
-            {
-                return method.Resolve();
-            }
-            catch (AssemblyResolutionException)
-            {
-                return null;
-            }
+            return field.Resolve();
+        }
+        catch (AssemblyResolutionException)
+        {
+            return null;
+        }
+    }
+
+    internal static MethodDefinition? Of(MethodReference method)
+    {
+        try
+        {
+            return method.Resolve();
+        }
+        catch (AssemblyResolutionException)
+        {
+            return null;
         }
     }
 }

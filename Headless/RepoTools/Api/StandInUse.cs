@@ -1,199 +1,198 @@
-namespace FastPoints.RepoTools.Api
+namespace FastPoints.RepoTools.Api;
+
+/// <summary>
+/// Finds what stand-ins show that no compiled code names: it is carried for nothing. Overloads of one name count as one,
+/// since C# takes another overload silently where one is gone.
+/// </summary>
+public sealed class StandInUse
 {
+    /// <summary>Stand-ins that are not held to it.</summary>
+    private static readonly string[] s_notYet = { "Unity.Collections" };
+
+    /// <summary>What Unity, and the stand-ins, call by name.</summary>
+    private static readonly string[] s_messages = { "OnEnable", "OnDisable", "OnDestroy" };
+
+    private readonly HashSet<string> m_names = new HashSet<string>(StringComparer.Ordinal);
+    private readonly HashSet<string> m_virtual = new HashSet<string>(StringComparer.Ordinal);
+    private string m_within = "";
+
     /// <summary>
-    /// Finds what stand-ins show that no compiled code names: it is carried for nothing. Overloads of one name count as one,
-    /// since C# takes another overload silently where one is gone.
+    /// What the stand-ins show and neither the package nor the host nor any test names, over the builds for .NET and for
+    /// every generation.
     /// </summary>
-    public sealed class StandInUse
+    public static IEnumerable<string> Check(Repository repository)
     {
-        /// <summary>Stand-ins that are not held to it.</summary>
-        private static readonly string[] s_notYet = { "Unity.Collections" };
-
-        /// <summary>What Unity, and the stand-ins, call by name.</summary>
-        private static readonly string[] s_messages = { "OnEnable", "OnDisable", "OnDestroy" };
-
-        private readonly HashSet<string> m_names = new HashSet<string>(StringComparer.Ordinal);
-        private readonly HashSet<string> m_virtual = new HashSet<string>(StringComparer.Ordinal);
-        private string m_within = "";
-
-        /// <summary>
-        /// What the stand-ins show and neither the package nor the host nor any test names, over the builds for .NET and for
-        /// every generation.
-        /// </summary>
-        public static IEnumerable<string> Check(Repository repository)
+        var use = new StandInUse();
+        var unnamed = new SortedSet<string>(StringComparer.Ordinal);
+        string[] standIns = Directory.GetDirectories(Path.Combine(repository.Headless, "StandIns"))
+            .Select(f => Path.GetFileName(f)!).Except(s_notYet).ToArray();
+        List<string> files = Files(repository).ToList();
+        using var resolver = new DefaultAssemblyResolver();
+        resolver.AddSearchDirectory(HostFolder(repository));
+        var reading = new ReaderParameters { AssemblyResolver = resolver };
+        foreach (string file in files)
         {
-            var use = new StandInUse();
-            var unnamed = new SortedSet<string>(StringComparer.Ordinal);
-            string[] standIns = Directory.GetDirectories(Path.Combine(repository.Headless, "StandIns"))
-                .Select(f => Path.GetFileName(f)!).Except(s_notYet).ToArray();
-            List<string> files = Files(repository).ToList();
-            using var resolver = new DefaultAssemblyResolver();
-            resolver.AddSearchDirectory(HostFolder(repository));
-            var reading = new ReaderParameters { AssemblyResolver = resolver };
-            foreach (string file in files)
-            {
-                using ModuleDefinition module = ModuleDefinition.ReadModule(file, reading);
-                use.Count(module);
-            }
-            foreach (string file in files.Where(f => standIns.Contains(Path.GetFileNameWithoutExtension(f))))
-            {
-                using ModuleDefinition module = ModuleDefinition.ReadModule(file, reading);
-                unnamed.UnionWith(use.Unnamed(module));
-            }
-            return unnamed.Select(id => $"{id} is in a stand-in, and no compiled code names it");
+            using ModuleDefinition module = ModuleDefinition.ReadModule(file, reading);
+            use.Count(module);
         }
-
-        /// <summary>Takes in all that an assembly names: of the package, the host, tests, or another stand-in.</summary>
-        public void Count(ModuleDefinition module)
+        foreach (string file in files.Where(f => standIns.Contains(Path.GetFileNameWithoutExtension(f))))
         {
-            foreach (IlUse use in IlUses.Of(module))
-            {
-                m_within = use.Within == null ? "" : DocId.DefinitionName(use.Within) + ".";
-                Count(use.Member);
-            }
-            foreach (MethodDefinition method in module.GetTypes().SelectMany(t => t.Methods)
-                .Where(m => m.IsVirtual && (!m.IsNewSlot || m.IsFinal)))
-                m_virtual.Add(LastName(method.Name));
+            using ModuleDefinition module = ModuleDefinition.ReadModule(file, reading);
+            unnamed.UnionWith(use.Unnamed(module));
         }
+        return unnamed.Select(id => $"{id} is in a stand-in, and no compiled code names it");
+    }
 
-        /// <summary>The stand-in's public types and members that nothing counted names, by their ids.</summary>
-        public IEnumerable<string> Unnamed(ModuleDefinition standIn)
+    /// <summary>Takes in all that an assembly names: of the package, the host, tests, or another stand-in.</summary>
+    public void Count(ModuleDefinition module)
+    {
+        foreach (IlUse use in IlUses.Of(module))
         {
-            foreach (TypeDefinition type in standIn.GetTypes().Where(StandInAudit.IsVisible))
+            m_within = use.Within == null ? "" : DocId.DefinitionName(use.Within) + ".";
+            Count(use.Member);
+        }
+        foreach (MethodDefinition method in module.GetTypes().SelectMany(t => t.Methods)
+            .Where(m => m.IsVirtual && (!m.IsNewSlot || m.IsFinal)))
+            m_virtual.Add(LastName(method.Name));
+    }
+
+    /// <summary>The stand-in's public types and members that nothing counted names, by their ids.</summary>
+    public IEnumerable<string> Unnamed(ModuleDefinition standIn)
+    {
+        foreach (TypeDefinition type in standIn.GetTypes().Where(StandInAudit.IsVisible))
+        {
+            if (!m_names.Contains(DocId.DefinitionName(type)))
             {
-                if (!m_names.Contains(DocId.DefinitionName(type)))
+                yield return DocId.OfType(type);
+                continue;
+            }
+            if (type.IsEnum || type.BaseType?.FullName == "System.MulticastDelegate")
+                continue;
+            foreach (FieldDefinition field in type.Fields.Where(f => !IsNamed(f)))
+                yield return DocId.OfField(field);
+            foreach (string id in type.Methods.Where(m => !IsNamed(m)).Select(IdOf).Distinct())
+                yield return id;
+        }
+    }
+
+    private static string HostFolder(Repository repository) =>
+        Path.Combine(repository.Headless, "artifacts", "bin", "HostTests", "debug");
+
+    /// <summary>Our assemblies in the folders of what is run and of what Unity would compile.</summary>
+    private static IEnumerable<string> Files(Repository repository)
+    {
+        string bin = Path.Combine(repository.Headless, "artifacts", "bin");
+        string host = HostFolder(repository);
+        string tests = Path.Combine(bin, "FastPoints.Tests", "debug_net10.0", "FastPoints.Tests.dll");
+        foreach (string needed in new[] { Path.Combine(host, "HostTests.dll"), tests }.Where(f => !File.Exists(f)))
+        {
+            throw new ToolException($"{Path.GetRelativePath(repository.Root, needed)} is not there: run " +
+                "dotnet build Headless/Tests.proj");
+        }
+        IEnumerable<string> generations = Directory.GetDirectories(bin)
+            .SelectMany(project => Repository.Generations
+                .Select(g => Path.Combine(project, "unity-" + g, Path.GetFileName(project) + ".dll")))
+            .Where(File.Exists);
+        return Directory.GetFiles(host, "*.dll").Where(IsOurs).Append(tests).Concat(generations);
+    }
+
+    private static bool IsOurs(string file)
+    {
+        string name = Path.GetFileName(file);
+        return name is "HostTests.dll" or "RepoTools.dll" || name.StartsWith("FastPoints", StringComparison.Ordinal)
+            || name.StartsWith("Unity", StringComparison.Ordinal);
+    }
+
+    private void Count(MemberReference member)
+    {
+        switch (member)
+        {
+            case TypeReference type:
+                Count(type);
+                break;
+            case MethodReference method:
+                Count(method.DeclaringType);
+                Count(method.ReturnType);
+                foreach (ParameterDefinition parameter in method.Parameters)
+                    Count(parameter.ParameterType);
+                if (method is GenericInstanceMethod instance)
                 {
-                    yield return DocId.OfType(type);
-                    continue;
-                }
-                if (type.IsEnum || type.BaseType?.FullName == "System.MulticastDelegate")
-                    continue;
-                foreach (FieldDefinition field in type.Fields.Where(f => !IsNamed(f)))
-                    yield return DocId.OfField(field);
-                foreach (string id in type.Methods.Where(m => !IsNamed(m)).Select(IdOf).Distinct())
-                    yield return id;
-            }
-        }
-
-        private static string HostFolder(Repository repository) =>
-            Path.Combine(repository.Headless, "artifacts", "bin", "HostTests", "debug");
-
-        /// <summary>Our assemblies in the folders of what is run and of what Unity would compile.</summary>
-        private static IEnumerable<string> Files(Repository repository)
-        {
-            string bin = Path.Combine(repository.Headless, "artifacts", "bin");
-            string host = HostFolder(repository);
-            string tests = Path.Combine(bin, "FastPoints.Tests", "debug_net10.0", "FastPoints.Tests.dll");
-            foreach (string needed in new[] { Path.Combine(host, "HostTests.dll"), tests }.Where(f => !File.Exists(f)))
-            {
-                throw new ToolException($"{Path.GetRelativePath(repository.Root, needed)} is not there: run " +
-                    "dotnet build Headless/Tests.proj");
-            }
-            IEnumerable<string> generations = Directory.GetDirectories(bin)
-                .SelectMany(project => Repository.Generations
-                    .Select(g => Path.Combine(project, "unity-" + g, Path.GetFileName(project) + ".dll")))
-                .Where(File.Exists);
-            return Directory.GetFiles(host, "*.dll").Where(IsOurs).Append(tests).Concat(generations);
-        }
-
-        private static bool IsOurs(string file)
-        {
-            string name = Path.GetFileName(file);
-            return name is "HostTests.dll" or "RepoTools.dll" || name.StartsWith("FastPoints", StringComparison.Ordinal)
-                || name.StartsWith("Unity", StringComparison.Ordinal);
-        }
-
-        private void Count(MemberReference member)
-        {
-            switch (member)
-            {
-                case TypeReference type:
-                    Count(type);
-                    break;
-                case MethodReference method:
-                    Count(method.DeclaringType);
-                    Count(method.ReturnType);
-                    foreach (ParameterDefinition parameter in method.Parameters)
-                        Count(parameter.ParameterType);
-                    if (method is GenericInstanceMethod instance)
-                    {
-                        foreach (TypeReference argument in instance.GenericArguments)
-                            Count(argument);
-                    }
-                    m_names.Add(Family(method));
-                    break;
-                case FieldReference field:
-                    Count(field.DeclaringType);
-                    Count(field.FieldType);
-                    m_names.Add(Family(field));
-                    break;
-            }
-        }
-
-        private void Count(TypeReference? type)
-        {
-            switch (type)
-            {
-                case null:
-                case GenericParameter:
-                    return;
-                case FunctionPointerType function:
-                    Count(function.ReturnType);
-                    foreach (ParameterDefinition parameter in function.Parameters)
-                        Count(parameter.ParameterType);
-                    return;
-                case GenericInstanceType instance:
                     foreach (TypeReference argument in instance.GenericArguments)
                         Count(argument);
-                    break;
-            }
-            if (type is TypeSpecification wrapped)
-            {
-                Count(wrapped.ElementType);
-                return;
-            }
-            // A type that only its own members name is not named.
-            if (m_within.StartsWith(DocId.DefinitionName(type) + ".", StringComparison.Ordinal))
-                return;
-            for (TypeReference? level = type; level != null; level = level.DeclaringType)
-                m_names.Add(DocId.DefinitionName(level));
+                }
+                m_names.Add(Family(method));
+                break;
+            case FieldReference field:
+                Count(field.DeclaringType);
+                Count(field.FieldType);
+                m_names.Add(Family(field));
+                break;
         }
-
-        /// <summary>Constants leave no trace in IL, and a struct's fields are its layout.</summary>
-        private bool IsNamed(FieldDefinition field) => !StandInAudit.IsVisible(field.Attributes) || field.HasConstant
-            || field.IsSpecialName || (!field.IsStatic && field.DeclaringType.IsValueType) || m_names.Contains(Family(field));
-
-        /// <summary>
-        /// Operators and constructors belong to their type. A virtual method is named by who overrides or implements it; one
-        /// that is final implements an interface. What a struct keeps in a property is its layout.
-        /// </summary>
-        private bool IsNamed(MethodDefinition method)
-        {
-            if (!(method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly) || method.IsConstructor
-                || s_messages.Contains(method.Name) || method.Name.StartsWith("op_", StringComparison.Ordinal))
-                return true;
-            TypeDefinition type = method.DeclaringType;
-            if (type.IsValueType && type.Fields.Any(f => f.Name == $"<{NameOf(method)}>k__BackingField"))
-                return true;
-            if (method.IsVirtual && (method.IsFinal || !method.IsNewSlot || m_virtual.Contains(method.Name)))
-                return true;
-            return m_names.Contains(Family(method));
-        }
-
-        /// <summary>A method, property or event, whatever its overloads and accessors.</summary>
-        private static string Family(MemberReference member) => DocId.DefinitionName(member.DeclaringType) + "." + NameOf(member);
-
-        private static string IdOf(MethodDefinition method) =>
-            (method.IsSpecialName ? DocId.OfAccessor(DocId.DefinitionName(method.DeclaringType), method) : null)
-            ?? DocId.OfMethod(method);
-
-        private static string NameOf(MemberReference member)
-        {
-            string? accessor = new[] { "get_", "set_", "add_", "remove_" }
-                .FirstOrDefault(a => member is MethodReference && member.Name.StartsWith(a, StringComparison.Ordinal));
-            return member.Name[(accessor?.Length ?? 0)..];
-        }
-
-        private static string LastName(string name) => name[(name.LastIndexOf('.') + 1)..];
     }
+
+    private void Count(TypeReference? type)
+    {
+        switch (type)
+        {
+            case null:
+            case GenericParameter:
+                return;
+            case FunctionPointerType function:
+                Count(function.ReturnType);
+                foreach (ParameterDefinition parameter in function.Parameters)
+                    Count(parameter.ParameterType);
+                return;
+            case GenericInstanceType instance:
+                foreach (TypeReference argument in instance.GenericArguments)
+                    Count(argument);
+                break;
+        }
+        if (type is TypeSpecification wrapped)
+        {
+            Count(wrapped.ElementType);
+            return;
+        }
+        // A type that only its own members name is not named.
+        if (m_within.StartsWith(DocId.DefinitionName(type) + ".", StringComparison.Ordinal))
+            return;
+        for (TypeReference? level = type; level != null; level = level.DeclaringType)
+            m_names.Add(DocId.DefinitionName(level));
+    }
+
+    /// <summary>Constants leave no trace in IL, and a struct's fields are its layout.</summary>
+    private bool IsNamed(FieldDefinition field) => !StandInAudit.IsVisible(field.Attributes) || field.HasConstant
+        || field.IsSpecialName || (!field.IsStatic && field.DeclaringType.IsValueType) || m_names.Contains(Family(field));
+
+    /// <summary>
+    /// Operators and constructors belong to their type. A virtual method is named by who overrides or implements it; one
+    /// that is final implements an interface. What a struct keeps in a property is its layout.
+    /// </summary>
+    private bool IsNamed(MethodDefinition method)
+    {
+        if (!(method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly) || method.IsConstructor
+            || s_messages.Contains(method.Name) || method.Name.StartsWith("op_", StringComparison.Ordinal))
+            return true;
+        TypeDefinition type = method.DeclaringType;
+        if (type.IsValueType && type.Fields.Any(f => f.Name == $"<{NameOf(method)}>k__BackingField"))
+            return true;
+        if (method.IsVirtual && (method.IsFinal || !method.IsNewSlot || m_virtual.Contains(method.Name)))
+            return true;
+        return m_names.Contains(Family(method));
+    }
+
+    /// <summary>A method, property or event, whatever its overloads and accessors.</summary>
+    private static string Family(MemberReference member) => DocId.DefinitionName(member.DeclaringType) + "." + NameOf(member);
+
+    private static string IdOf(MethodDefinition method) =>
+        (method.IsSpecialName ? DocId.OfAccessor(DocId.DefinitionName(method.DeclaringType), method) : null)
+        ?? DocId.OfMethod(method);
+
+    private static string NameOf(MemberReference member)
+    {
+        string? accessor = new[] { "get_", "set_", "add_", "remove_" }
+            .FirstOrDefault(a => member is MethodReference && member.Name.StartsWith(a, StringComparison.Ordinal));
+        return member.Name[(accessor?.Length ?? 0)..];
+    }
+
+    private static string LastName(string name) => name[(name.LastIndexOf('.') + 1)..];
 }

@@ -2,109 +2,108 @@ using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
-namespace FastPoints.RepoTools.House
+namespace FastPoints.RepoTools.House;
+
+/// <summary>What the house wants to know of a C# file, from its syntax alone.</summary>
+/// <param name="Constructors">Each with its number of parameters, but those of records and readonly structs.</param>
+/// <param name="Methods">Each member with code, with its number of lines from the name's line to the last brace.</param>
+/// <param name="PublicTypes">Full names of public types that lie in no other type.</param>
+/// <param name="Names">Identifiers that the file declares, with their line.</param>
+/// <param name="Comments">Its comments, line by line.</param>
+public sealed record CSharpShape(IReadOnlyList<Counted> Constructors, IReadOnlyList<Counted> Methods,
+    IReadOnlyList<string> PublicTypes, IReadOnlyList<Written> Names, IReadOnlyList<Written> Comments)
 {
-    /// <summary>What the house wants to know of a C# file, from its syntax alone.</summary>
-    /// <param name="Constructors">Each with its number of parameters, but those of records and readonly structs.</param>
-    /// <param name="Methods">Each member with code, with its number of lines from the name's line to the last brace.</param>
-    /// <param name="PublicTypes">Full names of public types that lie in no other type.</param>
-    /// <param name="Names">Identifiers that the file declares, with their line.</param>
-    /// <param name="Comments">Its comments, line by line.</param>
-    public sealed record CSharpShape(IReadOnlyList<Counted> Constructors, IReadOnlyList<Counted> Methods,
-        IReadOnlyList<string> PublicTypes, IReadOnlyList<Written> Names, IReadOnlyList<Written> Comments)
+    // As the newest generation of Unity's editor compiles the package.
+    private static readonly CSharpParseOptions s_options = new CSharpParseOptions(LanguageVersion.Latest,
+        DocumentationMode.None, SourceCodeKind.Regular,
+        new[] { "ENABLE_UNITY_COLLECTIONS_CHECKS", "UNITY_EDITOR", "UNITY_INCLUDE_TESTS", "UNITY_6000_3_OR_NEWER" });
+
+    public static CSharpShape Of(SourceFile file)
     {
-        // As the newest generation of Unity's editor compiles the package.
-        private static readonly CSharpParseOptions s_options = new CSharpParseOptions(LanguageVersion.Latest,
-            DocumentationMode.None, SourceCodeKind.Regular,
-            new[] { "ENABLE_UNITY_COLLECTIONS_CHECKS", "UNITY_EDITOR", "UNITY_INCLUDE_TESTS", "UNITY_6000_3_OR_NEWER" });
-
-        public static CSharpShape Of(SourceFile file)
-        {
-            SyntaxNode root = CSharpSyntaxTree.ParseText(file.Text, s_options).GetRoot();
-            // Members lie in namespaces and types alone, so the walk need not go into them.
-            List<SyntaxNode> nodes = root
-                .DescendantNodes(n => n is CompilationUnitSyntax or BaseNamespaceDeclarationSyntax or TypeDeclarationSyntax)
-                .ToList();
-            return new CSharpShape(
-                nodes.Where(n => n is ConstructorDeclarationSyntax or TypeDeclarationSyntax { ParameterList: not null })
-                    .Where(n => !IsRecordOrReadonlyStruct(n is TypeDeclarationSyntax ? n : n.Parent!))
-                    .Select(Constructor).ToList(),
-                nodes.Where(n => n is BaseMethodDeclarationSyntax or BasePropertyDeclarationSyntax).Select(Method).ToList(),
-                nodes.Where(n => n is BaseTypeDeclarationSyntax or DelegateDeclarationSyntax).Cast<MemberDeclarationSyntax>()
-                    .Where(t => t.Parent is not TypeDeclarationSyntax && t.Modifiers.Any(SyntaxKind.PublicKeyword))
-                    .Select(FullName).ToList(),
-                file.IsProduct ? DeclaredNames(root) : Array.Empty<Written>(),
-                file.IsProduct ? CommentLines(root) : Array.Empty<Written>());
-        }
-
-        private static bool IsRecordOrReadonlyStruct(SyntaxNode type) => type is RecordDeclarationSyntax ||
-            type is StructDeclarationSyntax structure && structure.Modifiers.Any(SyntaxKind.ReadOnlyKeyword);
-
-        private static Counted Constructor(SyntaxNode node) => node switch
-        {
-            ConstructorDeclarationSyntax c =>
-                new Counted(c.Identifier.ValueText, LineOf(c.Identifier), c.ParameterList.Parameters.Count),
-            TypeDeclarationSyntax t => new Counted(t.Identifier.ValueText, LineOf(t.Identifier),
-                t.ParameterList!.Parameters.Count),
-            _ => throw new ArgumentException("no constructor", nameof(node)),
-        };
-
-        private static Counted Method(SyntaxNode node)
-        {
-            SyntaxToken name = node switch
-            {
-                MethodDeclarationSyntax m => m.Identifier,
-                ConstructorDeclarationSyntax c => c.Identifier,
-                DestructorDeclarationSyntax d => d.Identifier,
-                OperatorDeclarationSyntax o => o.OperatorToken,
-                ConversionOperatorDeclarationSyntax o => o.OperatorKeyword,
-                PropertyDeclarationSyntax p => p.Identifier,
-                IndexerDeclarationSyntax i => i.ThisKeyword,
-                EventDeclarationSyntax e => e.Identifier,
-                _ => node.GetFirstToken(),
-            };
-            int first = LineOf(name);
-            return new Counted(name.ValueText, first, LineOf(node.GetLastToken()) - first + 1);
-        }
-
-        private static string FullName(MemberDeclarationSyntax type)
-        {
-            (SyntaxToken name, int arity) = type switch
-            {
-                TypeDeclarationSyntax t => (t.Identifier, t.Arity),
-                DelegateDeclarationSyntax d => (d.Identifier, d.Arity),
-                _ => (((BaseTypeDeclarationSyntax)type).Identifier, 0),
-            };
-            IEnumerable<string> spaces = type.Ancestors().OfType<BaseNamespaceDeclarationSyntax>().Reverse()
-                .Select(n => n.Name.ToString());
-            return string.Join(".", spaces.Append(arity == 0 ? name.ValueText : $"{name.ValueText}`{arity}"));
-        }
-
-        // An identifier under a name is a use of it; under anything else a declaration.
-        private static List<Written> DeclaredNames(SyntaxNode root) => root.DescendantTokens()
-            .Where(t => t.IsKind(SyntaxKind.IdentifierToken) && t.Parent is not SimpleNameSyntax)
-            .Select(t => new Written(t.ValueText, LineOf(t))).ToList();
-
-        private static List<Written> CommentLines(SyntaxNode root)
-        {
-            var lines = new List<Written>();
-            foreach (SyntaxTrivia trivia in root.DescendantTrivia())
-            {
-                if (!trivia.IsKind(SyntaxKind.SingleLineCommentTrivia) && !trivia.IsKind(SyntaxKind.MultiLineCommentTrivia))
-                    continue;
-                int line = trivia.GetLocation().GetLineSpan().StartLinePosition.Line + 1;
-                foreach (string text in trivia.ToString().Split('\n'))
-                    lines.Add(new Written(text, line++));
-            }
-            return lines;
-        }
-
-        private static int LineOf(SyntaxToken token) => token.GetLocation().GetLineSpan().EndLinePosition.Line + 1;
+        SyntaxNode root = CSharpSyntaxTree.ParseText(file.Text, s_options).GetRoot();
+        // Members lie in namespaces and types alone, so the walk need not go into them.
+        List<SyntaxNode> nodes = root
+            .DescendantNodes(n => n is CompilationUnitSyntax or BaseNamespaceDeclarationSyntax or TypeDeclarationSyntax)
+            .ToList();
+        return new CSharpShape(
+            nodes.Where(n => n is ConstructorDeclarationSyntax or TypeDeclarationSyntax { ParameterList: not null })
+                .Where(n => !IsRecordOrReadonlyStruct(n is TypeDeclarationSyntax ? n : n.Parent!))
+                .Select(Constructor).ToList(),
+            nodes.Where(n => n is BaseMethodDeclarationSyntax or BasePropertyDeclarationSyntax).Select(Method).ToList(),
+            nodes.Where(n => n is BaseTypeDeclarationSyntax or DelegateDeclarationSyntax).Cast<MemberDeclarationSyntax>()
+                .Where(t => t.Parent is not TypeDeclarationSyntax && t.Modifiers.Any(SyntaxKind.PublicKeyword))
+                .Select(FullName).ToList(),
+            file.IsProduct ? DeclaredNames(root) : Array.Empty<Written>(),
+            file.IsProduct ? CommentLines(root) : Array.Empty<Written>());
     }
 
-    /// <summary>A member, the line of its name, and how much it has of what is counted.</summary>
-    public sealed record Counted(string Name, int Line, int Amount);
+    private static bool IsRecordOrReadonlyStruct(SyntaxNode type) => type is RecordDeclarationSyntax ||
+        type is StructDeclarationSyntax structure && structure.Modifiers.Any(SyntaxKind.ReadOnlyKeyword);
 
-    /// <summary>A name or a comment, and its line.</summary>
-    public sealed record Written(string Text, int Line);
+    private static Counted Constructor(SyntaxNode node) => node switch
+    {
+        ConstructorDeclarationSyntax c =>
+            new Counted(c.Identifier.ValueText, LineOf(c.Identifier), c.ParameterList.Parameters.Count),
+        TypeDeclarationSyntax t => new Counted(t.Identifier.ValueText, LineOf(t.Identifier),
+            t.ParameterList!.Parameters.Count),
+        _ => throw new ArgumentException("no constructor", nameof(node)),
+    };
+
+    private static Counted Method(SyntaxNode node)
+    {
+        SyntaxToken name = node switch
+        {
+            MethodDeclarationSyntax m => m.Identifier,
+            ConstructorDeclarationSyntax c => c.Identifier,
+            DestructorDeclarationSyntax d => d.Identifier,
+            OperatorDeclarationSyntax o => o.OperatorToken,
+            ConversionOperatorDeclarationSyntax o => o.OperatorKeyword,
+            PropertyDeclarationSyntax p => p.Identifier,
+            IndexerDeclarationSyntax i => i.ThisKeyword,
+            EventDeclarationSyntax e => e.Identifier,
+            _ => node.GetFirstToken(),
+        };
+        int first = LineOf(name);
+        return new Counted(name.ValueText, first, LineOf(node.GetLastToken()) - first + 1);
+    }
+
+    private static string FullName(MemberDeclarationSyntax type)
+    {
+        (SyntaxToken name, int arity) = type switch
+        {
+            TypeDeclarationSyntax t => (t.Identifier, t.Arity),
+            DelegateDeclarationSyntax d => (d.Identifier, d.Arity),
+            _ => (((BaseTypeDeclarationSyntax)type).Identifier, 0),
+        };
+        IEnumerable<string> spaces = type.Ancestors().OfType<BaseNamespaceDeclarationSyntax>().Reverse()
+            .Select(n => n.Name.ToString());
+        return string.Join(".", spaces.Append(arity == 0 ? name.ValueText : $"{name.ValueText}`{arity}"));
+    }
+
+    // An identifier under a name is a use of it; under anything else a declaration.
+    private static List<Written> DeclaredNames(SyntaxNode root) => root.DescendantTokens()
+        .Where(t => t.IsKind(SyntaxKind.IdentifierToken) && t.Parent is not SimpleNameSyntax)
+        .Select(t => new Written(t.ValueText, LineOf(t))).ToList();
+
+    private static List<Written> CommentLines(SyntaxNode root)
+    {
+        var lines = new List<Written>();
+        foreach (SyntaxTrivia trivia in root.DescendantTrivia())
+        {
+            if (!trivia.IsKind(SyntaxKind.SingleLineCommentTrivia) && !trivia.IsKind(SyntaxKind.MultiLineCommentTrivia))
+                continue;
+            int line = trivia.GetLocation().GetLineSpan().StartLinePosition.Line + 1;
+            foreach (string text in trivia.ToString().Split('\n'))
+                lines.Add(new Written(text, line++));
+        }
+        return lines;
+    }
+
+    private static int LineOf(SyntaxToken token) => token.GetLocation().GetLineSpan().EndLinePosition.Line + 1;
 }
+
+/// <summary>A member, the line of its name, and how much it has of what is counted.</summary>
+public sealed record Counted(string Name, int Line, int Amount);
+
+/// <summary>A name or a comment, and its line.</summary>
+public sealed record Written(string Text, int Line);

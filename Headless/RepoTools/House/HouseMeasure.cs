@@ -1,79 +1,78 @@
-namespace FastPoints.RepoTools.House
+namespace FastPoints.RepoTools.House;
+
+/// <summary>One figure of the house: what it counts, and where.</summary>
+/// <param name="What">A line of the table; {0} is what one thing may have.</param>
+/// <param name="IsSum">The figure is the sum of all amounts; else the number of things with a larger one than they may
+/// have.</param>
+/// <param name="Find">The things, of files and the shapes of those in C#.</param>
+public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<HouseSources, IEnumerable<Finding>> Find)
 {
-    /// <summary>One figure of the house: what it counts, and where.</summary>
-    /// <param name="What">A line of the table; {0} is what one thing may have.</param>
-    /// <param name="IsSum">The figure is the sum of all amounts; else the number of things with a larger one than they may
-    /// have.</param>
-    /// <param name="Find">The things, of files and the shapes of those in C#.</param>
-    public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<HouseSources, IEnumerable<Finding>> Find)
+    /// <summary>A file of so few lines hides the flow of its folder.</summary>
+    private const int SmallFileLines = 25;
+
+    public static readonly IReadOnlyList<HouseMeasure> All = new[]
     {
-        /// <summary>A file of so few lines hides the flow of its folder.</summary>
-        private const int SmallFileLines = 25;
+        new HouseMeasure("product-lines", "lines of C# in the package's Runtime and Editor", true,
+            s => s.Product.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
+        new HouseMeasure("csharp-lines", "lines of C# in the repository", true,
+            s => s.CSharp.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
+        new HouseMeasure("public-types", "public types of the package's Runtime and Editor, in no other type",
+            true, PublicTypes),
+        new HouseMeasure("small-files", $"files of Runtime and Editor with at most {SmallFileLines} lines", true,
+            s => s.Product.Where(f => f.LineCount <= SmallFileLines)
+                .Select(f => new Finding(f.Path, 1, $"{f.LineCount} lines"))),
+        new HouseMeasure("folders", "folders with more than {0} files of C# or shaders", false,
+            s => s.Code.GroupBy(f => f.Folder).Select(g => new Finding(g.Key, g.Count(), $"{g.Count()} files"))),
+        new HouseMeasure("constructors",
+            "constructors with more than {0} parameters, but of records and readonly structs", false,
+            s => s.CSharp.SelectMany(f => s.ShapeOf(f).Constructors, (f, c) => Of(f, c, "parameters"))),
+        new HouseMeasure("methods", "methods of more than {0} lines", false,
+            s => s.CSharp.SelectMany(f => s.ShapeOf(f).Methods, (f, m) => Of(f, m, "lines"))),
+        new HouseMeasure("wide-lines", "lines of C# and shaders over {0} columns", false, s => s.Code.SelectMany(Widths)),
+        new HouseMeasure("manual-words", "words of the manual, without its generated reference", true,
+            s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
+        new HouseMeasure("long-pages", "pages of the manual of more than {0} words", false,
+            s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
+        new HouseMeasure("not-words", "words in names and comments of Runtime and Editor that the glossary says not to use",
+            false, NotWords),
+    };
 
-        public static readonly IReadOnlyList<HouseMeasure> All = new[]
+    private static Finding Of(SourceFile file, Counted member, string unit) =>
+        new Finding(file.Path, member.Amount, $"{member.Amount} {unit}, {member.Name} in line {member.Line}");
+
+    // A partial type is one type in several files.
+    private static IEnumerable<Finding> PublicTypes(HouseSources sources) => sources.Product
+        .SelectMany(f => sources.ShapeOf(f).PublicTypes, (f, name) => new Finding(f.Path, 1, name)).DistinctBy(f => f.What);
+
+    private static IEnumerable<Finding> Widths(SourceFile file)
+    {
+        int line = 1, start = 0;
+        while (start < file.Text.Length)
         {
-            new HouseMeasure("product-lines", "lines of C# in the package's Runtime and Editor", true,
-                s => s.Product.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
-            new HouseMeasure("csharp-lines", "lines of C# in the repository", true,
-                s => s.CSharp.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
-            new HouseMeasure("public-types", "public types of the package's Runtime and Editor, in no other type",
-                true, PublicTypes),
-            new HouseMeasure("small-files", $"files of Runtime and Editor with at most {SmallFileLines} lines", true,
-                s => s.Product.Where(f => f.LineCount <= SmallFileLines)
-                    .Select(f => new Finding(f.Path, 1, $"{f.LineCount} lines"))),
-            new HouseMeasure("folders", "folders with more than {0} files of C# or shaders", false,
-                s => s.Code.GroupBy(f => f.Folder).Select(g => new Finding(g.Key, g.Count(), $"{g.Count()} files"))),
-            new HouseMeasure("constructors",
-                "constructors with more than {0} parameters, but of records and readonly structs", false,
-                s => s.CSharp.SelectMany(f => s.ShapeOf(f).Constructors, (f, c) => Of(f, c, "parameters"))),
-            new HouseMeasure("methods", "methods of more than {0} lines", false,
-                s => s.CSharp.SelectMany(f => s.ShapeOf(f).Methods, (f, m) => Of(f, m, "lines"))),
-            new HouseMeasure("wide-lines", "lines of C# and shaders over {0} columns", false, s => s.Code.SelectMany(Widths)),
-            new HouseMeasure("manual-words", "words of the manual, without its generated reference", true,
-                s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
-            new HouseMeasure("long-pages", "pages of the manual of more than {0} words", false,
-                s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
-            new HouseMeasure("not-words", "words in names and comments of Runtime and Editor that the glossary says not to use",
-                false, NotWords),
-        };
-
-        private static Finding Of(SourceFile file, Counted member, string unit) =>
-            new Finding(file.Path, member.Amount, $"{member.Amount} {unit}, {member.Name} in line {member.Line}");
-
-        // A partial type is one type in several files.
-        private static IEnumerable<Finding> PublicTypes(HouseSources sources) => sources.Product
-            .SelectMany(f => sources.ShapeOf(f).PublicTypes, (f, name) => new Finding(f.Path, 1, name)).DistinctBy(f => f.What);
-
-        private static IEnumerable<Finding> Widths(SourceFile file)
-        {
-            int line = 1, start = 0;
-            while (start < file.Text.Length)
-            {
-                int end = file.Text.IndexOf('\n', start);
-                if (end < 0)
-                    end = file.Text.Length;
-                yield return new Finding(file.Path, end - start, $"{end - start} columns, line {line}");
-                line++;
-                start = end + 1;
-            }
-        }
-
-        private static IEnumerable<Finding> NotWords(HouseSources sources)
-        {
-            if (sources.Glossary.Count == 0)
-                yield break;
-            foreach (SourceFile file in sources.Product)
-            {
-                CSharpShape shape = sources.ShapeOf(file);
-                foreach (Written text in shape.Names.Concat(shape.Comments))
-                {
-                    foreach (string word in sources.Glossary.FindIn(text.Text))
-                        yield return new Finding(file.Path, 1, $"'{word}' in line {text.Line}: {text.Text.Trim()}");
-                }
-            }
+            int end = file.Text.IndexOf('\n', start);
+            if (end < 0)
+                end = file.Text.Length;
+            yield return new Finding(file.Path, end - start, $"{end - start} columns, line {line}");
+            line++;
+            start = end + 1;
         }
     }
 
-    /// <summary>One thing that a measure counts: where it is, how much it has, and that in words.</summary>
-    public sealed record Finding(string Path, long Amount, string What);
+    private static IEnumerable<Finding> NotWords(HouseSources sources)
+    {
+        if (sources.Glossary.Count == 0)
+            yield break;
+        foreach (SourceFile file in sources.Product)
+        {
+            CSharpShape shape = sources.ShapeOf(file);
+            foreach (Written text in shape.Names.Concat(shape.Comments))
+            {
+                foreach (string word in sources.Glossary.FindIn(text.Text))
+                    yield return new Finding(file.Path, 1, $"'{word}' in line {text.Line}: {text.Text.Trim()}");
+            }
+        }
+    }
 }
+
+/// <summary>One thing that a measure counts: where it is, how much it has, and that in words.</summary>
+public sealed record Finding(string Path, long Amount, string What);

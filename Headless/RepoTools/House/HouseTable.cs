@@ -1,92 +1,91 @@
-namespace FastPoints.RepoTools.House
+namespace FastPoints.RepoTools.House;
+
+/// <summary>
+/// Headless/Api/house.tsv. A measure's row (its place is '*') has what one thing may have, how many may have more (or,
+/// without the first, the whole figure), and the goal of that. Every other row is an exception: a file or a folder, what one
+/// thing may have there, and why.
+/// </summary>
+public sealed class HouseTable
 {
+    private const string Header = "measure\twhere\teach\tlimit\tgoal\twhy";
+    private const string Anywhere = "*";
+
+    private readonly List<HouseRow> m_rows;
+
+    private HouseTable(List<HouseRow> rows)
+    {
+        m_rows = rows;
+    }
+
+    public IEnumerable<HouseRow> Exceptions => m_rows.Where(r => r.Where != Anywhere);
+
+    private IEnumerable<HouseRow> Limits => m_rows.Where(r => r.Where == Anywhere);
+
+    /// <summary>Reads the file's text; throws ToolException where a line is no row.</summary>
+    public static HouseTable Parse(string text)
+    {
+        string[] lines = text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        if (lines.Length == 0 || lines[0] != Header)
+            throw new ToolException("house.tsv: the first line is not its header");
+        return new HouseTable(lines.Skip(1).Select(ParseRow).ToList());
+    }
+
+    /// <summary>The row of a measure; throws ToolException where there is none, or more than one.</summary>
+    public HouseRow Of(string measure)
+    {
+        List<HouseRow> found = Limits.Where(r => r.Measure == measure).ToList();
+        return found.Count == 1
+            ? found[0]
+            : throw new ToolException($"house.tsv: {found.Count} rows with the limit of {measure}");
+    }
+
+    /// <summary>What is wrong with rows, whatever the figures are.</summary>
+    public IEnumerable<string> Problems(IReadOnlyCollection<string> measures)
+    {
+        foreach (HouseRow row in m_rows.Where(r => !measures.Contains(r.Measure)))
+            yield return $"house.tsv: there is no measure {row.Measure}";
+        foreach (HouseRow row in Exceptions.Where(r => r.Each == null || r.Why.Length == 0))
+            yield return $"house.tsv: {row.Measure} of {row.Where} has no number of its own, or no reason";
+        foreach (HouseRow row in Limits.Where(r => r.Limit == null || r.Goal == null || r.Limit < r.Goal))
+            yield return $"house.tsv: {row.Measure} has no limit, no goal, or a limit below its goal";
+    }
+
     /// <summary>
-    /// Headless/Api/house.tsv. A measure's row (its place is '*') has what one thing may have, how many may have more (or,
-    /// without the first, the whole figure), and the goal of that. Every other row is an exception: a file or a folder, what one
-    /// thing may have there, and why.
+    /// The file with each limit that is above both its goal and its figure brought down to the higher of the two.
     /// </summary>
-    public sealed class HouseTable
+    public string Lowered(IReadOnlyDictionary<string, long> figures) => string.Join("\n", m_rows
+        .Select(r => r.Where == Anywhere && figures.TryGetValue(r.Measure, out long figure) && r.Limit > figure
+            ? r with { Limit = Math.Max(figure, r.Goal ?? figure) }
+            : r)
+        .Select(r => r.Text()).Prepend(Header)) + "\n";
+
+    private static HouseRow ParseRow(string line)
     {
-        private const string Header = "measure\twhere\teach\tlimit\tgoal\twhy";
-        private const string Anywhere = "*";
-
-        private readonly List<HouseRow> m_rows;
-
-        private HouseTable(List<HouseRow> rows)
-        {
-            m_rows = rows;
-        }
-
-        public IEnumerable<HouseRow> Exceptions => m_rows.Where(r => r.Where != Anywhere);
-
-        private IEnumerable<HouseRow> Limits => m_rows.Where(r => r.Where == Anywhere);
-
-        /// <summary>Reads the file's text; throws ToolException where a line is no row.</summary>
-        public static HouseTable Parse(string text)
-        {
-            string[] lines = text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
-            if (lines.Length == 0 || lines[0] != Header)
-                throw new ToolException("house.tsv: the first line is not its header");
-            return new HouseTable(lines.Skip(1).Select(ParseRow).ToList());
-        }
-
-        /// <summary>The row of a measure; throws ToolException where there is none, or more than one.</summary>
-        public HouseRow Of(string measure)
-        {
-            List<HouseRow> found = Limits.Where(r => r.Measure == measure).ToList();
-            return found.Count == 1
-                ? found[0]
-                : throw new ToolException($"house.tsv: {found.Count} rows with the limit of {measure}");
-        }
-
-        /// <summary>What is wrong with rows, whatever the figures are.</summary>
-        public IEnumerable<string> Problems(IReadOnlyCollection<string> measures)
-        {
-            foreach (HouseRow row in m_rows.Where(r => !measures.Contains(r.Measure)))
-                yield return $"house.tsv: there is no measure {row.Measure}";
-            foreach (HouseRow row in Exceptions.Where(r => r.Each == null || r.Why.Length == 0))
-                yield return $"house.tsv: {row.Measure} of {row.Where} has no number of its own, or no reason";
-            foreach (HouseRow row in Limits.Where(r => r.Limit == null || r.Goal == null || r.Limit < r.Goal))
-                yield return $"house.tsv: {row.Measure} has no limit, no goal, or a limit below its goal";
-        }
-
-        /// <summary>
-        /// The file with each limit that is above both its goal and its figure brought down to the higher of the two.
-        /// </summary>
-        public string Lowered(IReadOnlyDictionary<string, long> figures) => string.Join("\n", m_rows
-            .Select(r => r.Where == Anywhere && figures.TryGetValue(r.Measure, out long figure) && r.Limit > figure
-                ? r with { Limit = Math.Max(figure, r.Goal ?? figure) }
-                : r)
-            .Select(r => r.Text()).Prepend(Header)) + "\n";
-
-        private static HouseRow ParseRow(string line)
-        {
-            string[] cells = line.Split('\t').Select(c => c.Trim()).ToArray();
-            if (cells.Length != 6)
-                throw new ToolException($"house.tsv: {cells.Length} columns in '{line}'");
-            return new HouseRow(cells[0], cells[1], Number(cells[2], line), Number(cells[3], line),
-                Number(cells[4], line), cells[5]);
-        }
-
-        private static long? Number(string cell, string line)
-        {
-            if (cell.Length == 0)
-                return null;
-            return long.TryParse(cell, NumberStyles.None, CultureInfo.InvariantCulture, out long number)
-                ? number
-                : throw new ToolException($"house.tsv: '{cell}' is no number in '{line}'");
-        }
+        string[] cells = line.Split('\t').Select(c => c.Trim()).ToArray();
+        if (cells.Length != 6)
+            throw new ToolException($"house.tsv: {cells.Length} columns in '{line}'");
+        return new HouseRow(cells[0], cells[1], Number(cells[2], line), Number(cells[3], line),
+            Number(cells[4], line), cells[5]);
     }
 
-    /// <summary>One row; numbers that it does not have are null.</summary>
-    public sealed record HouseRow(string Measure, string Where, long? Each, long? Limit, long? Goal, string Why)
+    private static long? Number(string cell, string line)
     {
-        /// <summary>Whether a place is this row's: a folder ends with '/', a file may be named by the end of its path.</summary>
-        public bool IsOf(string path) => Where.EndsWith('/')
-            ? path.StartsWith(Where, StringComparison.Ordinal) || path + "/" == Where
-            : path == Where || path.EndsWith("/" + Where, StringComparison.Ordinal);
-
-        public string Text() =>
-            string.Create(CultureInfo.InvariantCulture, $"{Measure}\t{Where}\t{Each}\t{Limit}\t{Goal}\t{Why}");
+        if (cell.Length == 0)
+            return null;
+        return long.TryParse(cell, NumberStyles.None, CultureInfo.InvariantCulture, out long number)
+            ? number
+            : throw new ToolException($"house.tsv: '{cell}' is no number in '{line}'");
     }
+}
+
+/// <summary>One row; numbers that it does not have are null.</summary>
+public sealed record HouseRow(string Measure, string Where, long? Each, long? Limit, long? Goal, string Why)
+{
+    /// <summary>Whether a place is this row's: a folder ends with '/', a file may be named by the end of its path.</summary>
+    public bool IsOf(string path) => Where.EndsWith('/')
+        ? path.StartsWith(Where, StringComparison.Ordinal) || path + "/" == Where
+        : path == Where || path.EndsWith("/" + Where, StringComparison.Ordinal);
+
+    public string Text() =>
+        string.Create(CultureInfo.InvariantCulture, $"{Measure}\t{Where}\t{Each}\t{Limit}\t{Goal}\t{Why}");
 }

@@ -1,132 +1,131 @@
-namespace FastPoints.RepoTools.Layers
+namespace FastPoints.RepoTools.Layers;
+
+/// <summary>
+/// The rooms of the runtime assemblies in the order of the data. A file uses its own room and earlier ones; the rooms of
+/// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name.
+/// </summary>
+public static class RoomOrder
 {
-    /// <summary>
-    /// The rooms of the runtime assemblies in the order of the data. A file uses its own room and earlier ones; the rooms of
-    /// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name.
-    /// </summary>
-    public static class RoomOrder
+    private static readonly (string Assembly, string[] Rooms)[] s_order =
     {
-        private static readonly (string Assembly, string[] Rooms)[] s_order =
+        ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture", "Feeds" }),
+        ("FastPoints.Import", new[]
         {
-            ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture", "Feeds" }),
-            ("FastPoints.Import", new[]
-            {
-                "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing",
-                "Draw", "SourceFeeds", "Verify", "Convert",
-            }),
-        };
+            "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing",
+            "Draw", "SourceFeeds", "Verify", "Convert",
+        }),
+    };
 
-        public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);
+    public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);
 
-        /// <summary>The place of a room in the order; -1 where there is no such room.</summary>
-        public static int IndexOf(string assembly, string room)
+    /// <summary>The place of a room in the order; -1 where there is no such room.</summary>
+    public static int IndexOf(string assembly, string room)
+    {
+        int before = 0;
+        foreach ((string name, string[] rooms) in s_order)
         {
-            int before = 0;
-            foreach ((string name, string[] rooms) in s_order)
-            {
-                int index = Array.IndexOf(rooms, room);
-                if (name == assembly)
-                    return index < 0 ? -1 : before + index;
-                before += rooms.Length;
-            }
-            return -1;
+            int index = Array.IndexOf(rooms, room);
+            if (name == assembly)
+                return index < 0 ? -1 : before + index;
+            before += rooms.Length;
         }
-
-        /// <summary>What the sources of one assembly's folder say against the order.</summary>
-        public static IEnumerable<string> CheckSources(string folder, string assembly)
-        {
-            foreach (string file in Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories))
-            {
-                string path = Path.GetRelativePath(folder, file).Replace('\\', '/');
-                foreach (string problem in CheckSource(assembly, path, File.ReadAllText(file)))
-                    yield return problem;
-            }
-        }
-
-        /// <param name="path">Below the assembly's folder, with '/'.</param>
-        public static IEnumerable<string> CheckSource(string assembly, string path, string text)
-        {
-            string shown = $"{assembly}/{path}";
-            if (!path.Contains('/'))
-            {
-                if (path != "AssemblyInfo.cs")
-                    yield return $"{shown} is in no room";
-                yield break;
-            }
-            string room = path[..path.IndexOf('/')];
-            int own = IndexOf(assembly, room);
-            if (own < 0)
-            {
-                yield return $"{shown}: {assembly} has no room {room}";
-                yield break;
-            }
-            string code = WithoutCommentsAndStrings(text);
-            foreach (Match declared in Regex.Matches(code, @"^\s*namespace\s+([\w.]+)", RegexOptions.Multiline))
-            {
-                if (declared.Groups[1].Value != "FastPoints." + room)
-                    yield return $"{shown}: namespace {declared.Groups[1].Value}, wanted FastPoints.{room}";
-            }
-            foreach (string used in Regex.Matches(code, @"\bFastPoints\.(\w+)").Select(m => m.Groups[1].Value).Distinct())
-            {
-                int index = s_order.Max(o => IndexOf(o.Assembly, used));
-                if (index > own)
-                    yield return $"{shown} uses FastPoints.{used}, which comes after {room}";
-            }
-        }
-
-        /// <summary>What the IL of an assembly names of later rooms.</summary>
-        public static IEnumerable<string> CheckIl(ModuleDefinition module)
-        {
-            string assembly = module.Assembly.Name.Name;
-            var problems = new SortedSet<string>(StringComparer.Ordinal);
-            foreach (IlUse use in IlUses.Of(module).Where(u => u.Within != null))
-            {
-                string room = RoomOf(use.Within!);
-                int own = IndexOf(assembly, room);
-                foreach (TypeReference named in Types(use.Member))
-                {
-                    int other = IndexOf(Origins.AssemblyOf(named), RoomOf(named));
-                    if (own >= 0 && other > own)
-                        problems.Add($"{use.Site} ({room}) names {DocId.DefinitionName(named)}, which comes after {room}");
-                }
-            }
-            return problems;
-        }
-
-        private static IEnumerable<TypeReference> Types(MemberReference member)
-        {
-            IEnumerable<TypeReference> types = member switch
-            {
-                MethodReference method => method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType)
-                    .Append(method.DeclaringType)
-                    .Concat(method is GenericInstanceMethod generic
-                        ? generic.GenericArguments
-                        : Enumerable.Empty<TypeReference>()),
-                FieldReference field => new[] { field.FieldType, field.DeclaringType },
-                TypeReference type => new[] { type },
-                _ => Enumerable.Empty<TypeReference>(),
-            };
-            return types.SelectMany(Elements);
-        }
-
-        private static IEnumerable<TypeReference> Elements(TypeReference type) => type switch
-        {
-            GenericParameter or FunctionPointerType => Enumerable.Empty<TypeReference>(),
-            GenericInstanceType instance => instance.GenericArguments.SelectMany(Elements).Append(instance.ElementType),
-            TypeSpecification wrapped => Elements(wrapped.ElementType),
-            _ => new[] { type },
-        };
-
-        private static string RoomOf(TypeReference type)
-        {
-            TypeReference outer = type.GetElementType();
-            while (outer.DeclaringType != null)
-                outer = outer.DeclaringType;
-            string[] parts = outer.Namespace.Split('.');
-            return parts.Length > 1 && parts[0] == "FastPoints" ? parts[1] : "";
-        }
-
-        private static string WithoutCommentsAndStrings(string text) =>
-            Regex.Replace(text, @"//[^\n]*|/\*.*?\*/|@?""(?:[^""\\\n]|\\.)*""", " ", RegexOptions.Singleline);
+        return -1;
     }
+
+    /// <summary>What the sources of one assembly's folder say against the order.</summary>
+    public static IEnumerable<string> CheckSources(string folder, string assembly)
+    {
+        foreach (string file in Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories))
+        {
+            string path = Path.GetRelativePath(folder, file).Replace('\\', '/');
+            foreach (string problem in CheckSource(assembly, path, File.ReadAllText(file)))
+                yield return problem;
+        }
+    }
+
+    /// <param name="path">Below the assembly's folder, with '/'.</param>
+    public static IEnumerable<string> CheckSource(string assembly, string path, string text)
+    {
+        string shown = $"{assembly}/{path}";
+        if (!path.Contains('/'))
+        {
+            if (path != "AssemblyInfo.cs")
+                yield return $"{shown} is in no room";
+            yield break;
+        }
+        string room = path[..path.IndexOf('/')];
+        int own = IndexOf(assembly, room);
+        if (own < 0)
+        {
+            yield return $"{shown}: {assembly} has no room {room}";
+            yield break;
+        }
+        string code = WithoutCommentsAndStrings(text);
+        foreach (Match declared in Regex.Matches(code, @"^\s*namespace\s+([\w.]+)", RegexOptions.Multiline))
+        {
+            if (declared.Groups[1].Value != "FastPoints." + room)
+                yield return $"{shown}: namespace {declared.Groups[1].Value}, wanted FastPoints.{room}";
+        }
+        foreach (string used in Regex.Matches(code, @"\bFastPoints\.(\w+)").Select(m => m.Groups[1].Value).Distinct())
+        {
+            int index = s_order.Max(o => IndexOf(o.Assembly, used));
+            if (index > own)
+                yield return $"{shown} uses FastPoints.{used}, which comes after {room}";
+        }
+    }
+
+    /// <summary>What the IL of an assembly names of later rooms.</summary>
+    public static IEnumerable<string> CheckIl(ModuleDefinition module)
+    {
+        string assembly = module.Assembly.Name.Name;
+        var problems = new SortedSet<string>(StringComparer.Ordinal);
+        foreach (IlUse use in IlUses.Of(module).Where(u => u.Within != null))
+        {
+            string room = RoomOf(use.Within!);
+            int own = IndexOf(assembly, room);
+            foreach (TypeReference named in Types(use.Member))
+            {
+                int other = IndexOf(Origins.AssemblyOf(named), RoomOf(named));
+                if (own >= 0 && other > own)
+                    problems.Add($"{use.Site} ({room}) names {DocId.DefinitionName(named)}, which comes after {room}");
+            }
+        }
+        return problems;
+    }
+
+    private static IEnumerable<TypeReference> Types(MemberReference member)
+    {
+        IEnumerable<TypeReference> types = member switch
+        {
+            MethodReference method => method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType)
+                .Append(method.DeclaringType)
+                .Concat(method is GenericInstanceMethod generic
+                    ? generic.GenericArguments
+                    : Enumerable.Empty<TypeReference>()),
+            FieldReference field => new[] { field.FieldType, field.DeclaringType },
+            TypeReference type => new[] { type },
+            _ => Enumerable.Empty<TypeReference>(),
+        };
+        return types.SelectMany(Elements);
+    }
+
+    private static IEnumerable<TypeReference> Elements(TypeReference type) => type switch
+    {
+        GenericParameter or FunctionPointerType => Enumerable.Empty<TypeReference>(),
+        GenericInstanceType instance => instance.GenericArguments.SelectMany(Elements).Append(instance.ElementType),
+        TypeSpecification wrapped => Elements(wrapped.ElementType),
+        _ => new[] { type },
+    };
+
+    private static string RoomOf(TypeReference type)
+    {
+        TypeReference outer = type.GetElementType();
+        while (outer.DeclaringType != null)
+            outer = outer.DeclaringType;
+        string[] parts = outer.Namespace.Split('.');
+        return parts.Length > 1 && parts[0] == "FastPoints" ? parts[1] : "";
+    }
+
+    private static string WithoutCommentsAndStrings(string text) =>
+        Regex.Replace(text, @"//[^\n]*|/\*.*?\*/|@?""(?:[^""\\\n]|\\.)*""", " ", RegexOptions.Singleline);
 }

@@ -1,53 +1,52 @@
-namespace FastPoints.RepoTools.Meta
-{
-    /// <summary>Unity's importer for a kind of file, with the block that it writes into a .meta when nothing was set by
-    /// hand.</summary>
-    public sealed record Importer(string Name, bool IsFolder, string Settings)
-    {
-        private const string NoSettings = "";
+namespace FastPoints.RepoTools.Meta;
 
-        /// <param name="asset">Path below the package's root, with '/'.</param>
-        public static Importer Of(string asset, bool isFolder)
+/// <summary>Unity's importer for a kind of file, with the block that it writes into a .meta when nothing was set by
+/// hand.</summary>
+public sealed record Importer(string Name, bool IsFolder, string Settings)
+{
+    private const string NoSettings = "";
+
+    /// <param name="asset">Path below the package's root, with '/'.</param>
+    public static Importer Of(string asset, bool isFolder)
+    {
+        if (isFolder)
+            return new Importer("DefaultImporter", true, NoSettings);
+        if (asset == "package.json")
+            return new Importer("PackageManifestImporter", false, NoSettings);
+        switch (Path.GetExtension(asset).ToLowerInvariant())
         {
-            if (isFolder)
-                return new Importer("DefaultImporter", true, NoSettings);
-            if (asset == "package.json")
-                return new Importer("PackageManifestImporter", false, NoSettings);
-            switch (Path.GetExtension(asset).ToLowerInvariant())
-            {
-                case ".cs":
-                    return new Importer("MonoImporter", false,
-                        "  serializedVersion: 2\n  defaultReferences: []\n  executionOrder: 0\n  icon: {instanceID: 0}\n");
-                case ".asmdef":
-                    return new Importer("AssemblyDefinitionImporter", false, NoSettings);
-                case ".asmref":
-                    return new Importer("AssemblyDefinitionReferenceImporter", false, NoSettings);
-                case ".shader":
-                    return new Importer("ShaderImporter", false, "  defaultTextures: []\n  nonModifiableTextures: []\n");
-                case ".compute":
-                    return new Importer("ComputeShaderImporter", false, NoSettings);
-                case ".hlsl":
-                case ".cginc":
-                    return new Importer("ShaderIncludeImporter", false, NoSettings);
-                case ".png":
-                case ".jpg":
-                    return new Importer("TextureImporter", false, "  serializedVersion: 13\n");
-                case ".md":
-                case ".json":
-                case ".txt":
-                case ".xml":
-                case ".html":
-                case ".bytes":
-                    return new Importer("TextScriptImporter", false, NoSettings);
-                case ".asset":
-                    return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 11400000\n");
-                case ".mat":
-                    return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 2100000\n");
-                case ".prefab":
-                    return new Importer("PrefabImporter", false, NoSettings);
-                default:
-                    return new Importer("DefaultImporter", false, NoSettings);
-            }
+            case ".cs":
+                return new Importer("MonoImporter", false,
+                    "  serializedVersion: 2\n  defaultReferences: []\n  executionOrder: 0\n  icon: {instanceID: 0}\n");
+            case ".asmdef":
+                return new Importer("AssemblyDefinitionImporter", false, NoSettings);
+            case ".asmref":
+                return new Importer("AssemblyDefinitionReferenceImporter", false, NoSettings);
+            case ".shader":
+                return new Importer("ShaderImporter", false, "  defaultTextures: []\n  nonModifiableTextures: []\n");
+            case ".compute":
+                return new Importer("ComputeShaderImporter", false, NoSettings);
+            case ".hlsl":
+            case ".cginc":
+                return new Importer("ShaderIncludeImporter", false, NoSettings);
+            case ".png":
+            case ".jpg":
+                return new Importer("TextureImporter", false, "  serializedVersion: 13\n");
+            case ".md":
+            case ".json":
+            case ".txt":
+            case ".xml":
+            case ".html":
+            case ".bytes":
+                return new Importer("TextScriptImporter", false, NoSettings);
+            case ".asset":
+                return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 11400000\n");
+            case ".mat":
+                return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 2100000\n");
+            case ".prefab":
+                return new Importer("PrefabImporter", false, NoSettings);
+            default:
+                return new Importer("DefaultImporter", false, NoSettings);
         }
     }
 }

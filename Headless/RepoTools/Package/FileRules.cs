@@ -1,56 +1,55 @@
-namespace FastPoints.RepoTools.Package
+namespace FastPoints.RepoTools.Package;
+
+/// <summary>Which files a package has and where (US-0032, 0040, 0110, 0113 of the validation suite), and that there are no
+/// others.</summary>
+public static class FileRules
 {
-    /// <summary>Which files a package has and where (US-0032, 0040, 0110, 0113 of the validation suite), and that there are no
-    /// others.</summary>
-    public static class FileRules
+    private const int LongestPath = 140;
+
+    private static readonly string[] s_required =
+        { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
+
+    /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are
+    /// for.</summary>
+    private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
+
+    private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };
+
+    private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".meta" };
+
+    /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
+    private static readonly string[] s_notImported =
+        { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader" };
+
+    public static IEnumerable<string> Check(PackageFiles files)
     {
-        private const int LongestPath = 140;
-
-        private static readonly string[] s_required =
-            { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
-
-        /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are
-        /// for.</summary>
-        private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
-
-        private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };
-
-        private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".meta" };
-
-        /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
-        private static readonly string[] s_notImported =
-            { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader" };
-
-        public static IEnumerable<string> Check(PackageFiles files)
+        foreach (string missing in s_required.Where(f => !files.Has(f)))
+            yield return $"{missing} is not there";
+        if (files.Has("LICENSE.md") && files.Read("LICENSE.md").Trim().Length == 0)
+            yield return "LICENSE.md is empty";
+        foreach (string file in files.All)
         {
-            foreach (string missing in s_required.Where(f => !files.Has(f)))
-                yield return $"{missing} is not there";
-            if (files.Has("LICENSE.md") && files.Read("LICENSE.md").Trim().Length == 0)
-                yield return "LICENSE.md is empty";
-            foreach (string file in files.All)
-            {
-                string top = file.Split('/')[0];
-                bool isHidden = s_hidden.Contains(top);
-                if (!isHidden && file.Length > LongestPath)
-                    yield return $"{file}: {file.Length} characters in the package; some systems take no more than {LongestPath}";
-                if (file.Split('/').Any(part => part.StartsWith('.')))
-                    yield return $"{file}: a hidden file, which npm or Unity leaves out";
-                if (file.Split('/').SkipLast(1).Skip(1).FirstOrDefault(part => part.EndsWith('~')) is { } inner)
-                    yield return $"{file}: {inner} is not at the package's top, where Unity looks for it";
-                if (!IsExpected(file, top, isHidden))
-                    yield return $"{file}: nobody expects it here";
-            }
-            if (files.Top.Contains("Samples") && files.Top.Contains("Samples~"))
-                yield return "Samples and Samples~ are both there";
+            string top = file.Split('/')[0];
+            bool isHidden = s_hidden.Contains(top);
+            if (!isHidden && file.Length > LongestPath)
+                yield return $"{file}: {file.Length} characters in the package; some systems take no more than {LongestPath}";
+            if (file.Split('/').Any(part => part.StartsWith('.')))
+                yield return $"{file}: a hidden file, which npm or Unity leaves out";
+            if (file.Split('/').SkipLast(1).Skip(1).FirstOrDefault(part => part.EndsWith('~')) is { } inner)
+                yield return $"{file}: {inner} is not at the package's top, where Unity looks for it";
+            if (!IsExpected(file, top, isHidden))
+                yield return $"{file}: nobody expects it here";
         }
+        if (files.Top.Contains("Samples") && files.Top.Contains("Samples~"))
+            yield return "Samples and Samples~ are both there";
+    }
 
-        private static bool IsExpected(string file, string top, bool isHidden)
-        {
-            bool IsOf(string[] extensions) => extensions.Any(e => file.EndsWith(e, StringComparison.Ordinal));
-            if (!file.Contains('/'))
-                return s_required.Contains(file) ||
-                    s_required.Concat(s_folders).Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
-            return isHidden ? IsOf(s_notImported) : s_folders.Contains(top) && IsOf(s_imported);
-        }
+    private static bool IsExpected(string file, string top, bool isHidden)
+    {
+        bool IsOf(string[] extensions) => extensions.Any(e => file.EndsWith(e, StringComparison.Ordinal));
+        if (!file.Contains('/'))
+            return s_required.Contains(file) ||
+                s_required.Concat(s_folders).Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
+        return isHidden ? IsOf(s_notImported) : s_folders.Contains(top) && IsOf(s_imported);
     }
 }

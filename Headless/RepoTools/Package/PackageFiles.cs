@@ -1,35 +1,34 @@
-namespace FastPoints.RepoTools.Package
+namespace FastPoints.RepoTools.Package;
+
+/// <summary>The files of a package's folder, by their paths in it with '/'.</summary>
+public sealed class PackageFiles
 {
-    /// <summary>The files of a package's folder, by their paths in it with '/'.</summary>
-    public sealed class PackageFiles
+    private readonly string m_root;
+
+    public PackageFiles(string root)
     {
-        private readonly string m_root;
-
-        public PackageFiles(string root)
-        {
-            m_root = root;
-            All = Directory.EnumerateFiles(root, "*", SearchOption.AllDirectories)
-                .Select(f => Path.GetRelativePath(root, f).Replace('\\', '/')).OrderBy(f => f, StringComparer.Ordinal).ToList();
-        }
-
-        public IReadOnlyList<string> All { get; }
-
-        /// <summary>Names of what lies at the top.</summary>
-        public IEnumerable<string> Top => All.Select(f => f.Split('/')[0]).Distinct();
-
-        public bool Has(string file) => All.Contains(file);
-
-        public string Read(string file) => File.ReadAllText(Path.Combine(m_root, file));
-
-        public string PathOf(string file) => Path.Combine(m_root, file);
-
-        public IEnumerable<string> With(string extension) =>
-            All.Where(f => f.EndsWith(extension, StringComparison.OrdinalIgnoreCase));
-
-        /// <summary>Names of the folders right in a folder.</summary>
-        public IEnumerable<string> FoldersIn(string folder) =>
-            All.Where(f => f.StartsWith(folder + "/", StringComparison.Ordinal))
-            .Select(f => f[(folder.Length + 1)..].Split('/')).Where(parts => parts.Length > 1)
-            .Select(parts => parts[0]).Distinct();
+        m_root = root;
+        All = Directory.EnumerateFiles(root, "*", SearchOption.AllDirectories)
+            .Select(f => Path.GetRelativePath(root, f).Replace('\\', '/')).OrderBy(f => f, StringComparer.Ordinal).ToList();
     }
+
+    public IReadOnlyList<string> All { get; }
+
+    /// <summary>Names of what lies at the top.</summary>
+    public IEnumerable<string> Top => All.Select(f => f.Split('/')[0]).Distinct();
+
+    public bool Has(string file) => All.Contains(file);
+
+    public string Read(string file) => File.ReadAllText(Path.Combine(m_root, file));
+
+    public string PathOf(string file) => Path.Combine(m_root, file);
+
+    public IEnumerable<string> With(string extension) =>
+        All.Where(f => f.EndsWith(extension, StringComparison.OrdinalIgnoreCase));
+
+    /// <summary>Names of the folders right in a folder.</summary>
+    public IEnumerable<string> FoldersIn(string folder) =>
+        All.Where(f => f.StartsWith(folder + "/", StringComparison.Ordinal))
+        .Select(f => f[(folder.Length + 1)..].Split('/')).Where(parts => parts.Length > 1)
+        .Select(parts => parts[0]).Distinct();
 }

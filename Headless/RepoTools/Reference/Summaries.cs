@@ -2,83 +2,82 @@ using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
-namespace FastPoints.RepoTools.Reference
+namespace FastPoints.RepoTools.Reference;
+
+/// <summary>The first sentence of each type's summary, as Markdown.</summary>
+public sealed class Summaries
 {
-    /// <summary>The first sentence of each type's summary, as Markdown.</summary>
-    public sealed class Summaries
+    private static readonly CSharpParseOptions s_options =
+        new CSharpParseOptions(LanguageVersion.Latest, DocumentationMode.Parse);
+
+    private readonly Dictionary<string, string> m_ofType = new Dictionary<string, string>(StringComparer.Ordinal);
+
+    /// <summary>Of all C# in the package's Runtime and Editor.</summary>
+    public static Summaries Load(string packageRoot)
     {
-        private static readonly CSharpParseOptions s_options =
-            new CSharpParseOptions(LanguageVersion.Latest, DocumentationMode.Parse);
+        var summaries = new Summaries();
+        foreach (string file in new[] { "Runtime", "Editor" }.Select(f => Path.Combine(packageRoot, f))
+            .SelectMany(f => Directory.EnumerateFiles(f, "*.cs", SearchOption.AllDirectories)).Order(StringComparer.Ordinal))
+            summaries.Add(File.ReadAllText(file));
+        return summaries;
+    }
 
-        private readonly Dictionary<string, string> m_ofType = new Dictionary<string, string>(StringComparer.Ordinal);
-
-        /// <summary>Of all C# in the package's Runtime and Editor.</summary>
-        public static Summaries Load(string packageRoot)
+    /// <summary>Takes those of a file.</summary>
+    public void Add(string code)
+    {
+        SyntaxNode root = CSharpSyntaxTree.ParseText(code, s_options).GetRoot();
+        foreach (MemberDeclarationSyntax type in root.DescendantNodes(n => n is not BaseTypeDeclarationSyntax)
+            .OfType<MemberDeclarationSyntax>().Where(m => m is BaseTypeDeclarationSyntax or DelegateDeclarationSyntax))
         {
-            var summaries = new Summaries();
-            foreach (string file in new[] { "Runtime", "Editor" }.Select(f => Path.Combine(packageRoot, f))
-                .SelectMany(f => Directory.EnumerateFiles(f, "*.cs", SearchOption.AllDirectories)).Order(StringComparer.Ordinal))
-                summaries.Add(File.ReadAllText(file));
-            return summaries;
+            XmlElementSyntax? summary = type.GetLeadingTrivia().Select(t => t.GetStructure())
+                .OfType<DocumentationCommentTriviaSyntax>().SelectMany(c => c.Content).OfType<XmlElementSyntax>()
+                .FirstOrDefault(e => e.StartTag.Name.ToString() == "summary");
+            if (summary != null)
+                m_ofType.TryAdd(FullName(type), FirstSentence(Text(summary.Content)));
         }
+    }
 
-        /// <summary>Takes those of a file.</summary>
-        public void Add(string code)
+    /// <summary>Null where the source has none.</summary>
+    public string? Of(TypeDefinition type) => m_ofType.GetValueOrDefault(type.FullName);
+
+    private static string FullName(MemberDeclarationSyntax type)
+    {
+        (string name, int arity) = type switch
         {
-            SyntaxNode root = CSharpSyntaxTree.ParseText(code, s_options).GetRoot();
-            foreach (MemberDeclarationSyntax type in root.DescendantNodes(n => n is not BaseTypeDeclarationSyntax)
-                .OfType<MemberDeclarationSyntax>().Where(m => m is BaseTypeDeclarationSyntax or DelegateDeclarationSyntax))
-            {
-                XmlElementSyntax? summary = type.GetLeadingTrivia().Select(t => t.GetStructure())
-                    .OfType<DocumentationCommentTriviaSyntax>().SelectMany(c => c.Content).OfType<XmlElementSyntax>()
-                    .FirstOrDefault(e => e.StartTag.Name.ToString() == "summary");
-                if (summary != null)
-                    m_ofType.TryAdd(FullName(type), FirstSentence(Text(summary.Content)));
-            }
+            TypeDeclarationSyntax t => (t.Identifier.ValueText, t.Arity),
+            DelegateDeclarationSyntax d => (d.Identifier.ValueText, d.Arity),
+            _ => (((BaseTypeDeclarationSyntax)type).Identifier.ValueText, 0),
+        };
+        string space = string.Join(".", type.Ancestors().OfType<BaseNamespaceDeclarationSyntax>().Reverse()
+            .Select(n => n.Name));
+        return (space.Length == 0 ? "" : space + ".") + name + (arity == 0 ? "" : "`" + arity);
+    }
+
+    private static string Text(IEnumerable<XmlNodeSyntax> nodes)
+    {
+        var text = new StringBuilder();
+        foreach (XmlNodeSyntax node in nodes)
+        {
+            if (node is XmlTextSyntax plain)
+                text.Append(string.Concat(plain.TextTokens.Select(t => t.ValueText)));
+            else if (node is XmlElementSyntax element)
+                text.Append(element.StartTag.Name.ToString() == "c" ? $"`{Text(element.Content)}`" : Text(element.Content));
+            else if (node is XmlEmptyElementSyntax reference)
+                text.Append($"`{Referred(reference)}`");
         }
+        return Regex.Replace(text.ToString(), @"\s+", " ").Trim();
+    }
 
-        /// <summary>Null where the source has none.</summary>
-        public string? Of(TypeDefinition type) => m_ofType.GetValueOrDefault(type.FullName);
+    private static string Referred(XmlEmptyElementSyntax reference) => reference.Attributes.Select(a => a switch
+    {
+        XmlCrefAttributeSyntax cref => Regex.Replace(cref.Cref.ToString(), @"\(.*|^(\w+\.)*(?=[A-Z]\w*\.[A-Z])", ""),
+        XmlNameAttributeSyntax name => name.Identifier.ToString(),
+        _ => "",
+    }).FirstOrDefault() ?? "";
 
-        private static string FullName(MemberDeclarationSyntax type)
-        {
-            (string name, int arity) = type switch
-            {
-                TypeDeclarationSyntax t => (t.Identifier.ValueText, t.Arity),
-                DelegateDeclarationSyntax d => (d.Identifier.ValueText, d.Arity),
-                _ => (((BaseTypeDeclarationSyntax)type).Identifier.ValueText, 0),
-            };
-            string space = string.Join(".", type.Ancestors().OfType<BaseNamespaceDeclarationSyntax>().Reverse()
-                .Select(n => n.Name));
-            return (space.Length == 0 ? "" : space + ".") + name + (arity == 0 ? "" : "`" + arity);
-        }
-
-        private static string Text(IEnumerable<XmlNodeSyntax> nodes)
-        {
-            var text = new StringBuilder();
-            foreach (XmlNodeSyntax node in nodes)
-            {
-                if (node is XmlTextSyntax plain)
-                    text.Append(string.Concat(plain.TextTokens.Select(t => t.ValueText)));
-                else if (node is XmlElementSyntax element)
-                    text.Append(element.StartTag.Name.ToString() == "c" ? $"`{Text(element.Content)}`" : Text(element.Content));
-                else if (node is XmlEmptyElementSyntax reference)
-                    text.Append($"`{Referred(reference)}`");
-            }
-            return Regex.Replace(text.ToString(), @"\s+", " ").Trim();
-        }
-
-        private static string Referred(XmlEmptyElementSyntax reference) => reference.Attributes.Select(a => a switch
-        {
-            XmlCrefAttributeSyntax cref => Regex.Replace(cref.Cref.ToString(), @"\(.*|^(\w+\.)*(?=[A-Z]\w*\.[A-Z])", ""),
-            XmlNameAttributeSyntax name => name.Identifier.ToString(),
-            _ => "",
-        }).FirstOrDefault() ?? "";
-
-        private static string FirstSentence(string text)
-        {
-            Match end = Regex.Match(text, @"\.(?= [A-Z`])");
-            return (end.Success ? text[..end.Index] : text).TrimEnd('.').Replace("|", "\\|");
-        }
+    private static string FirstSentence(string text)
+    {
+        Match end = Regex.Match(text, @"\.(?= [A-Z`])");
+        return (end.Success ? text[..end.Index] : text).TrimEnd('.').Replace("|", "\\|");
     }
 }

@@ -1,17 +1,16 @@
-namespace Unity.Burst
+namespace Unity.Burst;
+
+/// <summary>There is nothing that compiles here.</summary>
+public static class BurstCompiler
 {
-    /// <summary>There is nothing that compiles here.</summary>
-    public static class BurstCompiler
+    public static readonly BurstCompilerOptions Options = new BurstCompilerOptions();
+}
+
+public sealed class BurstCompilerOptions
+{
+    internal BurstCompilerOptions()
     {
-        public static readonly BurstCompilerOptions Options = new BurstCompilerOptions();
     }
 
-    public sealed class BurstCompilerOptions
-    {
-        internal BurstCompilerOptions()
-        {
-        }
-
-        public bool EnableBurstCompileSynchronously { get; set; }
-    }
+    public bool EnableBurstCompileSynchronously { get; set; }
 }

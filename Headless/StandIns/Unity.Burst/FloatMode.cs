@@ -1,10 +1,9 @@
-namespace Unity.Burst
+namespace Unity.Burst;
+
+public enum FloatMode
 {
-    public enum FloatMode
-    {
-        Default = 0,
-        Strict = 1,
-        Deterministic = 2,
-        Fast = 3,
-    }
+    Default = 0,
+    Strict = 1,
+    Deterministic = 2,
+    Fast = 3,
 }

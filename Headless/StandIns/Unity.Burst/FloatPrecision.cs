@@ -1,10 +1,9 @@
-namespace Unity.Burst
+namespace Unity.Burst;
+
+public enum FloatPrecision
 {
-    public enum FloatPrecision
-    {
-        Standard = 0,
-        High = 1,
-        Medium = 2,
-        Low = 3,
-    }
+    Standard = 0,
+    High = 1,
+    Medium = 2,
+    Low = 3,
 }

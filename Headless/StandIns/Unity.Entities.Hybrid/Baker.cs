@@ -1,9 +1,8 @@
 using UnityEngine;
 
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public abstract class Baker<TAuthoringType> : IBaker where TAuthoringType : Component
 {
-    public abstract class Baker<TAuthoringType> : IBaker where TAuthoringType : Component
-    {
-        public abstract void Bake(TAuthoringType authoring);
-    }
+    public abstract void Bake(TAuthoringType authoring);
 }

@@ -1,43 +1,42 @@
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public abstract class IBaker
 {
-    public abstract class IBaker
+    readonly HashSet<Type> m_added = new HashSet<Type>();
+
+    internal EntityManager Entities;
+    internal Entity Primary;
+
+    /// <summary>Objects of which a change has everything baked again.</summary>
+    internal readonly HashSet<UnityEngine.Object> Dependencies = new HashSet<UnityEngine.Object>();
+
+    public Entity GetEntity(TransformUsageFlags flags) => Primary;
+
+    /// <returns>The object itself; null as it came.</returns>
+    public T DependsOn<T>(T dependency) where T : UnityEngine.Object
     {
-        readonly HashSet<Type> m_added = new HashSet<Type>();
+        if (dependency is object)
+            Dependencies.Add(dependency);
+        return dependency;
+    }
 
-        internal EntityManager Entities;
-        internal Entity Primary;
+    public void AddComponent<T>(Entity entity, in T component) where T : unmanaged, IComponentData
+    {
+        Track<T>(entity);
+        Entities.AddComponentData(entity, component);
+    }
 
-        /// <summary>Objects of which a change has everything baked again.</summary>
-        internal readonly HashSet<UnityEngine.Object> Dependencies = new HashSet<UnityEngine.Object>();
+    public void AddComponentObject<T>(Entity entity, T component) where T : class
+    {
+        Track<T>(entity);
+        Entities.AddComponentObject(entity, component);
+    }
 
-        public Entity GetEntity(TransformUsageFlags flags) => Primary;
-
-        /// <returns>The object itself; null as it came.</returns>
-        public T DependsOn<T>(T dependency) where T : UnityEngine.Object
-        {
-            if (dependency is object)
-                Dependencies.Add(dependency);
-            return dependency;
-        }
-
-        public void AddComponent<T>(Entity entity, in T component) where T : unmanaged, IComponentData
-        {
-            Track<T>(entity);
-            Entities.AddComponentData(entity, component);
-        }
-
-        public void AddComponentObject<T>(Entity entity, T component) where T : class
-        {
-            Track<T>(entity);
-            Entities.AddComponentObject(entity, component);
-        }
-
-        void Track<T>(Entity entity)
-        {
-            if (entity != Primary)
-                throw new InvalidOperationException("Entity " + entity + " doesn't belong to the current authoring component.");
-            if (!m_added.Add(typeof(T)))
-                throw new InvalidOperationException("Baking error: Attempt to add duplicate component " + typeof(T).Name);
-        }
+    void Track<T>(Entity entity)
+    {
+        if (entity != Primary)
+            throw new InvalidOperationException("Entity " + entity + " doesn't belong to the current authoring component.");
+        if (!m_added.Add(typeof(T)))
+            throw new InvalidOperationException("Baking error: Attempt to add duplicate component " + typeof(T).Name);
     }
 }

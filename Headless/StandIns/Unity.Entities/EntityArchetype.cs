@@ -1,15 +1,14 @@
 using StandIns.Entities;
 
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public struct EntityArchetype : IEquatable<EntityArchetype>
 {
-    public struct EntityArchetype : IEquatable<EntityArchetype>
-    {
-        internal Archetype Stored;
+    internal Archetype Stored;
 
-        public bool Equals(EntityArchetype entityArchetype) => Stored == entityArchetype.Stored;
+    public bool Equals(EntityArchetype entityArchetype) => Stored == entityArchetype.Stored;
 
-        public override bool Equals(object compare) => compare is EntityArchetype other && Equals(other);
+    public override bool Equals(object compare) => compare is EntityArchetype other && Equals(other);
 
-        public override int GetHashCode() => Stored == null ? 0 : Stored.GetHashCode();
-    }
+    public override int GetHashCode() => Stored == null ? 0 : Stored.GetHashCode();
 }

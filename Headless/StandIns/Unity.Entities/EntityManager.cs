@@ -2,126 +2,125 @@ using StandIns.Entities;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public unsafe struct EntityManager : IEquatable<EntityManager>
 {
-    public unsafe struct EntityManager : IEquatable<EntityManager>
+    internal EntityStore Store;
+    World m_world;
+
+    internal EntityManager(World world, EntityStore store)
     {
-        internal EntityStore Store;
-        World m_world;
+        m_world = world;
+        Store = store;
+    }
 
-        internal EntityManager(World world, EntityStore store)
-        {
-            m_world = world;
-            Store = store;
-        }
+    public World World => m_world;
 
-        public World World => m_world;
+    public EntityArchetype CreateArchetype(params ComponentType[] types)
+    {
+        Span<int> indices = stackalloc int[types.Length];
+        for (int i = 0; i < types.Length; i++)
+            indices[i] = types[i].TypeIndex.Value;
+        return new EntityArchetype { Stored = Store.ArchetypeOf(indices) };
+    }
 
-        public EntityArchetype CreateArchetype(params ComponentType[] types)
-        {
-            Span<int> indices = stackalloc int[types.Length];
-            for (int i = 0; i < types.Length; i++)
-                indices[i] = types[i].TypeIndex.Value;
-            return new EntityArchetype { Stored = Store.ArchetypeOf(indices) };
-        }
+    public Entity CreateEntity() => Store.Create(Store.ArchetypeOf(default));
 
-        public Entity CreateEntity() => Store.Create(Store.ArchetypeOf(default));
+    public Entity CreateEntity(EntityArchetype archetype) => Store.Create(Of(archetype));
 
-        public Entity CreateEntity(EntityArchetype archetype) => Store.Create(Of(archetype));
+    public Entity CreateEntity(params ComponentType[] types) => CreateEntity(CreateArchetype(types));
 
-        public Entity CreateEntity(params ComponentType[] types) => CreateEntity(CreateArchetype(types));
+    public void CreateEntity(EntityArchetype archetype, NativeArray<Entity> entities)
+    {
+        for (int i = 0; i < entities.Length; i++)
+            entities[i] = Store.Create(Of(archetype));
+    }
 
-        public void CreateEntity(EntityArchetype archetype, NativeArray<Entity> entities)
-        {
+    public void DestroyEntity(Entity entity) => Store.Destroy(entity);
+
+    public void DestroyEntity(NativeArray<Entity> entities)
+    {
+        for (int i = 0; i < entities.Length; i++)
+            Store.Destroy(entities[i]);
+    }
+
+    public void DestroyEntity(EntityQuery entityQuery)
+    {
+        using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
+            DestroyEntity(entities);
+    }
+
+    public bool Exists(Entity entity) => Store.Exists(entity);
+
+    public bool HasComponent<T>(Entity entity) => Store.Has(entity, TypeRegistry.Of<T>.Index.Value);
+
+    public bool AddComponent<T>(Entity entity) => Store.Add(entity, TypeRegistry.Of<T>.Index.Value);
+
+    public bool AddComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
+    {
+        bool isNew = AddComponent<T>(entity);
+        SetComponentData(entity, componentData);
+        return isNew;
+    }
+
+    public void AddComponentObject(Entity entity, object componentData)
+    {
+        if (componentData == null)
+            throw new ArgumentNullException(nameof(componentData));
+        int type = TypeRegistry.IndexOf(componentData.GetType()).Value;
+        Store.Add(entity, type);
+        Store.Column(entity, type, out int row).SetObject(row, componentData);
+    }
+
+    public bool RemoveComponent<T>(Entity entity) => Store.Remove(entity, TypeRegistry.Of<T>.Index.Value);
+
+    public void RemoveComponent<T>(EntityQuery entityQuery)
+    {
+        using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
             for (int i = 0; i < entities.Length; i++)
-                entities[i] = Store.Create(Of(archetype));
-        }
+                RemoveComponent<T>(entities[i]);
+    }
 
-        public void DestroyEntity(Entity entity) => Store.Destroy(entity);
+    public T GetComponentData<T>(Entity entity) where T : unmanaged, IComponentData
+    {
+        var column = Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row);
+        CheckHasData(column);
+        return UnsafeUtility.ReadArrayElement<T>(column.At(row), 0);
+    }
 
-        public void DestroyEntity(NativeArray<Entity> entities)
-        {
-            for (int i = 0; i < entities.Length; i++)
-                Store.Destroy(entities[i]);
-        }
+    public void SetComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
+    {
+        var column = Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row);
+        CheckHasData(column);
+        UnsafeUtility.WriteArrayElement(column.At(row), 0, componentData);
+    }
 
-        public void DestroyEntity(EntityQuery entityQuery)
-        {
-            using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
-                DestroyEntity(entities);
-        }
+    public T GetComponentObject<T>(Entity entity) =>
+        (T)Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).ObjectAt(row);
 
-        public bool Exists(Entity entity) => Store.Exists(entity);
+    public bool IsComponentEnabled<T>(Entity entity) where T : unmanaged, IEnableableComponent =>
+        Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).IsEnabled(row);
 
-        public bool HasComponent<T>(Entity entity) => Store.Has(entity, TypeRegistry.Of<T>.Index.Value);
+    public void SetComponentEnabled<T>(Entity entity, bool value) where T : unmanaged, IEnableableComponent =>
+        Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).SetEnabled(row, value);
 
-        public bool AddComponent<T>(Entity entity) => Store.Add(entity, TypeRegistry.Of<T>.Index.Value);
+    public EntityQuery CreateEntityQuery(params ComponentType[] requiredComponents) =>
+        new EntityQuery(Store, QueryTerms.Of(requiredComponents));
 
-        public bool AddComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
-        {
-            bool isNew = AddComponent<T>(entity);
-            SetComponentData(entity, componentData);
-            return isNew;
-        }
+    public bool Equals(EntityManager other) => Store == other.Store;
 
-        public void AddComponentObject(Entity entity, object componentData)
-        {
-            if (componentData == null)
-                throw new ArgumentNullException(nameof(componentData));
-            int type = TypeRegistry.IndexOf(componentData.GetType()).Value;
-            Store.Add(entity, type);
-            Store.Column(entity, type, out int row).SetObject(row, componentData);
-        }
+    public override bool Equals(object obj) => obj is EntityManager other && Equals(other);
 
-        public bool RemoveComponent<T>(Entity entity) => Store.Remove(entity, TypeRegistry.Of<T>.Index.Value);
+    public override int GetHashCode() => Store.GetHashCode();
 
-        public void RemoveComponent<T>(EntityQuery entityQuery)
-        {
-            using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
-                for (int i = 0; i < entities.Length; i++)
-                    RemoveComponent<T>(entities[i]);
-        }
+    static Archetype Of(EntityArchetype archetype) => archetype.Stored ??
+        throw new ArgumentException("CreateEntity with an archetype that was not created by CreateArchetype");
 
-        public T GetComponentData<T>(Entity entity) where T : unmanaged, IComponentData
-        {
-            var column = Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row);
-            CheckHasData(column);
-            return UnsafeUtility.ReadArrayElement<T>(column.At(row), 0);
-        }
-
-        public void SetComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
-        {
-            var column = Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row);
-            CheckHasData(column);
-            UnsafeUtility.WriteArrayElement(column.At(row), 0, componentData);
-        }
-
-        public T GetComponentObject<T>(Entity entity) =>
-            (T)Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).ObjectAt(row);
-
-        public bool IsComponentEnabled<T>(Entity entity) where T : unmanaged, IEnableableComponent =>
-            Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).IsEnabled(row);
-
-        public void SetComponentEnabled<T>(Entity entity, bool value) where T : unmanaged, IEnableableComponent =>
-            Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).SetEnabled(row, value);
-
-        public EntityQuery CreateEntityQuery(params ComponentType[] requiredComponents) =>
-            new EntityQuery(Store, QueryTerms.Of(requiredComponents));
-
-        public bool Equals(EntityManager other) => Store == other.Store;
-
-        public override bool Equals(object obj) => obj is EntityManager other && Equals(other);
-
-        public override int GetHashCode() => Store.GetHashCode();
-
-        static Archetype Of(EntityArchetype archetype) => archetype.Stored ??
-            throw new ArgumentException("CreateEntity with an archetype that was not created by CreateArchetype");
-
-        static void CheckHasData(ComponentColumn column)
-        {
-            if (column.Info.SizeBytes == 0)
-                throw new ArgumentException("GetComponentData and SetComponentData can not be called with " +
-                    "a zero sized component: " + column.Info.Type.Name);
-        }
+    static void CheckHasData(ComponentColumn column)
+    {
+        if (column.Info.SizeBytes == 0)
+            throw new ArgumentException("GetComponentData and SetComponentData can not be called with " +
+                "a zero sized component: " + column.Info.Type.Name);
     }
 }

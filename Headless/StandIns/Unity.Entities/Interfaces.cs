@@ -1,18 +1,17 @@
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public interface IQueryTypeParameter
 {
-    public interface IQueryTypeParameter
-    {
-    }
+}
 
-    public interface IComponentData : IQueryTypeParameter
-    {
-    }
+public interface IComponentData : IQueryTypeParameter
+{
+}
 
-    public interface ICleanupComponentData : IComponentData
-    {
-    }
+public interface ICleanupComponentData : IComponentData
+{
+}
 
-    public interface IEnableableComponent
-    {
-    }
+public interface IEnableableComponent
+{
 }

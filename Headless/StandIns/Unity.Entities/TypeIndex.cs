@@ -1,7 +1,6 @@
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public struct TypeIndex
 {
-    public struct TypeIndex
-    {
-        public int Value;
-    }
+    public int Value;
 }

@@ -1,7 +1,6 @@
-namespace Unity.Mathematics
+namespace Unity.Mathematics;
+
+internal static class Inlining
 {
-    internal static class Inlining
-    {
-        internal const MethodImplOptions Always = MethodImplOptions.AggressiveInlining;
-    }
+    internal const MethodImplOptions Always = MethodImplOptions.AggressiveInlining;
 }

@@ -1,85 +1,84 @@
-namespace Unity.Mathematics
+namespace Unity.Mathematics;
+
+public struct double2 : IEquatable<double2>, IFormattable
 {
-    public struct double2 : IEquatable<double2>, IFormattable
-    {
-        public double x;
-        public double y;
+    public double x;
+    public double y;
 
-        [MethodImpl(Inlining.Always)] public double2(double x, double y) => (this.x, this.y) = (x, y);
-        [MethodImpl(Inlining.Always)] internal double2(int v) => x = y = v;
-        [MethodImpl(Inlining.Always)] internal double2(double v) => x = y = v;
-        [MethodImpl(Inlining.Always)] internal double2(float v) => x = y = v;
-        [MethodImpl(Inlining.Always)] internal double2(uint v) => x = y = v;
+    [MethodImpl(Inlining.Always)] public double2(double x, double y) => (this.x, this.y) = (x, y);
+    [MethodImpl(Inlining.Always)] internal double2(int v) => x = y = v;
+    [MethodImpl(Inlining.Always)] internal double2(double v) => x = y = v;
+    [MethodImpl(Inlining.Always)] internal double2(float v) => x = y = v;
+    [MethodImpl(Inlining.Always)] internal double2(uint v) => x = y = v;
 
-        [MethodImpl(Inlining.Always)] public static implicit operator double2(int v) => new double2(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double2(double v) => new double2(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double2(float v) => new double2(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double2(uint v) => new double2(v);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator +(double lhs, double2 rhs) =>
-            new double2(lhs + rhs.x, lhs + rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator +(double2 lhs, double rhs) =>
-            new double2(lhs.x + rhs, lhs.y + rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator +(double2 lhs, double2 rhs) =>
-            new double2(lhs.x + rhs.x, lhs.y + rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator /(double2 lhs, double rhs) =>
-            new double2(lhs.x / rhs, lhs.y / rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator >(double2 lhs, double rhs) =>
-            new bool2(lhs.x > rhs, lhs.y > rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator >=(double lhs, double2 rhs) =>
-            new bool2(lhs >= rhs.x, lhs >= rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator >=(double2 lhs, double rhs) =>
-            new bool2(lhs.x >= rhs, lhs.y >= rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator >=(double2 lhs, double2 rhs) =>
-            new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator <(double2 lhs, double rhs) =>
-            new bool2(lhs.x < rhs, lhs.y < rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator <=(double lhs, double2 rhs) =>
-            new bool2(lhs <= rhs.x, lhs <= rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator <=(double2 lhs, double rhs) =>
-            new bool2(lhs.x <= rhs, lhs.y <= rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool2 operator <=(double2 lhs, double2 rhs) =>
-            new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator *(double lhs, double2 rhs) =>
-            new double2(lhs * rhs.x, lhs * rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator *(double2 lhs, double rhs) =>
-            new double2(lhs.x * rhs, lhs.y * rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator *(double2 lhs, double2 rhs) =>
-            new double2(lhs.x * rhs.x, lhs.y * rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator -(double lhs, double2 rhs) =>
-            new double2(lhs - rhs.x, lhs - rhs.y);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator -(double2 lhs, double rhs) =>
-            new double2(lhs.x - rhs, lhs.y - rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double2 operator -(double2 lhs, double2 rhs) =>
-            new double2(lhs.x - rhs.x, lhs.y - rhs.y);
+    [MethodImpl(Inlining.Always)] public static implicit operator double2(int v) => new double2(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double2(double v) => new double2(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double2(float v) => new double2(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double2(uint v) => new double2(v);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator +(double lhs, double2 rhs) =>
+        new double2(lhs + rhs.x, lhs + rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator +(double2 lhs, double rhs) =>
+        new double2(lhs.x + rhs, lhs.y + rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator +(double2 lhs, double2 rhs) =>
+        new double2(lhs.x + rhs.x, lhs.y + rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator /(double2 lhs, double rhs) =>
+        new double2(lhs.x / rhs, lhs.y / rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator >(double2 lhs, double rhs) =>
+        new bool2(lhs.x > rhs, lhs.y > rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator >=(double lhs, double2 rhs) =>
+        new bool2(lhs >= rhs.x, lhs >= rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator >=(double2 lhs, double rhs) =>
+        new bool2(lhs.x >= rhs, lhs.y >= rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator >=(double2 lhs, double2 rhs) =>
+        new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator <(double2 lhs, double rhs) =>
+        new bool2(lhs.x < rhs, lhs.y < rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator <=(double lhs, double2 rhs) =>
+        new bool2(lhs <= rhs.x, lhs <= rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator <=(double2 lhs, double rhs) =>
+        new bool2(lhs.x <= rhs, lhs.y <= rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool2 operator <=(double2 lhs, double2 rhs) =>
+        new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator *(double lhs, double2 rhs) =>
+        new double2(lhs * rhs.x, lhs * rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator *(double2 lhs, double rhs) =>
+        new double2(lhs.x * rhs, lhs.y * rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator *(double2 lhs, double2 rhs) =>
+        new double2(lhs.x * rhs.x, lhs.y * rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator -(double lhs, double2 rhs) =>
+        new double2(lhs - rhs.x, lhs - rhs.y);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator -(double2 lhs, double rhs) =>
+        new double2(lhs.x - rhs, lhs.y - rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double2 operator -(double2 lhs, double2 rhs) =>
+        new double2(lhs.x - rhs.x, lhs.y - rhs.y);
 
-        [MethodImpl(Inlining.Always)] public bool Equals(double2 rhs) => x == rhs.x && y == rhs.y;
+    [MethodImpl(Inlining.Always)] public bool Equals(double2 rhs) => x == rhs.x && y == rhs.y;
 
-        public override bool Equals(object o) => o is double2 converted && Equals(converted);
+    public override bool Equals(object o) => o is double2 converted && Equals(converted);
 
-        public override int GetHashCode() => (int)(
-            math.fold_to_uint(x) * 0x9536A0F5u + math.fold_to_uint(y) * 0xAF816615u + 0x9AF8D62Du);
+    public override int GetHashCode() => (int)(
+        math.fold_to_uint(x) * 0x9536A0F5u + math.fold_to_uint(y) * 0xAF816615u + 0x9AF8D62Du);
 
-        public override string ToString() => ToString(null, null);
+    public override string ToString() => ToString(null, null);
 
-        public string ToString(string format, IFormatProvider formatProvider) =>
-            VectorText.Of("double2", "", format, formatProvider, 2, x, y);
-    }
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        VectorText.Of("double2", "", format, formatProvider, 2, x, y);
 }

@@ -1,177 +1,176 @@
-namespace Unity.Mathematics
+namespace Unity.Mathematics;
+
+public struct double3 : IEquatable<double3>, IFormattable
 {
-    public struct double3 : IEquatable<double3>, IFormattable
+    public double x;
+    public double y;
+    public double z;
+
+    [MethodImpl(Inlining.Always)] internal double3(double v) => x = y = z = v;
+    [MethodImpl(Inlining.Always)] public double3(double x, double y, double z) => (this.x, this.y, this.z) = (x, y, z);
+    [MethodImpl(Inlining.Always)] public double3(int v) => x = y = z = v;
+    [MethodImpl(Inlining.Always)] public double3(float v) => x = y = z = v;
+    [MethodImpl(Inlining.Always)] public double3(uint v) => x = y = z = v;
+    [MethodImpl(Inlining.Always)] public double3(double2 xy, double z) => (x, y, this.z) = (xy.x, xy.y, z);
+    [MethodImpl(Inlining.Always)] public double3(float3 v) => (x, y, z) = (v.x, v.y, v.z);
+    [MethodImpl(Inlining.Always)] public double3(int3 v) => (x, y, z) = (v.x, v.y, v.z);
+
+    [MethodImpl(Inlining.Always)] public static implicit operator double3(double v) => new double3(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double3(int v) => new double3(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double3(float v) => new double3(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double3(uint v) => new double3(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double3(float3 v) => new double3(v);
+    [MethodImpl(Inlining.Always)] public static implicit operator double3(int3 v) => new double3(v);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator +(double lhs, double3 rhs) =>
+        new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator +(double3 lhs, double rhs) =>
+        new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator +(double3 lhs, double3 rhs) =>
+        new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator /(double lhs, double3 rhs) =>
+        new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator /(double3 lhs, double rhs) =>
+        new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator /(double3 lhs, double3 rhs) =>
+        new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator ==(double lhs, double3 rhs) =>
+        new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator ==(double3 lhs, double rhs) =>
+        new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator ==(double3 lhs, double3 rhs) =>
+        new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator >(double lhs, double3 rhs) =>
+        new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator >(double3 lhs, double rhs) =>
+        new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator >(double3 lhs, double3 rhs) =>
+        new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator >=(double lhs, double3 rhs) =>
+        new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator >=(double3 lhs, double rhs) =>
+        new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator >=(double3 lhs, double3 rhs) =>
+        new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator !=(double lhs, double3 rhs) =>
+        new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator !=(double3 lhs, double rhs) =>
+        new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator !=(double3 lhs, double3 rhs) =>
+        new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator <(double lhs, double3 rhs) =>
+        new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator <(double3 lhs, double rhs) =>
+        new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator <(double3 lhs, double3 rhs) =>
+        new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator <=(double lhs, double3 rhs) =>
+        new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator <=(double3 lhs, double rhs) =>
+        new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+    [MethodImpl(Inlining.Always)]
+    public static bool3 operator <=(double3 lhs, double3 rhs) =>
+        new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator *(double lhs, double3 rhs) =>
+        new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator *(double3 lhs, double rhs) =>
+        new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator *(double3 lhs, double3 rhs) =>
+        new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator -(double lhs, double3 rhs) =>
+        new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator -(double3 lhs, double rhs) =>
+        new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+    [MethodImpl(Inlining.Always)]
+    public static double3 operator -(double3 lhs, double3 rhs) =>
+        new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+    [MethodImpl(Inlining.Always)] public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
+
+    public unsafe double this[int index]
     {
-        public double x;
-        public double y;
-        public double z;
-
-        [MethodImpl(Inlining.Always)] internal double3(double v) => x = y = z = v;
-        [MethodImpl(Inlining.Always)] public double3(double x, double y, double z) => (this.x, this.y, this.z) = (x, y, z);
-        [MethodImpl(Inlining.Always)] public double3(int v) => x = y = z = v;
-        [MethodImpl(Inlining.Always)] public double3(float v) => x = y = z = v;
-        [MethodImpl(Inlining.Always)] public double3(uint v) => x = y = z = v;
-        [MethodImpl(Inlining.Always)] public double3(double2 xy, double z) => (x, y, this.z) = (xy.x, xy.y, z);
-        [MethodImpl(Inlining.Always)] public double3(float3 v) => (x, y, z) = (v.x, v.y, v.z);
-        [MethodImpl(Inlining.Always)] public double3(int3 v) => (x, y, z) = (v.x, v.y, v.z);
-
-        [MethodImpl(Inlining.Always)] public static implicit operator double3(double v) => new double3(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double3(int v) => new double3(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double3(float v) => new double3(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double3(uint v) => new double3(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double3(float3 v) => new double3(v);
-        [MethodImpl(Inlining.Always)] public static implicit operator double3(int3 v) => new double3(v);
         [MethodImpl(Inlining.Always)]
-        public static double3 operator +(double lhs, double3 rhs) =>
-            new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator +(double3 lhs, double rhs) =>
-            new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator +(double3 lhs, double3 rhs) =>
-            new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator /(double lhs, double3 rhs) =>
-            new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator /(double3 lhs, double rhs) =>
-            new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator /(double3 lhs, double3 rhs) =>
-            new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator ==(double lhs, double3 rhs) =>
-            new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator ==(double3 lhs, double rhs) =>
-            new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator ==(double3 lhs, double3 rhs) =>
-            new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator >(double lhs, double3 rhs) =>
-            new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator >(double3 lhs, double rhs) =>
-            new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator >(double3 lhs, double3 rhs) =>
-            new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator >=(double lhs, double3 rhs) =>
-            new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator >=(double3 lhs, double rhs) =>
-            new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator >=(double3 lhs, double3 rhs) =>
-            new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator !=(double lhs, double3 rhs) =>
-            new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator !=(double3 lhs, double rhs) =>
-            new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator !=(double3 lhs, double3 rhs) =>
-            new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator <(double lhs, double3 rhs) =>
-            new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator <(double3 lhs, double rhs) =>
-            new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator <(double3 lhs, double3 rhs) =>
-            new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator <=(double lhs, double3 rhs) =>
-            new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator <=(double3 lhs, double rhs) =>
-            new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        [MethodImpl(Inlining.Always)]
-        public static bool3 operator <=(double3 lhs, double3 rhs) =>
-            new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator *(double lhs, double3 rhs) =>
-            new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator *(double3 lhs, double rhs) =>
-            new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator *(double3 lhs, double3 rhs) =>
-            new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator -(double lhs, double3 rhs) =>
-            new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator -(double3 lhs, double rhs) =>
-            new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        [MethodImpl(Inlining.Always)]
-        public static double3 operator -(double3 lhs, double3 rhs) =>
-            new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
-
-        public unsafe double this[int index]
+        get
         {
-            [MethodImpl(Inlining.Always)]
-            get
-            {
-                Components.Check(index, 3);
-                fixed (double* first = &x)
-                    return first[index];
-            }
-            [MethodImpl(Inlining.Always)]
-            set
-            {
-                Components.Check(index, 3);
-                fixed (double* first = &x)
-                    first[index] = value;
-            }
+            Components.Check(index, 3);
+            fixed (double* first = &x)
+                return first[index];
         }
-
-        [MethodImpl(Inlining.Always)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
-        public override bool Equals(object o) => o is double3 converted && Equals(converted);
-
-        public override int GetHashCode() => (int)(
-            math.fold_to_uint(x) * 0xAF0F3103u + math.fold_to_uint(y) * 0xE4A056C7u +
-            math.fold_to_uint(z) * 0x841D8225u + 0xC9393C7Du);
-
-        public override string ToString() => ToString(null, null);
-
-        public string ToString(string format, IFormatProvider formatProvider) =>
-            VectorText.Of("double3", "", format, formatProvider, 3, x, y, z);
-
-        public double2 xy
+        [MethodImpl(Inlining.Always)]
+        set
         {
-            [MethodImpl(Inlining.Always)]
-            get => new double2(x, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; }
+            Components.Check(index, 3);
+            fixed (double* first = &x)
+                first[index] = value;
         }
+    }
 
-        public double2 xz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double2(x, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; }
-        }
+    [MethodImpl(Inlining.Always)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
 
-        public double2 yz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double2(y, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; }
-        }
+    public override bool Equals(object o) => o is double3 converted && Equals(converted);
 
-        internal double3 yzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double3(y, z, x);
-        }
+    public override int GetHashCode() => (int)(
+        math.fold_to_uint(x) * 0xAF0F3103u + math.fold_to_uint(y) * 0xE4A056C7u +
+        math.fold_to_uint(z) * 0x841D8225u + 0xC9393C7Du);
+
+    public override string ToString() => ToString(null, null);
+
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        VectorText.Of("double3", "", format, formatProvider, 3, x, y, z);
+
+    public double2 xy
+    {
+        [MethodImpl(Inlining.Always)]
+        get => new double2(x, y);
+        [MethodImpl(Inlining.Always)]
+        set { x = value.x; y = value.y; }
+    }
+
+    public double2 xz
+    {
+        [MethodImpl(Inlining.Always)]
+        get => new double2(x, z);
+        [MethodImpl(Inlining.Always)]
+        set { x = value.x; z = value.y; }
+    }
+
+    public double2 yz
+    {
+        [MethodImpl(Inlining.Always)]
+        get => new double2(y, z);
+        [MethodImpl(Inlining.Always)]
+        set { y = value.x; z = value.y; }
+    }
+
+    internal double3 yzx
+    {
+        [MethodImpl(Inlining.Always)]
+        get => new double3(y, z, x);
     }
 }

@@ -1,55 +1,54 @@
-namespace Unity.Mathematics
+namespace Unity.Mathematics;
+
+public struct uint3 : IEquatable<uint3>, IFormattable
 {
-    public struct uint3 : IEquatable<uint3>, IFormattable
+    public uint x;
+    public uint y;
+    public uint z;
+
+    [MethodImpl(Inlining.Always)] internal uint3(uint v) => x = y = z = v;
+    [MethodImpl(Inlining.Always)] public uint3(uint x, uint y, uint z) => (this.x, this.y, this.z) = (x, y, z);
+
+    [MethodImpl(Inlining.Always)] public static implicit operator uint3(uint v) => new uint3(v);
+    [MethodImpl(Inlining.Always)]
+    public static uint3 operator +(uint lhs, uint3 rhs) =>
+        new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static uint3 operator +(uint3 lhs, uint rhs) =>
+        new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    [MethodImpl(Inlining.Always)]
+    public static uint3 operator +(uint3 lhs, uint3 rhs) =>
+        new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    [MethodImpl(Inlining.Always)]
+    public static uint3 operator /(uint3 lhs, uint rhs) =>
+        new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+
+    public unsafe uint this[int index]
     {
-        public uint x;
-        public uint y;
-        public uint z;
-
-        [MethodImpl(Inlining.Always)] internal uint3(uint v) => x = y = z = v;
-        [MethodImpl(Inlining.Always)] public uint3(uint x, uint y, uint z) => (this.x, this.y, this.z) = (x, y, z);
-
-        [MethodImpl(Inlining.Always)] public static implicit operator uint3(uint v) => new uint3(v);
         [MethodImpl(Inlining.Always)]
-        public static uint3 operator +(uint lhs, uint3 rhs) =>
-            new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static uint3 operator +(uint3 lhs, uint rhs) =>
-            new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        [MethodImpl(Inlining.Always)]
-        public static uint3 operator +(uint3 lhs, uint3 rhs) =>
-            new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        [MethodImpl(Inlining.Always)]
-        public static uint3 operator /(uint3 lhs, uint rhs) =>
-            new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-
-        public unsafe uint this[int index]
+        get
         {
-            [MethodImpl(Inlining.Always)]
-            get
-            {
-                Components.Check(index, 3);
-                fixed (uint* first = &x)
-                    return first[index];
-            }
-            [MethodImpl(Inlining.Always)]
-            set
-            {
-                Components.Check(index, 3);
-                fixed (uint* first = &x)
-                    first[index] = value;
-            }
+            Components.Check(index, 3);
+            fixed (uint* first = &x)
+                return first[index];
         }
-
-        [MethodImpl(Inlining.Always)] public bool Equals(uint3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
-        public override bool Equals(object o) => o is uint3 converted && Equals(converted);
-
-        public override int GetHashCode() => (int)(x * 0xCD266C89u + y * 0xF1852A33u + z * 0x77E35E77u + 0x863E3729u);
-
-        public override string ToString() => ToString(null, null);
-
-        public string ToString(string format, IFormatProvider formatProvider) =>
-            VectorText.Of("uint3", "", format, formatProvider, 3, x, y, z);
+        [MethodImpl(Inlining.Always)]
+        set
+        {
+            Components.Check(index, 3);
+            fixed (uint* first = &x)
+                first[index] = value;
+        }
     }
+
+    [MethodImpl(Inlining.Always)] public bool Equals(uint3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
+
+    public override bool Equals(object o) => o is uint3 converted && Equals(converted);
+
+    public override int GetHashCode() => (int)(x * 0xCD266C89u + y * 0xF1852A33u + z * 0x77E35E77u + 0x863E3729u);
+
+    public override string ToString() => ToString(null, null);
+
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        VectorText.Of("uint3", "", format, formatProvider, 3, x, y, z);
 }

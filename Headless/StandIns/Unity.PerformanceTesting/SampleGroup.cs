@@ -1,10 +1,9 @@
-namespace Unity.PerformanceTesting
+namespace Unity.PerformanceTesting;
+
+public class SampleGroup(string name, SampleUnit unit = SampleUnit.Millisecond, bool increaseIsBetter = false)
 {
-    public class SampleGroup(string name, SampleUnit unit = SampleUnit.Millisecond, bool increaseIsBetter = false)
-    {
-        public string Name = name;
-        public SampleUnit Unit = unit;
-        public bool IncreaseIsBetter = increaseIsBetter;
-        public List<double> Samples = new List<double>();
-    }
+    public string Name = name;
+    public SampleUnit Unit = unit;
+    public bool IncreaseIsBetter = increaseIsBetter;
+    public List<double> Samples = new List<double>();
 }

@@ -1,15 +1,14 @@
-namespace Unity.PerformanceTesting
+namespace Unity.PerformanceTesting;
+
+public enum SampleUnit
 {
-    public enum SampleUnit
-    {
-        Nanosecond,
-        Microsecond,
-        Millisecond,
-        Second,
-        Byte,
-        Kilobyte,
-        Megabyte,
-        Gigabyte,
-        Undefined,
-    }
+    Nanosecond,
+    Microsecond,
+    Millisecond,
+    Second,
+    Byte,
+    Kilobyte,
+    Megabyte,
+    Gigabyte,
+    Undefined,
 }

@@ -1,17 +1,16 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public class BaseCommandBuffer
 {
-    public class BaseCommandBuffer
-    {
-        internal CommandBuffer Native;
-    }
+    internal CommandBuffer Native;
+}
 
-    public class UnsafeCommandBuffer : BaseCommandBuffer
-    {
-        internal UnsafeCommandBuffer(CommandBuffer native) => Native = native;
-    }
+public class UnsafeCommandBuffer : BaseCommandBuffer
+{
+    internal UnsafeCommandBuffer(CommandBuffer native) => Native = native;
+}
 
-    public struct CommandBufferHelpers
-    {
-        public static CommandBuffer GetNativeCommandBuffer(UnsafeCommandBuffer baseBuffer) => baseBuffer.Native;
-    }
+public struct CommandBufferHelpers
+{
+    public static CommandBuffer GetNativeCommandBuffer(UnsafeCommandBuffer baseBuffer) => baseBuffer.Native;
 }

@@ -1,11 +1,10 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public class RTHandle
 {
-    public class RTHandle
-    {
-        internal RenderTexture Texture;
+    internal RenderTexture Texture;
 
-        public RenderTexture rt => Texture;
+    public RenderTexture rt => Texture;
 
-        public static implicit operator RenderTargetIdentifier(RTHandle handle) => new RenderTargetIdentifier(handle.Texture);
-    }
+    public static implicit operator RenderTargetIdentifier(RTHandle handle) => new RenderTargetIdentifier(handle.Texture);
 }

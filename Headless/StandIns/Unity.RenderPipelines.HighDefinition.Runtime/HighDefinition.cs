@@ -1,58 +1,57 @@
-namespace UnityEngine.Rendering.HighDefinition
+namespace UnityEngine.Rendering.HighDefinition;
+
+public enum CustomPassInjectionPoint
 {
-    public enum CustomPassInjectionPoint
+    AfterOpaqueAndSky = 6,
+}
+
+public class HDCamera
+{
+    public Camera camera;
+
+    public int actualWidth => camera.pixelWidth;
+
+    public int actualHeight => camera.pixelHeight;
+}
+
+public struct CustomPassContext
+{
+    public readonly CommandBuffer cmd;
+    public readonly HDCamera hdCamera;
+    public readonly RTHandle cameraColorBuffer;
+    public readonly RTHandle cameraDepthBuffer;
+
+    internal CustomPassContext(CommandBuffer commands, HDCamera camera, RTHandle color, RTHandle depth)
     {
-        AfterOpaqueAndSky = 6,
+        cmd = commands;
+        hdCamera = camera;
+        cameraColorBuffer = color;
+        cameraDepthBuffer = depth;
     }
+}
 
-    public class HDCamera
-    {
-        public Camera camera;
+public abstract class CustomPass
+{
+    public string name { get; set; }
 
-        public int actualWidth => camera.pixelWidth;
-
-        public int actualHeight => camera.pixelHeight;
-    }
-
-    public struct CustomPassContext
-    {
-        public readonly CommandBuffer cmd;
-        public readonly HDCamera hdCamera;
-        public readonly RTHandle cameraColorBuffer;
-        public readonly RTHandle cameraDepthBuffer;
-
-        internal CustomPassContext(CommandBuffer commands, HDCamera camera, RTHandle color, RTHandle depth)
-        {
-            cmd = commands;
-            hdCamera = camera;
-            cameraColorBuffer = color;
-            cameraDepthBuffer = depth;
-        }
-    }
-
-    public abstract class CustomPass
-    {
-        public string name { get; set; }
-
-        protected virtual void Execute(CustomPassContext ctx)
-        {
-        }
-
-        internal void Run(in CustomPassContext context) => Execute(context);
-    }
-
-    public class CustomPassVolume : MonoBehaviour
-    {
-        internal static readonly List<CustomPass> Global = new List<CustomPass>();
-
-        public static void RegisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance,
-            float priority = 0) => Global.Add(customPassInstance);
-
-        public static bool UnregisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance) =>
-            Global.RemoveAll(p => p == customPassInstance) > 0;
-    }
-
-    public class HDRenderPipelineAsset : RenderPipelineAsset
+    protected virtual void Execute(CustomPassContext ctx)
     {
     }
+
+    internal void Run(in CustomPassContext context) => Execute(context);
+}
+
+public class CustomPassVolume : MonoBehaviour
+{
+    internal static readonly List<CustomPass> Global = new List<CustomPass>();
+
+    public static void RegisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance,
+        float priority = 0) => Global.Add(customPassInstance);
+
+    public static bool UnregisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance) =>
+        Global.RemoveAll(p => p == customPassInstance) > 0;
+}
+
+public class HDRenderPipelineAsset : RenderPipelineAsset
+{
 }

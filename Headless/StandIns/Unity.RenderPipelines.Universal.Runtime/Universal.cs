@@ -1,95 +1,94 @@
 using UnityEngine.Rendering.RenderGraphModule;
 
-namespace UnityEngine.Rendering.Universal
+namespace UnityEngine.Rendering.Universal;
+
+public enum RenderPassEvent
 {
-    public enum RenderPassEvent
-    {
-        AfterRenderingOpaques = 300,
-    }
+    AfterRenderingOpaques = 300,
+}
 
-    public abstract class ScriptableRenderPass : IRenderGraphRecorder
-    {
-        public RenderPassEvent renderPassEvent { get; set; }
+public abstract class ScriptableRenderPass : IRenderGraphRecorder
+{
+    public RenderPassEvent renderPassEvent { get; set; }
 
-        public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
-        {
-        }
-    }
-
-    /// <summary>Keeps what was enqueued until a camera has been drawn with it: a camera that cannot be culled leaves its passes
-    /// to the next one.</summary>
-    public abstract class ScriptableRenderer
-    {
-        internal readonly List<ScriptableRenderPass> Passes = new List<ScriptableRenderPass>();
-
-        public void EnqueuePass(ScriptableRenderPass pass) => Passes.Add(pass);
-    }
-
-    public class UniversalAdditionalCameraData : MonoBehaviour
-    {
-        /// <summary>The pipeline's own, where the camera has none.</summary>
-        public ScriptableRenderer scriptableRenderer =>
-            (GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer;
-    }
-
-    public static class CameraExtensions
-    {
-        /// <summary>Added where the camera has none.</summary>
-        public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera)
-        {
-            var data = camera.gameObject.GetComponent<UniversalAdditionalCameraData>();
-            return data != null ? data : camera.gameObject.AddComponent<UniversalAdditionalCameraData>();
-        }
-    }
-
-    public abstract class UniversalResourceDataBase : ContextItem
+    public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
     {
     }
+}
 
-    public class UniversalResourceData : UniversalResourceDataBase
+/// <summary>Keeps what was enqueued until a camera has been drawn with it: a camera that cannot be culled leaves its passes
+/// to the next one.</summary>
+public abstract class ScriptableRenderer
+{
+    internal readonly List<ScriptableRenderPass> Passes = new List<ScriptableRenderPass>();
+
+    public void EnqueuePass(ScriptableRenderPass pass) => Passes.Add(pass);
+}
+
+public class UniversalAdditionalCameraData : MonoBehaviour
+{
+    /// <summary>The pipeline's own, where the camera has none.</summary>
+    public ScriptableRenderer scriptableRenderer =>
+        (GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer;
+}
+
+public static class CameraExtensions
+{
+    /// <summary>Added where the camera has none.</summary>
+    public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera)
     {
-        public TextureHandle activeColorTexture { get; internal set; }
-
-        public TextureHandle activeDepthTexture { get; internal set; }
-
-        public override void Reset()
-        {
-        }
+        var data = camera.gameObject.GetComponent<UniversalAdditionalCameraData>();
+        return data != null ? data : camera.gameObject.AddComponent<UniversalAdditionalCameraData>();
     }
+}
 
-    public class UniversalCameraData : ContextItem
-    {
-        public Camera camera;
-        public RenderTextureDescriptor cameraTargetDescriptor;
+public abstract class UniversalResourceDataBase : ContextItem
+{
+}
 
-        public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => cameraTargetDescriptor.volumeDepth > 1
-            ? camera.GetStereoProjectionMatrix((Camera.StereoscopicEye)viewIndex) : camera.projectionMatrix;
+public class UniversalResourceData : UniversalResourceDataBase
+{
+    public TextureHandle activeColorTexture { get; internal set; }
 
-        public bool IsRenderTargetProjectionMatrixFlipped(RTHandle color, RTHandle depth = null) => true;
+    public TextureHandle activeDepthTexture { get; internal set; }
 
-        public override void Reset() => camera = null;
-    }
-
-    public enum RendererType
-    {
-        Custom = 0,
-        UniversalRenderer = 1,
-        _2DRenderer = 2,
-    }
-
-    public abstract class ScriptableRendererData : ScriptableObject
+    public override void Reset()
     {
     }
+}
 
-    /// <summary>What makes assets takes an editor.</summary>
-    public class UniversalRenderPipelineAsset : RenderPipelineAsset
-    {
-        public ScriptableRenderer scriptableRenderer { get; internal set; }
+public class UniversalCameraData : ContextItem
+{
+    public Camera camera;
+    public RenderTextureDescriptor cameraTargetDescriptor;
 
-        public static UniversalRenderPipelineAsset Create(ScriptableRendererData rendererData = null) =>
-            throw new System.NotSupportedException("assets take an editor");
+    public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => cameraTargetDescriptor.volumeDepth > 1
+        ? camera.GetStereoProjectionMatrix((Camera.StereoscopicEye)viewIndex) : camera.projectionMatrix;
 
-        public ScriptableRendererData LoadBuiltinRendererData(RendererType type = RendererType.UniversalRenderer) =>
-            throw new System.NotSupportedException("assets take an editor");
-    }
+    public bool IsRenderTargetProjectionMatrixFlipped(RTHandle color, RTHandle depth = null) => true;
+
+    public override void Reset() => camera = null;
+}
+
+public enum RendererType
+{
+    Custom = 0,
+    UniversalRenderer = 1,
+    _2DRenderer = 2,
+}
+
+public abstract class ScriptableRendererData : ScriptableObject
+{
+}
+
+/// <summary>What makes assets takes an editor.</summary>
+public class UniversalRenderPipelineAsset : RenderPipelineAsset
+{
+    public ScriptableRenderer scriptableRenderer { get; internal set; }
+
+    public static UniversalRenderPipelineAsset Create(ScriptableRendererData rendererData = null) =>
+        throw new System.NotSupportedException("assets take an editor");
+
+    public ScriptableRendererData LoadBuiltinRendererData(RendererType type = RendererType.UniversalRenderer) =>
+        throw new System.NotSupportedException("assets take an editor");
 }

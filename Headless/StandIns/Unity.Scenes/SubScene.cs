@@ -1,13 +1,12 @@
 using UnityEditor;
 using UnityEngine;
 
-namespace Unity.Scenes
-{
-    /// <summary>Nothing here bakes or streams a scene.</summary>
-    public class SubScene : MonoBehaviour
-    {
-        public bool AutoLoadScene = true;
+namespace Unity.Scenes;
 
-        public SceneAsset SceneAsset { get; set; }
-    }
+/// <summary>Nothing here bakes or streams a scene.</summary>
+public class SubScene : MonoBehaviour
+{
+    public bool AutoLoadScene = true;
+
+    public SceneAsset SceneAsset { get; set; }
 }

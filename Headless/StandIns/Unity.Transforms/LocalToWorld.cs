@@ -1,10 +1,9 @@
 using Unity.Entities;
 using Unity.Mathematics;
 
-namespace Unity.Transforms
+namespace Unity.Transforms;
+
+public struct LocalToWorld : IComponentData
 {
-    public struct LocalToWorld : IComponentData
-    {
-        public float4x4 Value;
-    }
+    public float4x4 Value;
 }

@@ -1,9 +1,8 @@
-namespace UnityEditor
+namespace UnityEditor;
+
+[Flags]
+public enum ImportAssetOptions
 {
-    [Flags]
-    public enum ImportAssetOptions
-    {
-        Default = 0,
-        ForceUpdate = 1,
-    }
+    Default = 0,
+    ForceUpdate = 1,
 }

@@ -1,63 +1,62 @@
 using StandIns.Scene;
 
-namespace UnityEditor.AssetImporters
+namespace UnityEditor.AssetImporters;
+
+/// <summary>Runs the scripted importers of an assembly as an import worker would: each import by a new one, twice, for what
+/// comes of it depends on nothing but the file.</summary>
+static class ScriptedImports
 {
-    /// <summary>Runs the scripted importers of an assembly as an import worker would: each import by a new one, twice, for what
-    /// comes of it depends on nothing but the file.</summary>
-    static class ScriptedImports
+    /// <summary>What somebody has set in an importer's inspector; null for nothing.</summary>
+    public static Action<ScriptedImporter> Configure { get; set; }
+
+    /// <summary>What the last import said.</summary>
+    public static AssetImportContext Last { get; private set; }
+
+    /// <summary>From now on they import.</summary>
+    public static void Register(Assembly assembly)
     {
-        /// <summary>What somebody has set in an importer's inspector; null for nothing.</summary>
-        public static Action<ScriptedImporter> Configure { get; set; }
+        foreach (var type in assembly.GetTypes())
+            if (type.GetCustomAttribute<ScriptedImporterAttribute>() is { } attribute)
+                ImporterTable.Add(type, attribute.fileExtensions, attribute.overrideFileExtensions);
+        AssetDatabase.Importing = Import;
+    }
 
-        /// <summary>What the last import said.</summary>
-        public static AssetImportContext Last { get; private set; }
+    /// <summary>There is no project any more.</summary>
+    public static void Clear()
+    {
+        ImporterTable.Clear();
+        AssetDatabase.Importing = null;
+        Configure = null;
+    }
 
-        /// <summary>From now on they import.</summary>
-        public static void Register(Assembly assembly)
+    static void Import(string path)
+    {
+        var importer = AssetDatabase.GetImporterType(path);
+        AssetDatabase.Assets.TryGetValue(path, out var before);
+        if (!typeof(ScriptedImporter).IsAssignableFrom(importer))
         {
-            foreach (var type in assembly.GetTypes())
-                if (type.GetCustomAttribute<ScriptedImporterAttribute>() is { } attribute)
-                    ImporterTable.Add(type, attribute.fileExtensions, attribute.overrideFileExtensions);
-            AssetDatabase.Importing = Import;
+            AssetDatabase.Assets[path] = new DefaultAsset();
+            return;
         }
+        Last = Run(importer, path);
+        var made = Last.mainObject;
+        string difference = SerializedFields.FindDifference(made, Run(importer, path).mainObject);
+        if (difference != null)
+            throw new InvalidOperationException(importer.Name + " makes another " + difference
+                + " of " + path + " each time");
+        if (before == null || before.GetType() != made.GetType())
+            AssetDatabase.Assets[path] = made;
+        else
+            SerializedFields.Copy(made, before);
+    }
 
-        /// <summary>There is no project any more.</summary>
-        public static void Clear()
-        {
-            ImporterTable.Clear();
-            AssetDatabase.Importing = null;
-            Configure = null;
-        }
-
-        static void Import(string path)
-        {
-            var importer = AssetDatabase.GetImporterType(path);
-            AssetDatabase.Assets.TryGetValue(path, out var before);
-            if (!typeof(ScriptedImporter).IsAssignableFrom(importer))
-            {
-                AssetDatabase.Assets[path] = new DefaultAsset();
-                return;
-            }
-            Last = Run(importer, path);
-            var made = Last.mainObject;
-            string difference = SerializedFields.FindDifference(made, Run(importer, path).mainObject);
-            if (difference != null)
-                throw new InvalidOperationException(importer.Name + " makes another " + difference
-                    + " of " + path + " each time");
-            if (before == null || before.GetType() != made.GetType())
-                AssetDatabase.Assets[path] = made;
-            else
-                SerializedFields.Copy(made, before);
-        }
-
-        static AssetImportContext Run(Type importer, string path)
-        {
-            var made = (ScriptedImporter)Activator.CreateInstance(importer);
-            made.Path = path;
-            Configure?.Invoke(made);
-            var context = new AssetImportContext(path);
-            made.OnImportAsset(context);
-            return context;
-        }
+    static AssetImportContext Run(Type importer, string path)
+    {
+        var made = (ScriptedImporter)Activator.CreateInstance(importer);
+        made.Path = path;
+        Configure?.Invoke(made);
+        var context = new AssetImportContext(path);
+        made.OnImportAsset(context);
+        return context;
     }
 }

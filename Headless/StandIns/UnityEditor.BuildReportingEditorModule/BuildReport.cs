@@ -1,20 +1,19 @@
-namespace UnityEditor.Build.Reporting
+namespace UnityEditor.Build.Reporting;
+
+public enum BuildResult
 {
-    public enum BuildResult
-    {
-        Unknown = 0,
-        Succeeded = 1,
-        Failed = 2,
-        Cancelled = 3,
-    }
+    Unknown = 0,
+    Succeeded = 1,
+    Failed = 2,
+    Cancelled = 3,
+}
 
-    public struct BuildSummary
-    {
-        public BuildResult result { get; internal set; }
-    }
+public struct BuildSummary
+{
+    public BuildResult result { get; internal set; }
+}
 
-    public sealed class BuildReport : UnityEngine.Object
-    {
-        public BuildSummary summary { get; internal set; }
-    }
+public sealed class BuildReport : UnityEngine.Object
+{
+    public BuildSummary summary { get; internal set; }
 }

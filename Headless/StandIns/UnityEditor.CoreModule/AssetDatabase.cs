@@ -1,226 +1,225 @@
-namespace UnityEditor
+namespace UnityEditor;
+
+public class AssetImporter : Object
 {
-    public class AssetImporter : Object
+    internal string Path;
+
+    public string assetPath => Path;
+
+    public static AssetImporter GetAtPath(string path) =>
+        AssetDatabase.Assets.ContainsKey(path) ? new AssetImporter { Path = path } : null;
+
+    public void SaveAndReimport() => AssetDatabase.ImportAsset(Path);
+}
+
+public class AssetPostprocessor
+{
+}
+
+/// <summary>A file that no importer knows.</summary>
+public class DefaultAsset : Object
+{
+}
+
+/// <summary>Assets by path: as a test puts them there, or as importers make them of the files of a project.</summary>
+public sealed class AssetDatabase
+{
+    internal static readonly Dictionary<string, Object> Assets = new Dictionary<string, Object>();
+    internal static readonly Dictionary<string, Type> Overrides = new Dictionary<string, Type>();
+    internal static readonly Dictionary<string, string[]> Dependencies = new Dictionary<string, string[]>();
+
+    /// <summary>What the last import of an asset was made of.</summary>
+    static readonly Dictionary<string, ulong> s_imported = new Dictionary<string, ulong>();
+
+    static Type[] s_postprocessors;
+    static string s_importing;
+
+    /// <summary>Runs an asset's importer, and puts into <see cref="Assets"/> what comes of it.</summary>
+    internal static Action<string> Importing;
+
+    /// <summary>An asset's path is what is hashed: it keeps its number as long as it is not moved.</summary>
+    /// <returns>Empty where there is none.</returns>
+    public static string AssetPathToGUID(string path) => Assets.ContainsKey(path) || path == s_importing ? GuidOf(path) : "";
+
+    public static string GUIDToAssetPath(string guid) => Assets.Keys.FirstOrDefault(p => GuidOf(p) == guid) ?? "";
+
+    public static string GetAssetPath(Object assetObject) =>
+        Assets.FirstOrDefault(a => ReferenceEquals(a.Value, assetObject)).Key ?? "";
+
+    public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
+        Assets.TryGetValue(assetPath, out var asset) ? asset as T : null;
+
+    public static void ImportAsset(string path) => ImportAsset(path, ImportAssetOptions.Default);
+
+    /// <summary>Nothing happens where nothing has changed, unless it is forced.</summary>
+    public static void ImportAsset(string path, ImportAssetOptions options)
     {
-        internal string Path;
-
-        public string assetPath => Path;
-
-        public static AssetImporter GetAtPath(string path) =>
-            AssetDatabase.Assets.ContainsKey(path) ? new AssetImporter { Path = path } : null;
-
-        public void SaveAndReimport() => AssetDatabase.ImportAsset(Path);
+        if (File.Exists(Absolute(path)) && ((options & ImportAssetOptions.ForceUpdate) != 0 || HasChanged(path)))
+        {
+            Import(path);
+            Postprocess(new[] { path }, new string[0]);
+        }
     }
 
-    public class AssetPostprocessor
+    /// <summary>Looks at all files in <c>Assets</c>, but for those that Unity hides.</summary>
+    public static void Refresh()
     {
+        if (s_importing != null)
+            throw new InvalidOperationException("AssetDatabase.Refresh is not allowed while an asset is imported");
+        var found = Directory.GetFiles(Application.dataPath, "*", SearchOption.AllDirectories)
+            .Select(f => "Assets/" + Path.GetRelativePath(Application.dataPath, f).Replace('\\', '/'))
+            .Where(f => !f.Split('/').Any(IsHidden)).OrderBy(f => f, StringComparer.Ordinal).ToArray();
+        var deleted = s_imported.Keys.Except(found).ToArray();
+        foreach (string path in deleted)
+            Forget(path);
+        var changed = found.Where(HasChanged).ToArray();
+        foreach (string path in changed)
+            Import(path);
+        if (changed.Length + deleted.Length > 0)
+            Postprocess(changed, deleted);
     }
 
-    /// <summary>A file that no importer knows.</summary>
-    public class DefaultAsset : Object
+    /// <summary>Of a filter by type, as <c>t:Name</c>, and of no other.</summary>
+    public static string[] FindAssets(string filter) =>
+        Assets.Where(a => "t:" + KindOf(a.Value) == filter).Select(a => GuidOf(a.Key)).ToArray();
+
+    static string KindOf(Object asset) => asset is GameObject ? "Prefab" : asset.GetType().Name;
+
+    internal static readonly List<string> AssetBundleNames = new List<string>();
+
+    public static string[] GetAllAssetBundleNames() => AssetBundleNames.ToArray();
+
+    public static string[] FindAssets(string filter, string[] searchInFolders) =>
+        throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
+
+    public static void CreateAsset(Object asset, string path) => throw EditorOnly.NotHere(nameof(CreateAsset));
+
+    public static void SaveAssets() => throw EditorOnly.NotHere(nameof(SaveAssets));
+
+    /// <returns>Its number.</returns>
+    public static string CreateFolder(string parentFolder, string newFolderName)
     {
+        string path = parentFolder + "/" + newFolderName;
+        System.IO.Directory.CreateDirectory(path);
+        return GuidOf(path);
     }
 
-    /// <summary>Assets by path: as a test puts them there, or as importers make them of the files of a project.</summary>
-    public sealed class AssetDatabase
+    /// <summary>A file or a folder, with what is imported of it.</summary>
+    public static bool DeleteAsset(string path)
     {
-        internal static readonly Dictionary<string, Object> Assets = new Dictionary<string, Object>();
-        internal static readonly Dictionary<string, Type> Overrides = new Dictionary<string, Type>();
-        internal static readonly Dictionary<string, string[]> Dependencies = new Dictionary<string, string[]>();
+        bool isFolder = System.IO.Directory.Exists(path);
+        if (!isFolder && !System.IO.File.Exists(path))
+            return false;
+        if (isFolder)
+            System.IO.Directory.Delete(path, true);
+        else
+            System.IO.File.Delete(path);
+        foreach (string asset in Assets.Keys.Where(a => a == path ||
+            a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray())
+            Assets.Remove(asset);
+        return true;
+    }
 
-        /// <summary>What the last import of an asset was made of.</summary>
-        static readonly Dictionary<string, ulong> s_imported = new Dictionary<string, ulong>();
+    public static bool IsValidFolder(string path) => Directory.Exists(path);
 
-        static Type[] s_postprocessors;
-        static string s_importing;
+    public static string[] GetDependencies(string[] pathNames, bool recursive) =>
+        pathNames.SelectMany(p => Dependencies.TryGetValue(p, out var of) ? of : new string[0]).Concat(pathNames).Distinct()
+            .ToArray();
 
-        /// <summary>Runs an asset's importer, and puts into <see cref="Assets"/> what comes of it.</summary>
-        internal static Action<string> Importing;
+    public static Type GetImporterOverride(string path) => Overrides.TryGetValue(path, out var type) ? type : null;
 
-        /// <summary>An asset's path is what is hashed: it keeps its number as long as it is not moved.</summary>
-        /// <returns>Empty where there is none.</returns>
-        public static string AssetPathToGUID(string path) => Assets.ContainsKey(path) || path == s_importing ? GuidOf(path) : "";
+    public static Type GetDefaultImporter(string path) => ImporterTable.Default(path) ?? typeof(AssetImporter);
 
-        public static string GUIDToAssetPath(string guid) => Assets.Keys.FirstOrDefault(p => GuidOf(p) == guid) ?? "";
+    public static Type GetImporterType(string assetPath) => GetImporterOverride(assetPath) ?? GetDefaultImporter(assetPath);
 
-        public static string GetAssetPath(Object assetObject) =>
-            Assets.FirstOrDefault(a => ReferenceEquals(a.Value, assetObject)).Key ?? "";
-
-        public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
-            Assets.TryGetValue(assetPath, out var asset) ? asset as T : null;
-
-        public static void ImportAsset(string path) => ImportAsset(path, ImportAssetOptions.Default);
-
-        /// <summary>Nothing happens where nothing has changed, unless it is forced.</summary>
-        public static void ImportAsset(string path, ImportAssetOptions options)
+    /// <summary>Imports the asset with it at once.</summary>
+    public static void SetImporterOverride<T>(string path) where T : AssetImporter
+    {
+        if (!Assets.ContainsKey(path))
         {
-            if (File.Exists(Absolute(path)) && ((options & ImportAssetOptions.ForceUpdate) != 0 || HasChanged(path)))
-            {
-                Import(path);
-                Postprocess(new[] { path }, new string[0]);
-            }
+            Debug.LogError("Cannot set Importer override at \"" + path + "\". No Asset found at that path.");
         }
-
-        /// <summary>Looks at all files in <c>Assets</c>, but for those that Unity hides.</summary>
-        public static void Refresh()
+        else if (!ImporterTable.CanBeOverride(path, typeof(T)))
         {
-            if (s_importing != null)
-                throw new InvalidOperationException("AssetDatabase.Refresh is not allowed while an asset is imported");
-            var found = Directory.GetFiles(Application.dataPath, "*", SearchOption.AllDirectories)
-                .Select(f => "Assets/" + Path.GetRelativePath(Application.dataPath, f).Replace('\\', '/'))
-                .Where(f => !f.Split('/').Any(IsHidden)).OrderBy(f => f, StringComparer.Ordinal).ToArray();
-            var deleted = s_imported.Keys.Except(found).ToArray();
-            foreach (string path in deleted)
-                Forget(path);
-            var changed = found.Where(HasChanged).ToArray();
-            foreach (string path in changed)
-                Import(path);
-            if (changed.Length + deleted.Length > 0)
-                Postprocess(changed, deleted);
+            Debug.LogError("Cannot set Importer override at " + path + " because " + typeof(T).Name +
+                " is not a valid Importer for this asset.");
         }
-
-        /// <summary>Of a filter by type, as <c>t:Name</c>, and of no other.</summary>
-        public static string[] FindAssets(string filter) =>
-            Assets.Where(a => "t:" + KindOf(a.Value) == filter).Select(a => GuidOf(a.Key)).ToArray();
-
-        static string KindOf(Object asset) => asset is GameObject ? "Prefab" : asset.GetType().Name;
-
-        internal static readonly List<string> AssetBundleNames = new List<string>();
-
-        public static string[] GetAllAssetBundleNames() => AssetBundleNames.ToArray();
-
-        public static string[] FindAssets(string filter, string[] searchInFolders) =>
-            throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
-
-        public static void CreateAsset(Object asset, string path) => throw EditorOnly.NotHere(nameof(CreateAsset));
-
-        public static void SaveAssets() => throw EditorOnly.NotHere(nameof(SaveAssets));
-
-        /// <returns>Its number.</returns>
-        public static string CreateFolder(string parentFolder, string newFolderName)
+        else
         {
-            string path = parentFolder + "/" + newFolderName;
-            System.IO.Directory.CreateDirectory(path);
-            return GuidOf(path);
+            Overrides[path] = typeof(T);
+            ImportAsset(path);
         }
+    }
 
-        /// <summary>A file or a folder, with what is imported of it.</summary>
-        public static bool DeleteAsset(string path)
+    /// <summary>
+    /// Importers may run in processes of their own, several at once: while one runs here, this is such a one.
+    /// </summary>
+    public static bool IsAssetImportWorkerProcess() => s_importing != null;
+
+    /// <summary>There is no project any more.</summary>
+    internal static void Clear()
+    {
+        Assets.Clear();
+        Overrides.Clear();
+        Dependencies.Clear();
+        s_imported.Clear();
+    }
+
+    static void Import(string path)
+    {
+        s_importing = path;
+        try
         {
-            bool isFolder = System.IO.Directory.Exists(path);
-            if (!isFolder && !System.IO.File.Exists(path))
-                return false;
-            if (isFolder)
-                System.IO.Directory.Delete(path, true);
-            else
-                System.IO.File.Delete(path);
-            foreach (string asset in Assets.Keys.Where(a => a == path ||
-                a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray())
-                Assets.Remove(asset);
-            return true;
+            Importing(path);
         }
-
-        public static bool IsValidFolder(string path) => Directory.Exists(path);
-
-        public static string[] GetDependencies(string[] pathNames, bool recursive) =>
-            pathNames.SelectMany(p => Dependencies.TryGetValue(p, out var of) ? of : new string[0]).Concat(pathNames).Distinct()
-                .ToArray();
-
-        public static Type GetImporterOverride(string path) => Overrides.TryGetValue(path, out var type) ? type : null;
-
-        public static Type GetDefaultImporter(string path) => ImporterTable.Default(path) ?? typeof(AssetImporter);
-
-        public static Type GetImporterType(string assetPath) => GetImporterOverride(assetPath) ?? GetDefaultImporter(assetPath);
-
-        /// <summary>Imports the asset with it at once.</summary>
-        public static void SetImporterOverride<T>(string path) where T : AssetImporter
+        finally
         {
-            if (!Assets.ContainsKey(path))
-            {
-                Debug.LogError("Cannot set Importer override at \"" + path + "\". No Asset found at that path.");
-            }
-            else if (!ImporterTable.CanBeOverride(path, typeof(T)))
-            {
-                Debug.LogError("Cannot set Importer override at " + path + " because " + typeof(T).Name +
-                    " is not a valid Importer for this asset.");
-            }
-            else
-            {
-                Overrides[path] = typeof(T);
-                ImportAsset(path);
-            }
+            s_importing = null;
         }
+        s_imported[path] = StampOf(path);
+    }
 
-        /// <summary>
-        /// Importers may run in processes of their own, several at once: while one runs here, this is such a one.
-        /// </summary>
-        public static bool IsAssetImportWorkerProcess() => s_importing != null;
+    static void Forget(string path)
+    {
+        Assets.Remove(path);
+        Overrides.Remove(path);
+        s_imported.Remove(path);
+    }
 
-        /// <summary>There is no project any more.</summary>
-        internal static void Clear()
-        {
-            Assets.Clear();
-            Overrides.Clear();
-            Dependencies.Clear();
-            s_imported.Clear();
-        }
+    static bool HasChanged(string path) =>
+        !Assets.ContainsKey(path) || !s_imported.TryGetValue(path, out ulong known) || known != StampOf(path);
 
-        static void Import(string path)
-        {
-            s_importing = path;
-            try
-            {
-                Importing(path);
-            }
-            finally
-            {
-                s_importing = null;
-            }
-            s_imported[path] = StampOf(path);
-        }
+    static void Postprocess(string[] imported, string[] deleted)
+    {
+        const BindingFlags any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
+        s_postprocessors ??= TypeCache.Referring(typeof(AssetPostprocessor).Assembly).SelectMany(a => a.GetTypes())
+            .Where(t => t.IsSubclassOf(typeof(AssetPostprocessor))).ToArray();
+        foreach (var type in s_postprocessors)
+            type.GetMethod("OnPostprocessAllAssets", any)?.Invoke(null,
+                new object[] { imported, deleted, new string[0], new string[0] });
+    }
 
-        static void Forget(string path)
-        {
-            Assets.Remove(path);
-            Overrides.Remove(path);
-            s_imported.Remove(path);
-        }
+    /// <summary>Names that Unity takes no notice of, of files and of folders.</summary>
+    static bool IsHidden(string name) => name[0] == '.' || name[name.Length - 1] == '~' || name == "cvs" ||
+        name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase) || name.EndsWith(".meta", StringComparison.Ordinal);
 
-        static bool HasChanged(string path) =>
-            !Assets.ContainsKey(path) || !s_imported.TryGetValue(path, out ulong known) || known != StampOf(path);
+    static string Absolute(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
 
-        static void Postprocess(string[] imported, string[] deleted)
-        {
-            const BindingFlags any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
-            s_postprocessors ??= TypeCache.Referring(typeof(AssetPostprocessor).Assembly).SelectMany(a => a.GetTypes())
-                .Where(t => t.IsSubclassOf(typeof(AssetPostprocessor))).ToArray();
-            foreach (var type in s_postprocessors)
-                type.GetMethod("OnPostprocessAllAssets", any)?.Invoke(null,
-                    new object[] { imported, deleted, new string[0], new string[0] });
-        }
+    static ulong StampOf(string path) =>
+        Hash(GetImporterType(path).FullName, Hash(File.ReadAllBytes(Absolute(path)), 14695981039346656037));
 
-        /// <summary>Names that Unity takes no notice of, of files and of folders.</summary>
-        static bool IsHidden(string name) => name[0] == '.' || name[name.Length - 1] == '~' || name == "cvs" ||
-            name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase) || name.EndsWith(".meta", StringComparison.Ordinal);
+    static string GuidOf(string path)
+    {
+        ulong hash = Hash(path, 14695981039346656037);
+        return hash.ToString("x16") + (~hash).ToString("x16");
+    }
 
-        static string Absolute(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
+    static ulong Hash(string text, ulong hash) => Hash(Encoding.UTF8.GetBytes(text), hash);
 
-        static ulong StampOf(string path) =>
-            Hash(GetImporterType(path).FullName, Hash(File.ReadAllBytes(Absolute(path)), 14695981039346656037));
-
-        static string GuidOf(string path)
-        {
-            ulong hash = Hash(path, 14695981039346656037);
-            return hash.ToString("x16") + (~hash).ToString("x16");
-        }
-
-        static ulong Hash(string text, ulong hash) => Hash(Encoding.UTF8.GetBytes(text), hash);
-
-        static ulong Hash(byte[] bytes, ulong hash)
-        {
-            foreach (byte b in bytes)
-                hash = (hash ^ b) * 1099511628211;
-            return hash;
-        }
+    static ulong Hash(byte[] bytes, ulong hash)
+    {
+        foreach (byte b in bytes)
+            hash = (hash ^ b) * 1099511628211;
+        return hash;
     }
 }

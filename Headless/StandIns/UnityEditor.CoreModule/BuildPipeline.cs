@@ -1,29 +1,28 @@
 using UnityEditor.Build.Reporting;
 
-namespace UnityEditor
+namespace UnityEditor;
+
+public enum BuildTarget
 {
-    public enum BuildTarget
-    {
-        StandaloneOSX = 2,
-        StandaloneWindows64 = 19,
-        StandaloneLinux64 = 24,
-    }
+    StandaloneOSX = 2,
+    StandaloneWindows64 = 19,
+    StandaloneLinux64 = 24,
+}
 
-    public class BuildPipeline
-    {
-        public static bool isBuildingPlayer { get; internal set; }
+public class BuildPipeline
+{
+    public static bool isBuildingPlayer { get; internal set; }
 
-        public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) =>
-            throw EditorOnly.NotHere(nameof(BuildPlayer));
-    }
+    public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) =>
+        throw EditorOnly.NotHere(nameof(BuildPlayer));
+}
 
-    public class EditorUserBuildSettings : UnityEngine.Object
-    {
-        public static BuildTarget activeBuildTarget => BuildTarget.StandaloneLinux64;
-    }
+public class EditorUserBuildSettings : UnityEngine.Object
+{
+    public static BuildTarget activeBuildTarget => BuildTarget.StandaloneLinux64;
+}
 
-    public class FileUtil
-    {
-        public static string GetUniqueTempPathInProject() => throw EditorOnly.NotHere(nameof(GetUniqueTempPathInProject));
-    }
+public class FileUtil
+{
+    public static string GetUniqueTempPathInProject() => throw EditorOnly.NotHere(nameof(GetUniqueTempPathInProject));
 }

@@ -1,30 +1,29 @@
-namespace UnityEditor.Compilation
+namespace UnityEditor.Compilation;
+
+public enum AssembliesType
 {
-    public enum AssembliesType
+    Editor = 0,
+    Player = 1,
+    PlayerWithoutTestAssemblies = 2,
+}
+
+public class Assembly
+{
+    internal Assembly(string name, params string[] sourceFiles)
     {
-        Editor = 0,
-        Player = 1,
-        PlayerWithoutTestAssemblies = 2,
+        this.name = name;
+        this.sourceFiles = sourceFiles;
     }
 
-    public class Assembly
-    {
-        internal Assembly(string name, params string[] sourceFiles)
-        {
-            this.name = name;
-            this.sourceFiles = sourceFiles;
-        }
+    public string name { get; }
 
-        public string name { get; }
+    public string[] sourceFiles { get; }
+}
 
-        public string[] sourceFiles { get; }
-    }
+/// <summary>The project's assemblies, as a test puts them there.</summary>
+public static class CompilationPipeline
+{
+    internal static readonly List<Assembly> Assemblies = new List<Assembly>();
 
-    /// <summary>The project's assemblies, as a test puts them there.</summary>
-    public static class CompilationPipeline
-    {
-        internal static readonly List<Assembly> Assemblies = new List<Assembly>();
-
-        public static Assembly[] GetAssemblies(AssembliesType assembliesType) => Assemblies.ToArray();
-    }
+    public static Assembly[] GetAssemblies(AssembliesType assembliesType) => Assemblies.ToArray();
 }

@@ -1,214 +1,213 @@
 using StandIns.Scene;
 
-namespace UnityEditor
+namespace UnityEditor;
+
+[AttributeUsage(AttributeTargets.Class)]
+public class CustomEditor : Attribute
 {
-    [AttributeUsage(AttributeTargets.Class)]
-    public class CustomEditor : Attribute
-    {
-        public CustomEditor(Type inspectedType)
-        {
-        }
-
-        public CustomEditor(Type inspectedType, bool editorForChildClasses)
-        {
-        }
-    }
-
-    [AttributeUsage(AttributeTargets.Class)]
-    public sealed class CanEditMultipleObjects : Attribute
+    public CustomEditor(Type inspectedType)
     {
     }
 
-    public class Editor : ScriptableObject
+    public CustomEditor(Type inspectedType, bool editorForChildClasses)
     {
-        public Object target { get; set; }
+    }
+}
 
-        public Object[] targets => new[] { target };
+[AttributeUsage(AttributeTargets.Class)]
+public sealed class CanEditMultipleObjects : Attribute
+{
+}
 
-        public SerializedObject serializedObject => new SerializedObject(target);
+public class Editor : ScriptableObject
+{
+    public Object target { get; set; }
 
-        public virtual bool RequiresConstantRepaint() => false;
+    public Object[] targets => new[] { target };
 
-        public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null;
+    public SerializedObject serializedObject => new SerializedObject(target);
 
-        public virtual void OnInspectorGUI()
+    public virtual bool RequiresConstantRepaint() => false;
+
+    public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null;
+
+    public virtual void OnInspectorGUI()
+    {
+    }
+
+    public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
+    {
+        if (previousEditor != null && previousEditor.target == targetObject)
+            return;
+        if (previousEditor != null)
+            DestroyImmediate(previousEditor);
+        previousEditor = Of<Editor>(targetObject);
+    }
+
+    /// <summary>It has its target before it is enabled.</summary>
+    internal static T Of<T>(Object target) where T : Editor, new()
+    {
+        var made = new T { target = target };
+        SceneLoop.Send(made, "OnEnable");
+        return made;
+    }
+
+    /// <summary>Both events of a repaint: what is laid out, then drawn.</summary>
+    internal void Draw() => GUILayoutUtility.Repaint(OnInspectorGUI);
+
+    protected static void DrawPropertiesExcluding(SerializedObject obj, params string[] propertyToExclude)
+    {
+        foreach (string property in propertyToExclude)
+            EditorGUILayout.Draw(obj.FindProperty(property));
+    }
+}
+
+/// <summary>Nobody changes anything.</summary>
+public class SerializedObject(Object obj)
+{
+    readonly Object m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
+
+    public void Update()
+    {
+    }
+
+    public bool ApplyModifiedProperties() => false;
+
+    /// <returns>Null where Unity keeps no such field.</returns>
+    public SerializedProperty FindProperty(string propertyPath) => propertyPath == "m_Script" ||
+        SerializedFields.Of(m_target.GetType()).Any(f => f.Name == propertyPath && SerializedFields.IsKept(f.FieldType))
+            ? new SerializedProperty()
+            : null;
+}
+
+public class SerializedProperty
+{
+}
+
+[AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
+public sealed class MenuItem : Attribute
+{
+    public string menuItem;
+    public bool validate;
+    public int priority;
+
+    public MenuItem(string itemName)
+        : this(itemName, false, 1000)
+    {
+    }
+
+    public MenuItem(string itemName, bool isValidateFunction, int priority)
+    {
+        menuItem = itemName;
+        validate = isValidateFunction;
+        this.priority = priority;
+    }
+}
+
+[AttributeUsage(AttributeTargets.Class)]
+public class FilePathAttribute : Attribute
+{
+    public enum Location
+    {
+        PreferencesFolder = 0,
+        ProjectFolder = 1,
+    }
+
+    /// <summary>In the project; there are no other preferences here.</summary>
+    internal readonly string RelativePath;
+
+    public FilePathAttribute(string relativePath, Location location)
+    {
+        RelativePath = location == Location.ProjectFolder ? relativePath : throw EditorOnly.NotHere(location.ToString());
+    }
+}
+
+/// <summary>What <see cref="Save"/> has written is read when it is asked for first; what was not saved goes with the
+/// session. An import worker has one of its own, which knows nothing of this one: importers may not ask.</summary>
+public class ScriptableSingleton<T> : ScriptableObject where T : ScriptableObject
+{
+    static T s_instance;
+
+    protected ScriptableSingleton()
+    {
+        if (s_instance != null)
+            Debug.LogError("ScriptableSingleton already exists. Did you query the singleton in a constructor?");
+        else
+            s_instance = (object)this as T;
+    }
+
+    public static T instance
+    {
+        get
         {
-        }
-
-        public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
-        {
-            if (previousEditor != null && previousEditor.target == targetObject)
-                return;
-            if (previousEditor != null)
-                DestroyImmediate(previousEditor);
-            previousEditor = Of<Editor>(targetObject);
-        }
-
-        /// <summary>It has its target before it is enabled.</summary>
-        internal static T Of<T>(Object target) where T : Editor, new()
-        {
-            var made = new T { target = target };
-            SceneLoop.Send(made, "OnEnable");
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                throw new InvalidOperationException("an import worker sees no " + typeof(T).Name + " of the main process");
+            if (s_instance != null)
+                return s_instance;
+            var made = CreateInstance<T>();
+            // Not to be edited otherwise: Save is the user's.
+            made.hideFlags = HideFlags.HideAndDontSave & ~HideFlags.NotEditable;
+            if (FilePath != null && File.Exists(FilePath))
+                SettingsFile.Read(FilePath, made);
             return made;
         }
-
-        /// <summary>Both events of a repaint: what is laid out, then drawn.</summary>
-        internal void Draw() => GUILayoutUtility.Repaint(OnInspectorGUI);
-
-        protected static void DrawPropertiesExcluding(SerializedObject obj, params string[] propertyToExclude)
-        {
-            foreach (string property in propertyToExclude)
-                EditorGUILayout.Draw(obj.FindProperty(property));
-        }
     }
 
-    /// <summary>Nobody changes anything.</summary>
-    public class SerializedObject(Object obj)
+    protected virtual void Save(bool saveAsText)
     {
-        readonly Object m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
-
-        public void Update()
-        {
-        }
-
-        public bool ApplyModifiedProperties() => false;
-
-        /// <returns>Null where Unity keeps no such field.</returns>
-        public SerializedProperty FindProperty(string propertyPath) => propertyPath == "m_Script" ||
-            SerializedFields.Of(m_target.GetType()).Any(f => f.Name == propertyPath && SerializedFields.IsKept(f.FieldType))
-                ? new SerializedProperty()
-                : null;
+        if (FilePath == null)
+            Debug.LogWarning("Saving has no effect. Your class '" + GetType() + "' is missing the FilePathAttribute.");
+        else
+            SettingsFile.Write(FilePath, this);
     }
 
-    public class SerializedProperty
+    static string FilePath => typeof(T).GetCustomAttribute<FilePathAttribute>() is { } file
+        ? Path.Combine(Path.GetDirectoryName(Application.dataPath), file.RelativePath)
+        : null;
+}
+
+/// <summary>The fields of an object that Unity keeps, a line each.</summary>
+static class SettingsFile
+{
+    public static void Write(string path, Object of)
     {
+        Directory.CreateDirectory(Path.GetDirectoryName(path));
+        File.WriteAllLines(path, Fields(of).Select(f =>
+            f.Name + ": " + Convert.ToString(f.GetValue(of), CultureInfo.InvariantCulture)));
     }
 
-    [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
-    public sealed class MenuItem : Attribute
+    public static void Read(string path, Object into)
     {
-        public string menuItem;
-        public bool validate;
-        public int priority;
-
-        public MenuItem(string itemName)
-            : this(itemName, false, 1000)
-        {
-        }
-
-        public MenuItem(string itemName, bool isValidateFunction, int priority)
-        {
-            menuItem = itemName;
-            validate = isValidateFunction;
-            this.priority = priority;
-        }
+        var lines = File.ReadAllLines(path).Select(l => l.Split(new[] { ": " }, 2, StringSplitOptions.None))
+            .ToDictionary(l => l[0], l => l[1]);
+        foreach (var field in Fields(into))
+            if (lines.TryGetValue(field.Name, out string text))
+                field.SetValue(into, field.FieldType.IsEnum ? Enum.Parse(field.FieldType, text)
+                    : Convert.ChangeType(text, field.FieldType, CultureInfo.InvariantCulture));
     }
 
-    [AttributeUsage(AttributeTargets.Class)]
-    public class FilePathAttribute : Attribute
-    {
-        public enum Location
-        {
-            PreferencesFolder = 0,
-            ProjectFolder = 1,
-        }
+    static IEnumerable<FieldInfo> Fields(Object of) =>
+        SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));
+}
 
-        /// <summary>In the project; there are no other preferences here.</summary>
-        internal readonly string RelativePath;
+public enum SettingsScope
+{
+    User = 0,
+    Project = 1,
+}
 
-        public FilePathAttribute(string relativePath, Location location)
-        {
-            RelativePath = location == Location.ProjectFolder ? relativePath : throw EditorOnly.NotHere(location.ToString());
-        }
-    }
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class SettingsProviderAttribute : Attribute
+{
+}
 
-    /// <summary>What <see cref="Save"/> has written is read when it is asked for first; what was not saved goes with the
-    /// session. An import worker has one of its own, which knows nothing of this one: importers may not ask.</summary>
-    public class ScriptableSingleton<T> : ScriptableObject where T : ScriptableObject
-    {
-        static T s_instance;
+public class SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
+{
+    public string settingsPath { get; } = path;
 
-        protected ScriptableSingleton()
-        {
-            if (s_instance != null)
-                Debug.LogError("ScriptableSingleton already exists. Did you query the singleton in a constructor?");
-            else
-                s_instance = (object)this as T;
-        }
+    public SettingsScope scope { get; } = scopes;
 
-        public static T instance
-        {
-            get
-            {
-                if (AssetDatabase.IsAssetImportWorkerProcess())
-                    throw new InvalidOperationException("an import worker sees no " + typeof(T).Name + " of the main process");
-                if (s_instance != null)
-                    return s_instance;
-                var made = CreateInstance<T>();
-                // Not to be edited otherwise: Save is the user's.
-                made.hideFlags = HideFlags.HideAndDontSave & ~HideFlags.NotEditable;
-                if (FilePath != null && File.Exists(FilePath))
-                    SettingsFile.Read(FilePath, made);
-                return made;
-            }
-        }
+    public IEnumerable<string> keywords { get; set; } = keywords;
 
-        protected virtual void Save(bool saveAsText)
-        {
-            if (FilePath == null)
-                Debug.LogWarning("Saving has no effect. Your class '" + GetType() + "' is missing the FilePathAttribute.");
-            else
-                SettingsFile.Write(FilePath, this);
-        }
-
-        static string FilePath => typeof(T).GetCustomAttribute<FilePathAttribute>() is { } file
-            ? Path.Combine(Path.GetDirectoryName(Application.dataPath), file.RelativePath)
-            : null;
-    }
-
-    /// <summary>The fields of an object that Unity keeps, a line each.</summary>
-    static class SettingsFile
-    {
-        public static void Write(string path, Object of)
-        {
-            Directory.CreateDirectory(Path.GetDirectoryName(path));
-            File.WriteAllLines(path, Fields(of).Select(f =>
-                f.Name + ": " + Convert.ToString(f.GetValue(of), CultureInfo.InvariantCulture)));
-        }
-
-        public static void Read(string path, Object into)
-        {
-            var lines = File.ReadAllLines(path).Select(l => l.Split(new[] { ": " }, 2, StringSplitOptions.None))
-                .ToDictionary(l => l[0], l => l[1]);
-            foreach (var field in Fields(into))
-                if (lines.TryGetValue(field.Name, out string text))
-                    field.SetValue(into, field.FieldType.IsEnum ? Enum.Parse(field.FieldType, text)
-                        : Convert.ChangeType(text, field.FieldType, CultureInfo.InvariantCulture));
-        }
-
-        static IEnumerable<FieldInfo> Fields(Object of) =>
-            SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));
-    }
-
-    public enum SettingsScope
-    {
-        User = 0,
-        Project = 1,
-    }
-
-    [AttributeUsage(AttributeTargets.Method)]
-    public sealed class SettingsProviderAttribute : Attribute
-    {
-    }
-
-    public class SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
-    {
-        public string settingsPath { get; } = path;
-
-        public SettingsScope scope { get; } = scopes;
-
-        public IEnumerable<string> keywords { get; set; } = keywords;
-
-        public Action<string> guiHandler { get; set; }
-    }
+    public Action<string> guiHandler { get; set; }
 }

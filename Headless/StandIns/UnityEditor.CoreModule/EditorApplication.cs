@@ -1,50 +1,49 @@
 using StandIns.Scene;
 
-namespace UnityEditor
+namespace UnityEditor;
+
+[AttributeUsage(AttributeTargets.Class)]
+public class InitializeOnLoadAttribute : Attribute
 {
-    [AttributeUsage(AttributeTargets.Class)]
-    public class InitializeOnLoadAttribute : Attribute
+}
+
+public sealed class EditorApplication
+{
+    public delegate void CallbackFunction();
+
+    public static CallbackFunction update;
+
+    /// <summary>How often frames were asked for.</summary>
+    internal static int s_queuedUpdates;
+
+    /// <summary>Play mode begins and ends at once: scripts are not loaded anew.</summary>
+    public static bool isPlaying
     {
+        get => SceneLoop.IsPlaying;
+        set => SceneLoop.IsPlaying = value;
     }
 
-    public sealed class EditorApplication
+    public static event Action quitting;
+
+    public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
+
+    internal static void Quit() => quitting?.Invoke();
+}
+
+public static class AssemblyReloadEvents
+{
+    public delegate void AssemblyReloadCallback();
+
+    public static event AssemblyReloadCallback beforeAssemblyReload;
+
+    internal static bool IsHeardBy(object target) =>
+        beforeAssemblyReload != null && Array.Exists(beforeAssemblyReload.GetInvocationList(), d => d.Target == target);
+
+    /// <summary>Scripts are loaded anew: what was to be told before is told.</summary>
+    internal static void Reload()
     {
-        public delegate void CallbackFunction();
-
-        public static CallbackFunction update;
-
-        /// <summary>How often frames were asked for.</summary>
-        internal static int s_queuedUpdates;
-
-        /// <summary>Play mode begins and ends at once: scripts are not loaded anew.</summary>
-        public static bool isPlaying
-        {
-            get => SceneLoop.IsPlaying;
-            set => SceneLoop.IsPlaying = value;
-        }
-
-        public static event Action quitting;
-
-        public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
-
-        internal static void Quit() => quitting?.Invoke();
-    }
-
-    public static class AssemblyReloadEvents
-    {
-        public delegate void AssemblyReloadCallback();
-
-        public static event AssemblyReloadCallback beforeAssemblyReload;
-
-        internal static bool IsHeardBy(object target) =>
-            beforeAssemblyReload != null && Array.Exists(beforeAssemblyReload.GetInvocationList(), d => d.Target == target);
-
-        /// <summary>Scripts are loaded anew: what was to be told before is told.</summary>
-        internal static void Reload()
-        {
-            // Which of the two comes first is said nowhere: this order is the harder one.
-            Progress.CancelManaged();
-            beforeAssemblyReload?.Invoke();
-        }
+        // Which of the two comes first is said nowhere: this order is the harder one.
+        Progress.CancelManaged();
+        beforeAssemblyReload?.Invoke();
     }
 }

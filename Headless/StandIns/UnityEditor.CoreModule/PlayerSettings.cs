@@ -1,7 +1,6 @@
-namespace UnityEditor
+namespace UnityEditor;
+
+public sealed class PlayerSettings : UnityEngine.Object
 {
-    public sealed class PlayerSettings : UnityEngine.Object
-    {
-        public static UnityEngine.ColorSpace colorSpace { get; set; }
-    }
+    public static UnityEngine.ColorSpace colorSpace { get; set; }
 }

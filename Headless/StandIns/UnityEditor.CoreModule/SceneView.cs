@@ -1,107 +1,106 @@
 using StandIns.Scene;
 
-namespace UnityEditor
+namespace UnityEditor;
+
+public class EditorWindow : ScriptableObject
 {
-    public class EditorWindow : ScriptableObject
+}
+
+public class SearchableEditorWindow : EditorWindow
+{
+}
+
+/// <summary>A host gives it its camera.</summary>
+public class SceneView : SearchableEditorWindow
+{
+    internal static int Repaints;
+
+    public Camera camera { get; internal set; }
+
+    public static void RepaintAll() => Repaints++;
+}
+
+/// <summary>Nothing is drawn; a test says what the pointer points along.</summary>
+public sealed class HandleUtility
+{
+    internal static Ray PointedAlong;
+
+    public static int nearestControl { get; set; }
+
+    public static void AddDefaultControl(int controlId) => nearestControl = controlId;
+
+    public static Ray GUIPointToWorldRay(Vector2 position) => PointedAlong;
+
+    public static float GetHandleSize(Vector3 position) => 1;
+}
+
+public sealed class Handles
+{
+    public static Matrix4x4 matrix { get; set; } = Matrix4x4.identity;
+
+    public static void DrawLine(Vector3 p1, Vector3 p2)
     {
     }
 
-    public class SearchableEditorWindow : EditorWindow
+    public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius)
     {
     }
 
-    /// <summary>A host gives it its camera.</summary>
-    public class SceneView : SearchableEditorWindow
+    public static void Label(Vector3 position, string text)
     {
-        internal static int Repaints;
-
-        public Camera camera { get; internal set; }
-
-        public static void RepaintAll() => Repaints++;
     }
 
-    /// <summary>Nothing is drawn; a test says what the pointer points along.</summary>
-    public sealed class HandleUtility
+    public static void BeginGUI()
     {
-        internal static Ray PointedAlong;
-
-        public static int nearestControl { get; set; }
-
-        public static void AddDefaultControl(int controlId) => nearestControl = controlId;
-
-        public static Ray GUIPointToWorldRay(Vector2 position) => PointedAlong;
-
-        public static float GetHandleSize(Vector3 position) => 1;
     }
 
-    public sealed class Handles
+    public static void EndGUI()
     {
-        public static Matrix4x4 matrix { get; set; } = Matrix4x4.identity;
+    }
+}
 
-        public static void DrawLine(Vector3 p1, Vector3 p2)
-        {
-        }
+/// <summary>What was made, and the fields of what was recorded.</summary>
+public class Undo
+{
+    static readonly Stack<Action> s_steps = new Stack<Action>();
 
-        public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius)
-        {
-        }
+    public delegate void UndoRedoCallback();
 
-        public static void Label(Vector3 position, string text)
-        {
-        }
+    public static UndoRedoCallback undoRedoPerformed;
 
-        public static void BeginGUI()
-        {
-        }
-
-        public static void EndGUI()
-        {
-        }
+    public static void PerformUndo()
+    {
+        if (s_steps.Count == 0)
+            return;
+        s_steps.Pop()();
+        undoRedoPerformed?.Invoke();
     }
 
-    /// <summary>What was made, and the fields of what was recorded.</summary>
-    public class Undo
+    /// <summary>What Unity keeps of it comes back, past properties: no setter is called.</summary>
+    public static void RecordObject(Object objectToUndo, string name)
     {
-        static readonly Stack<Action> s_steps = new Stack<Action>();
-
-        public delegate void UndoRedoCallback();
-
-        public static UndoRedoCallback undoRedoPerformed;
-
-        public static void PerformUndo()
+        if (objectToUndo is Transform transform)
         {
-            if (s_steps.Count == 0)
-                return;
-            s_steps.Pop()();
-            undoRedoPerformed?.Invoke();
+            var before = transform.localToWorldMatrix;
+            Add(() => transform.localToWorldMatrix = before);
+            return;
         }
-
-        /// <summary>What Unity keeps of it comes back, past properties: no setter is called.</summary>
-        public static void RecordObject(Object objectToUndo, string name)
+        var kept = SerializedFields.Of(objectToUndo.GetType()).Where(f => SerializedFields.IsKept(f.FieldType))
+            .Select(f => (Field: f, Before: f.GetValue(objectToUndo) is Array many ? many.Clone() : f.GetValue(objectToUndo)))
+            .ToArray();
+        Add(() =>
         {
-            if (objectToUndo is Transform transform)
-            {
-                var before = transform.localToWorldMatrix;
-                Add(() => transform.localToWorldMatrix = before);
-                return;
-            }
-            var kept = SerializedFields.Of(objectToUndo.GetType()).Where(f => SerializedFields.IsKept(f.FieldType))
-                .Select(f => (Field: f, Before: f.GetValue(objectToUndo) is Array many ? many.Clone() : f.GetValue(objectToUndo)))
-                .ToArray();
-            Add(() =>
-            {
-                foreach (var (field, before) in kept)
-                    field.SetValue(objectToUndo, before);
-            });
-        }
-
-        internal static void Add(Action step) => s_steps.Push(step);
-
-        internal static void Clear() => s_steps.Clear();
+            foreach (var (field, before) in kept)
+                field.SetValue(objectToUndo, before);
+        });
     }
 
-    public class EditorGUIUtility : GUIUtility
-    {
-        public static float pixelsPerPoint => 1;
-    }
+    internal static void Add(Action step) => s_steps.Push(step);
+
+    internal static void Clear() => s_steps.Clear();
+}
+
+public class EditorGUIUtility : GUIUtility
+{
+    public static float pixelsPerPoint => 1;
 }

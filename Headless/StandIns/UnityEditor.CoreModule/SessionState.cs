@@ -1,15 +1,14 @@
-namespace UnityEditor
+namespace UnityEditor;
+
+/// <summary>Lasts until the editor quits: reloads of scripts leave it alone.</summary>
+public class SessionState
 {
-    /// <summary>Lasts until the editor quits: reloads of scripts leave it alone.</summary>
-    public class SessionState
-    {
-        static readonly Dictionary<string, string> s_strings = new Dictionary<string, string>();
+    static readonly Dictionary<string, string> s_strings = new Dictionary<string, string>();
 
-        public static string GetString(string key, string defaultValue) =>
-            s_strings.TryGetValue(key, out string value) ? value : defaultValue;
+    public static string GetString(string key, string defaultValue) =>
+        s_strings.TryGetValue(key, out string value) ? value : defaultValue;
 
-        public static void SetString(string key, string value) => s_strings[key] = value;
+    public static void SetString(string key, string value) => s_strings[key] = value;
 
-        public static void EraseString(string key) => s_strings.Remove(key);
-    }
+    public static void EraseString(string key) => s_strings.Remove(key);
 }

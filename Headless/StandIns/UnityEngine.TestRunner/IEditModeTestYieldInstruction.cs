@@ -1,13 +1,12 @@
 using System.Collections;
 
-namespace UnityEngine.TestTools
+namespace UnityEngine.TestTools;
+
+public interface IEditModeTestYieldInstruction
 {
-    public interface IEditModeTestYieldInstruction
-    {
-        bool ExpectDomainReload { get; }
+    bool ExpectDomainReload { get; }
 
-        bool ExpectedPlaymodeState { get; }
+    bool ExpectedPlaymodeState { get; }
 
-        IEnumerator Perform();
-    }
+    IEnumerator Perform();
 }

@@ -1,74 +1,73 @@
 using System.Reflection;
 
-namespace FastPoints.HostTests.StandIns
+namespace FastPoints.HostTests.StandIns;
+
+/// <summary>What Unity keeps of the package's components, assets, importers and settings.</summary>
+public sealed class SerializationTests
 {
-    /// <summary>What Unity keeps of the package's components, assets, importers and settings.</summary>
-    public sealed class SerializationTests
+    static readonly Assembly[] s_assemblies =
     {
-        static readonly Assembly[] s_assemblies =
-        {
-            typeof(PointCloud).Assembly, typeof(PointCloudResources).Assembly, typeof(CloudImporter).Assembly,
-            Assembly.Load("FastPoints.Samples"), Assembly.Load("FastPoints.Samples.Editor"),
-        };
+        typeof(PointCloud).Assembly, typeof(PointCloudResources).Assembly, typeof(CloudImporter).Assembly,
+        Assembly.Load("FastPoints.Samples"), Assembly.Load("FastPoints.Samples.Editor"),
+    };
 
-        static IEnumerable<Type> Kept() => s_assemblies.SelectMany(a => a.GetTypes()).Where(t => t.IsSubclassOf(typeof(Object)));
+    static IEnumerable<Type> Kept() => s_assemblies.SelectMany(a => a.GetTypes()).Where(t => t.IsSubclassOf(typeof(Object)));
 
-        [TestCaseSource(nameof(Kept))]
-        public void Fields_ThatAreMeantToBeKept_AreOfTypesThatUnityKeeps(Type type) => Assert.That(
-            SerializedFields.Of(type).Where(f => !SerializedFields.IsKept(f.FieldType)).Select(f => f.Name), Is.Empty);
+    [TestCaseSource(nameof(Kept))]
+    public void Fields_ThatAreMeantToBeKept_AreOfTypesThatUnityKeeps(Type type) => Assert.That(
+        SerializedFields.Of(type).Where(f => !SerializedFields.IsKept(f.FieldType)).Select(f => f.Name), Is.Empty);
 
-        /// <summary>Unity knows the script of a component or an asset by its file, which has the class's name.</summary>
-        [TestCaseSource(nameof(Kept))]
-        public void Script_OfAClass_HasItsName(Type type)
-        {
-            string package = Checkout.Repository.PackageRoot;
-            var files = Directory.GetFiles(package, type.Name + ".cs", SearchOption.AllDirectories);
-            Assert.That(files.Select(File.ReadAllText), Has.Some.Matches("class " + type.Name + @"\b"));
-        }
+    /// <summary>Unity knows the script of a component or an asset by its file, which has the class's name.</summary>
+    [TestCaseSource(nameof(Kept))]
+    public void Script_OfAClass_HasItsName(Type type)
+    {
+        string package = Checkout.Repository.PackageRoot;
+        var files = Directory.GetFiles(package, type.Name + ".cs", SearchOption.AllDirectories);
+        Assert.That(files.Select(File.ReadAllText), Has.Some.Matches("class " + type.Name + @"\b"));
+    }
 
-        [TestCase(typeof(int[]), true)]
-        [TestCase(typeof(List<string>), true)]
-        [TestCase(typeof(double3), true)]
-        [TestCase(typeof(GameObject), true)]
-        [TestCase(typeof(Vector3), true)]
-        [TestCase(typeof(int[][]), false)]
-        [TestCase(typeof(int[,]), false)]
-        [TestCase(typeof(Dictionary<string, int>), false)]
-        [TestCase(typeof(int?), false)]
-        [TestCase(typeof(decimal), false)]
-        [TestCase(typeof(Large), false)]
-        [TestCase(typeof(Unmarked), false)]
-        public void IsKept_OfATypeOfAField_IsAsUnitysManualSays(Type type, bool isKept) =>
-            Assert.That(SerializedFields.IsKept(type), Is.EqualTo(isKept));
+    [TestCase(typeof(int[]), true)]
+    [TestCase(typeof(List<string>), true)]
+    [TestCase(typeof(double3), true)]
+    [TestCase(typeof(GameObject), true)]
+    [TestCase(typeof(Vector3), true)]
+    [TestCase(typeof(int[][]), false)]
+    [TestCase(typeof(int[,]), false)]
+    [TestCase(typeof(Dictionary<string, int>), false)]
+    [TestCase(typeof(int?), false)]
+    [TestCase(typeof(decimal), false)]
+    [TestCase(typeof(Large), false)]
+    [TestCase(typeof(Unmarked), false)]
+    public void IsKept_OfATypeOfAField_IsAsUnitysManualSays(Type type, bool isKept) =>
+        Assert.That(SerializedFields.IsKept(type), Is.EqualTo(isKept));
 
-        [Test]
-        public void Of_Fields_AreThePublicOnesAndThoseThatSaySo() =>
-            Assert.That(SerializedFields.Of(typeof(Fields)).Select(f => f.Name), Is.EqualTo(new[] { "Public", "m_marked" }));
+    [Test]
+    public void Of_Fields_AreThePublicOnesAndThoseThatSaySo() =>
+        Assert.That(SerializedFields.Of(typeof(Fields)).Select(f => f.Name), Is.EqualTo(new[] { "Public", "m_marked" }));
 
-        enum Large : long
-        {
-            One,
-        }
+    enum Large : long
+    {
+        One,
+    }
 
-        struct Unmarked
-        {
-            public int Value { get; set; }
-        }
+    struct Unmarked
+    {
+        public int Value { get; set; }
+    }
 
-        sealed class Fields : ScriptableObject
-        {
-            public int Public;
-            public readonly int Fixed = 1;
-            public static int Shared;
-            [SerializeField]
-            int m_marked;
-            [NonSerialized]
-            public int Left;
-            int m_private;
+    sealed class Fields : ScriptableObject
+    {
+        public int Public;
+        public readonly int Fixed = 1;
+        public static int Shared;
+        [SerializeField]
+        int m_marked;
+        [NonSerialized]
+        public int Left;
+        int m_private;
 
-            public int Property { get; set; }
+        public int Property { get; set; }
 
-            public int Set() => Public = m_marked = m_private = Left = Shared = Fixed;
-        }
+        public int Set() => Public = m_marked = m_private = Left = Shared = Fixed;
     }
 }

@@ -1,13 +1,12 @@
-namespace StandIns.Collections
+namespace StandIns.Collections;
+
+static class RoundedUp
 {
-    static class RoundedUp
+    internal static long ToPowerOfTwo(long value)
     {
-        internal static long ToPowerOfTwo(long value)
-        {
-            long power = 1;
-            while (power < value)
-                power <<= 1;
-            return power;
-        }
+        long power = 1;
+        while (power < value)
+            power <<= 1;
+        return power;
     }
 }

@@ -1,7 +1,6 @@
-namespace Unity.Entities
+namespace Unity.Entities;
+
+[AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct, Inherited = false)]
+public sealed class DisableAutoCreationAttribute : Attribute
 {
-    [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct, Inherited = false)]
-    public sealed class DisableAutoCreationAttribute : Attribute
-    {
-    }
 }

@@ -1,11 +1,10 @@
-namespace Unity.Entities
-{
-    [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct, AllowMultiple = true)]
-    public class UpdateAfterAttribute : Attribute
-    {
-        public UpdateAfterAttribute(Type systemType) => SystemType = systemType
-            ?? throw new ArgumentNullException(nameof(systemType));
+namespace Unity.Entities;
 
-        public Type SystemType { get; }
-    }
+[AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct, AllowMultiple = true)]
+public class UpdateAfterAttribute : Attribute
+{
+    public UpdateAfterAttribute(Type systemType) => SystemType = systemType
+        ?? throw new ArgumentNullException(nameof(systemType));
+
+    public Type SystemType { get; }
 }

@@ -1,14 +1,13 @@
-namespace Unity.Entities
+namespace Unity.Entities;
+
+[AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct, AllowMultiple = true)]
+public class UpdateInGroupAttribute : Attribute
 {
-    [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct, AllowMultiple = true)]
-    public class UpdateInGroupAttribute : Attribute
-    {
-        public bool OrderFirst;
-        public bool OrderLast;
+    public bool OrderFirst;
+    public bool OrderLast;
 
-        public UpdateInGroupAttribute(Type groupType) => GroupType = groupType
-            ?? throw new ArgumentNullException(nameof(groupType));
+    public UpdateInGroupAttribute(Type groupType) => GroupType = groupType
+        ?? throw new ArgumentNullException(nameof(groupType));
 
-        public Type GroupType { get; }
-    }
+    public Type GroupType { get; }
 }

@@ -1,187 +1,186 @@
 using Unity.Entities;
 
-namespace StandIns.Entities
+namespace StandIns.Entities;
+
+/// <summary>The entities of one world. Main thread.</summary>
+sealed class EntityStore : IDisposable
 {
-    /// <summary>The entities of one world. Main thread.</summary>
-    sealed class EntityStore : IDisposable
+    readonly List<Archetype> m_archetypes = new List<Archetype>();
+    readonly Stack<int> m_free = new Stack<int>();
+    Place[] m_places = new Place[64];
+    int m_used = 1;
+
+    struct Place
     {
-        readonly List<Archetype> m_archetypes = new List<Archetype>();
-        readonly Stack<int> m_free = new Stack<int>();
-        Place[] m_places = new Place[64];
-        int m_used = 1;
+        public int Version;
+        public Archetype Archetype;
+        public int Row;
+    }
 
-        struct Place
+    public bool IsDisposed { get; private set; }
+
+    /// <summary>Rises with each structural change: what was looked up before is invalid.</summary>
+    public int StructuralVersion { get; private set; }
+
+    public int ArchetypeCount => m_archetypes.Count;
+
+    public Archetype ArchetypeAt(int index) => m_archetypes[index];
+
+    public Archetype ArchetypeOf(ReadOnlySpan<int> types)
+    {
+        Span<int> sorted = stackalloc int[types.Length];
+        int count = 0;
+        foreach (int type in types)
+            if (sorted.Slice(0, count).IndexOf(type) < 0)
+                sorted[count++] = type;
+        sorted = sorted.Slice(0, count);
+        for (int i = 1; i < count; i++)
+            for (int j = i; j > 0 && sorted[j] < sorted[j - 1]; j--)
+                (sorted[j], sorted[j - 1]) = (sorted[j - 1], sorted[j]);
+        foreach (var archetype in m_archetypes)
+            if (sorted.SequenceEqual(archetype.Types))
+                return archetype;
+        var made = new Archetype(sorted.ToArray());
+        m_archetypes.Add(made);
+        return made;
+    }
+
+    public Entity Create(Archetype archetype)
+    {
+        CheckAlive();
+        StructuralVersion++;
+        if (!m_free.TryPop(out int index))
         {
-            public int Version;
-            public Archetype Archetype;
-            public int Row;
+            index = m_used++;
+            if (index == m_places.Length)
+                Array.Resize(ref m_places, 2 * index);
         }
+        ref var place = ref m_places[index];
+        var entity = new Entity { Index = index, Version = ++place.Version };
+        place.Archetype = archetype;
+        place.Row = archetype.Add(entity);
+        return entity;
+    }
 
-        public bool IsDisposed { get; private set; }
-
-        /// <summary>Rises with each structural change: what was looked up before is invalid.</summary>
-        public int StructuralVersion { get; private set; }
-
-        public int ArchetypeCount => m_archetypes.Count;
-
-        public Archetype ArchetypeAt(int index) => m_archetypes[index];
-
-        public Archetype ArchetypeOf(ReadOnlySpan<int> types)
+    /// <summary>What has cleanup components keeps these until they are removed.</summary>
+    public void Destroy(Entity entity)
+    {
+        CheckAlive();
+        // As in Unity: one that is gone is passed over.
+        if (!Exists(entity))
+            return;
+        var archetype = m_places[entity.Index].Archetype;
+        if (!archetype.HasCleanup)
         {
-            Span<int> sorted = stackalloc int[types.Length];
-            int count = 0;
-            foreach (int type in types)
-                if (sorted.Slice(0, count).IndexOf(type) < 0)
-                    sorted[count++] = type;
-            sorted = sorted.Slice(0, count);
-            for (int i = 1; i < count; i++)
-                for (int j = i; j > 0 && sorted[j] < sorted[j - 1]; j--)
-                    (sorted[j], sorted[j - 1]) = (sorted[j - 1], sorted[j]);
-            foreach (var archetype in m_archetypes)
-                if (sorted.SequenceEqual(archetype.Types))
-                    return archetype;
-            var made = new Archetype(sorted.ToArray());
-            m_archetypes.Add(made);
-            return made;
+            Erase(entity);
+            return;
         }
+        var kept = new List<int>();
+        foreach (var column in archetype.Columns)
+            if (column.Info.IsCleanup)
+                kept.Add(column.TypeIndex);
+        Move(entity, ArchetypeOf(kept.ToArray()));
+    }
 
-        public Entity Create(Archetype archetype)
-        {
-            CheckAlive();
-            StructuralVersion++;
-            if (!m_free.TryPop(out int index))
-            {
-                index = m_used++;
-                if (index == m_places.Length)
-                    Array.Resize(ref m_places, 2 * index);
-            }
-            ref var place = ref m_places[index];
-            var entity = new Entity { Index = index, Version = ++place.Version };
-            place.Archetype = archetype;
-            place.Row = archetype.Add(entity);
-            return entity;
-        }
+    public bool Exists(Entity entity) => entity.Index > 0 && entity.Index < m_used &&
+        m_places[entity.Index].Version == entity.Version && m_places[entity.Index].Archetype != null;
 
-        /// <summary>What has cleanup components keeps these until they are removed.</summary>
-        public void Destroy(Entity entity)
-        {
-            CheckAlive();
-            // As in Unity: one that is gone is passed over.
-            if (!Exists(entity))
-                return;
-            var archetype = m_places[entity.Index].Archetype;
-            if (!archetype.HasCleanup)
-            {
-                Erase(entity);
-                return;
-            }
-            var kept = new List<int>();
-            foreach (var column in archetype.Columns)
-                if (column.Info.IsCleanup)
-                    kept.Add(column.TypeIndex);
-            Move(entity, ArchetypeOf(kept.ToArray()));
-        }
+    public bool Has(Entity entity, int type) => Exists(entity) && m_places[entity.Index].Archetype.Find(type) != null;
 
-        public bool Exists(Entity entity) => entity.Index > 0 && entity.Index < m_used &&
-            m_places[entity.Index].Version == entity.Version && m_places[entity.Index].Archetype != null;
+    /// <returns>Whether it was not there.</returns>
+    public bool Add(Entity entity, int type)
+    {
+        var archetype = Find(entity).Archetype;
+        if (archetype.Find(type) != null)
+            return false;
+        var types = new int[archetype.Types.Length + 1];
+        archetype.Types.CopyTo(types, 0);
+        types[types.Length - 1] = type;
+        Move(entity, ArchetypeOf(types));
+        return true;
+    }
 
-        public bool Has(Entity entity, int type) => Exists(entity) && m_places[entity.Index].Archetype.Find(type) != null;
-
-        /// <returns>Whether it was not there.</returns>
-        public bool Add(Entity entity, int type)
-        {
-            var archetype = Find(entity).Archetype;
-            if (archetype.Find(type) != null)
-                return false;
-            var types = new int[archetype.Types.Length + 1];
-            archetype.Types.CopyTo(types, 0);
-            types[types.Length - 1] = type;
+    /// <returns>Whether it was there.</returns>
+    public bool Remove(Entity entity, int type)
+    {
+        if (!Exists(entity))
+            return false;
+        var archetype = m_places[entity.Index].Archetype;
+        if (archetype.Find(type) == null)
+            return false;
+        var types = Array.FindAll(archetype.Types, t => t != type);
+        // The last cleanup component of an entity that was destroyed.
+        if (types.Length == 0 && TypeRegistry.InfoOf(type).IsCleanup)
+            Erase(entity);
+        else
             Move(entity, ArchetypeOf(types));
-            return true;
-        }
+        return true;
+    }
 
-        /// <returns>Whether it was there.</returns>
-        public bool Remove(Entity entity, int type)
+    public ComponentColumn Column(Entity entity, int type, out int row)
+    {
+        var place = Find(entity);
+        row = place.Row;
+        return place.Archetype.Find(type) ?? throw new ArgumentException("A component with type:" +
+            TypeRegistry.InfoOf(type).Type.Name + " has not been added to the entity.");
+    }
+
+    public void Dispose()
+    {
+        foreach (var archetype in m_archetypes)
+            archetype.Dispose();
+        m_archetypes.Clear();
+        IsDisposed = true;
+    }
+
+    void CheckAlive()
+    {
+        if (IsDisposed)
+            throw new ObjectDisposedException("EntityManager", "The world has been disposed.");
+    }
+
+    Place Find(Entity entity)
+    {
+        CheckAlive();
+        if (!Exists(entity))
+            throw new ArgumentException("All entities passed to EntityManager must exist. One of the " +
+                "entities has already been destroyed or was never created: " + entity);
+        return m_places[entity.Index];
+    }
+
+    void Move(Entity entity, Archetype to)
+    {
+        StructuralVersion++;
+        var from = m_places[entity.Index];
+        int row = to.Add(entity);
+        foreach (var column in from.Archetype.Columns)
         {
-            if (!Exists(entity))
-                return false;
-            var archetype = m_places[entity.Index].Archetype;
-            if (archetype.Find(type) == null)
-                return false;
-            var types = Array.FindAll(archetype.Types, t => t != type);
-            // The last cleanup component of an entity that was destroyed.
-            if (types.Length == 0 && TypeRegistry.InfoOf(type).IsCleanup)
-                Erase(entity);
+            if (to.Find(column.TypeIndex) is ComponentColumn kept)
+                column.Copy(from.Row, kept, row);
             else
-                Move(entity, ArchetypeOf(types));
-            return true;
+                column.DisposeObject(from.Row);
         }
+        RemoveRow(from);
+        m_places[entity.Index].Archetype = to;
+        m_places[entity.Index].Row = row;
+    }
 
-        public ComponentColumn Column(Entity entity, int type, out int row)
-        {
-            var place = Find(entity);
-            row = place.Row;
-            return place.Archetype.Find(type) ?? throw new ArgumentException("A component with type:" +
-                TypeRegistry.InfoOf(type).Type.Name + " has not been added to the entity.");
-        }
+    void Erase(Entity entity)
+    {
+        StructuralVersion++;
+        ref var place = ref m_places[entity.Index];
+        foreach (var column in place.Archetype.Columns)
+            column.DisposeObject(place.Row);
+        RemoveRow(place);
+        place.Archetype = null;
+        place.Version++;
+        m_free.Push(entity.Index);
+    }
 
-        public void Dispose()
-        {
-            foreach (var archetype in m_archetypes)
-                archetype.Dispose();
-            m_archetypes.Clear();
-            IsDisposed = true;
-        }
-
-        void CheckAlive()
-        {
-            if (IsDisposed)
-                throw new ObjectDisposedException("EntityManager", "The world has been disposed.");
-        }
-
-        Place Find(Entity entity)
-        {
-            CheckAlive();
-            if (!Exists(entity))
-                throw new ArgumentException("All entities passed to EntityManager must exist. One of the " +
-                    "entities has already been destroyed or was never created: " + entity);
-            return m_places[entity.Index];
-        }
-
-        void Move(Entity entity, Archetype to)
-        {
-            StructuralVersion++;
-            var from = m_places[entity.Index];
-            int row = to.Add(entity);
-            foreach (var column in from.Archetype.Columns)
-            {
-                if (to.Find(column.TypeIndex) is ComponentColumn kept)
-                    column.Copy(from.Row, kept, row);
-                else
-                    column.DisposeObject(from.Row);
-            }
-            RemoveRow(from);
-            m_places[entity.Index].Archetype = to;
-            m_places[entity.Index].Row = row;
-        }
-
-        void Erase(Entity entity)
-        {
-            StructuralVersion++;
-            ref var place = ref m_places[entity.Index];
-            foreach (var column in place.Archetype.Columns)
-                column.DisposeObject(place.Row);
-            RemoveRow(place);
-            place.Archetype = null;
-            place.Version++;
-            m_free.Push(entity.Index);
-        }
-
-        void RemoveRow(Place place)
-        {
-            var moved = place.Archetype.Remove(place.Row);
-            if (moved != Entity.Null)
-                m_places[moved.Index].Row = place.Row;
-        }
+    void RemoveRow(Place place)
+    {
+        var moved = place.Archetype.Remove(place.Row);
+        if (moved != Entity.Null)
+            m_places[moved.Index].Row = place.Row;
     }
 }

@@ -1,84 +1,83 @@
 using Unity.Entities;
 
-namespace StandIns.Entities
+namespace StandIns.Entities;
+
+/// <summary>What a query asks of an entity.</summary>
+sealed class QueryTerms
 {
-    /// <summary>What a query asks of an entity.</summary>
-    sealed class QueryTerms
+    /// <summary>There, and enabled where it can be.</summary>
+    public readonly List<int> All = new List<int>();
+
+    /// <summary>Of these one at least: there, and enabled.</summary>
+    public readonly List<int> Any = new List<int>();
+
+    /// <summary>Not there, or disabled.</summary>
+    public readonly List<int> None = new List<int>();
+
+    /// <summary>There, and disabled.</summary>
+    public readonly List<int> Disabled = new List<int>();
+
+    /// <summary>There, whether enabled or not.</summary>
+    public readonly List<int> Present = new List<int>();
+
+    /// <summary>Not there.</summary>
+    public readonly List<int> Absent = new List<int>();
+
+    public static QueryTerms Of(ComponentType[] types)
     {
-        /// <summary>There, and enabled where it can be.</summary>
-        public readonly List<int> All = new List<int>();
+        var terms = new QueryTerms();
+        foreach (var type in types)
+            (type.AccessModeType == ComponentType.AccessMode.Exclude ? terms.None : terms.All).Add(type.TypeIndex.Value);
+        return terms;
+    }
 
-        /// <summary>Of these one at least: there, and enabled.</summary>
-        public readonly List<int> Any = new List<int>();
-
-        /// <summary>Not there, or disabled.</summary>
-        public readonly List<int> None = new List<int>();
-
-        /// <summary>There, and disabled.</summary>
-        public readonly List<int> Disabled = new List<int>();
-
-        /// <summary>There, whether enabled or not.</summary>
-        public readonly List<int> Present = new List<int>();
-
-        /// <summary>Not there.</summary>
-        public readonly List<int> Absent = new List<int>();
-
-        public static QueryTerms Of(ComponentType[] types)
-        {
-            var terms = new QueryTerms();
-            foreach (var type in types)
-                (type.AccessModeType == ComponentType.AccessMode.Exclude ? terms.None : terms.All).Add(type.TypeIndex.Value);
-            return terms;
-        }
-
-        /// <summary>Whether entities of an archetype can match, whatever is enabled. Makes no garbage, so that what a frame of
-        /// systems makes is theirs.</summary>
-        public bool MayMatch(Archetype archetype)
-        {
-            if (!HasEach(archetype, All) || !HasEach(archetype, Disabled) || !HasEach(archetype, Present))
+    /// <summary>Whether entities of an archetype can match, whatever is enabled. Makes no garbage, so that what a frame of
+    /// systems makes is theirs.</summary>
+    public bool MayMatch(Archetype archetype)
+    {
+        if (!HasEach(archetype, All) || !HasEach(archetype, Disabled) || !HasEach(archetype, Present))
+            return false;
+        foreach (int type in Absent)
+            if (archetype.Find(type) != null)
                 return false;
-            foreach (int type in Absent)
-                if (archetype.Find(type) != null)
-                    return false;
-            foreach (int type in None)
-                if (archetype.Find(type) is ComponentColumn column && !column.Info.IsEnableable)
-                    return false;
-            return Any.Count == 0 || HasOne(archetype, Any);
-        }
+        foreach (int type in None)
+            if (archetype.Find(type) is ComponentColumn column && !column.Info.IsEnableable)
+                return false;
+        return Any.Count == 0 || HasOne(archetype, Any);
+    }
 
-        static bool HasEach(Archetype archetype, List<int> types)
-        {
-            foreach (int type in types)
-                if (archetype.Find(type) == null)
-                    return false;
-            return true;
-        }
+    static bool HasEach(Archetype archetype, List<int> types)
+    {
+        foreach (int type in types)
+            if (archetype.Find(type) == null)
+                return false;
+        return true;
+    }
 
-        static bool HasOne(Archetype archetype, List<int> types)
-        {
-            foreach (int type in types)
-                if (archetype.Find(type) != null)
-                    return true;
-            return false;
-        }
-
-        public bool Matches(Archetype archetype, int row)
-        {
-            foreach (int type in All)
-                if (!archetype.Find(type).IsEnabled(row))
-                    return false;
-            foreach (int type in Disabled)
-                if (archetype.Find(type).IsEnabled(row))
-                    return false;
-            foreach (int type in None)
-                if (archetype.Find(type) is ComponentColumn column && column.IsEnabled(row))
-                    return false;
-            if (Any.Count == 0)
+    static bool HasOne(Archetype archetype, List<int> types)
+    {
+        foreach (int type in types)
+            if (archetype.Find(type) != null)
                 return true;
-            foreach (int type in Any)
-                if (archetype.Find(type) is ComponentColumn column && column.IsEnabled(row))
-                    return true;
-            return false;
-        }
+        return false;
+    }
+
+    public bool Matches(Archetype archetype, int row)
+    {
+        foreach (int type in All)
+            if (!archetype.Find(type).IsEnabled(row))
+                return false;
+        foreach (int type in Disabled)
+            if (archetype.Find(type).IsEnabled(row))
+                return false;
+        foreach (int type in None)
+            if (archetype.Find(type) is ComponentColumn column && column.IsEnabled(row))
+                return false;
+        if (Any.Count == 0)
+            return true;
+        foreach (int type in Any)
+            if (archetype.Find(type) is ComponentColumn column && column.IsEnabled(row))
+                return true;
+        return false;
     }
 }

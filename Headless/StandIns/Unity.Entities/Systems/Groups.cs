@@ -1,14 +1,13 @@
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public class InitializationSystemGroup : ComponentSystemGroup
 {
-    public class InitializationSystemGroup : ComponentSystemGroup
-    {
-    }
+}
 
-    public class SimulationSystemGroup : ComponentSystemGroup
-    {
-    }
+public class SimulationSystemGroup : ComponentSystemGroup
+{
+}
 
-    public class PresentationSystemGroup : ComponentSystemGroup
-    {
-    }
+public class PresentationSystemGroup : ComponentSystemGroup
+{
 }

@@ -1,27 +1,26 @@
 using Unity.Jobs;
 
-namespace Unity.Entities
+namespace Unity.Entities;
+
+public abstract class SystemBase : ComponentSystemBase
 {
-    public abstract class SystemBase : ComponentSystemBase
+    protected JobHandle Dependency { get; set; }
+
+    protected abstract void OnUpdate();
+
+    public sealed override void Update()
     {
-        protected JobHandle Dependency { get; set; }
-
-        protected abstract void OnUpdate();
-
-        public sealed override void Update()
+        if (!Begin())
+            return;
+        try
         {
-            if (!Begin())
-                return;
-            try
-            {
-                OnUpdate();
-            }
-            finally
-            {
-                // What a system has scheduled and says so, the engine starts; other jobs wait.
-                if (!Dependency.Equals(default))
-                    JobHandle.ScheduleBatchedJobs();
-            }
+            OnUpdate();
+        }
+        finally
+        {
+            // What a system has scheduled and says so, the engine starts; other jobs wait.
+            if (!Dependency.Equals(default))
+                JobHandle.ScheduleBatchedJobs();
         }
     }
 }

@@ -1,75 +1,74 @@
 using Unity.Entities;
 
-namespace StandIns.Entities
+namespace StandIns.Entities;
+
+/// <summary>The order of a group's systems: first those that are OrderFirst, last those that are OrderLast, and among each as
+/// UpdateBefore and UpdateAfter ask. What is left is by name, forwards or backwards: in Unity by a hash, which nobody
+/// chooses.</summary>
+static class SystemOrder
 {
-    /// <summary>The order of a group's systems: first those that are OrderFirst, last those that are OrderLast, and among each as
-    /// UpdateBefore and UpdateAfter ask. What is left is by name, forwards or backwards: in Unity by a hash, which nobody
-    /// chooses.</summary>
-    static class SystemOrder
+    /// <summary>Whether what no attribute orders runs from Z to A.</summary>
+    internal static bool IsBackwards { get; set; }
+
+    public static void Sort(List<ComponentSystemBase> systems, Type group)
     {
-        /// <summary>Whether what no attribute orders runs from Z to A.</summary>
-        internal static bool IsBackwards { get; set; }
-
-        public static void Sort(List<ComponentSystemBase> systems, Type group)
+        var left = new List<ComponentSystemBase>(systems);
+        left.Sort((a, b) => string.CompareOrdinal(a.GetType().FullName, b.GetType().FullName) * (IsBackwards ? -1 : 1));
+        Warn(systems, group);
+        systems.Clear();
+        while (left.Count > 0)
         {
-            var left = new List<ComponentSystemBase>(systems);
-            left.Sort((a, b) => string.CompareOrdinal(a.GetType().FullName, b.GetType().FullName) * (IsBackwards ? -1 : 1));
-            Warn(systems, group);
-            systems.Clear();
-            while (left.Count > 0)
-            {
-                int next = left.FindIndex(s =>
-                    !left.Exists(other => other != s && MustPrecede(other.GetType(), s.GetType(), group)));
-                if (next < 0)
-                    throw new InvalidOperationException("The systems of " + group.Name + " wait for one another: " +
-                        string.Join(", ", left.ConvertAll(s => s.GetType().Name)));
-                systems.Add(left[next]);
-                left.RemoveAt(next);
-            }
+            int next = left.FindIndex(s =>
+                !left.Exists(other => other != s && MustPrecede(other.GetType(), s.GetType(), group)));
+            if (next < 0)
+                throw new InvalidOperationException("The systems of " + group.Name + " wait for one another: " +
+                    string.Join(", ", left.ConvertAll(s => s.GetType().Name)));
+            systems.Add(left[next]);
+            left.RemoveAt(next);
         }
+    }
 
-        static bool MustPrecede(Type first, Type second, Type group)
-        {
-            int firstPart = PartOf(first, group), secondPart = PartOf(second, group);
-            if (firstPart != secondPart)
-                return firstPart < secondPart;
-            foreach (var before in first.GetCustomAttributes<UpdateBeforeAttribute>())
-                if (before.SystemType == second)
-                    return true;
-            foreach (var after in second.GetCustomAttributes<UpdateAfterAttribute>())
-                if (after.SystemType == first)
-                    return true;
-            return false;
-        }
+    static bool MustPrecede(Type first, Type second, Type group)
+    {
+        int firstPart = PartOf(first, group), secondPart = PartOf(second, group);
+        if (firstPart != secondPart)
+            return firstPart < secondPart;
+        foreach (var before in first.GetCustomAttributes<UpdateBeforeAttribute>())
+            if (before.SystemType == second)
+                return true;
+        foreach (var after in second.GetCustomAttributes<UpdateAfterAttribute>())
+            if (after.SystemType == first)
+                return true;
+        return false;
+    }
 
-        /// <summary>Of attributes that Unity ignores, and says so in everybody's Console.</summary>
-        static void Warn(List<ComponentSystemBase> systems, Type group)
+    /// <summary>Of attributes that Unity ignores, and says so in everybody's Console.</summary>
+    static void Warn(List<ComponentSystemBase> systems, Type group)
+    {
+        foreach (var system in systems)
         {
-            foreach (var system in systems)
-            {
-                var type = system.GetType();
-                foreach (var before in type.GetCustomAttributes<UpdateBeforeAttribute>())
-                    Warn(systems, type, before.SystemType, group, PartOf(before.SystemType, group) < PartOf(type, group));
-                foreach (var after in type.GetCustomAttributes<UpdateAfterAttribute>())
-                    Warn(systems, type, after.SystemType, group, PartOf(after.SystemType, group) > PartOf(type, group));
-            }
+            var type = system.GetType();
+            foreach (var before in type.GetCustomAttributes<UpdateBeforeAttribute>())
+                Warn(systems, type, before.SystemType, group, PartOf(before.SystemType, group) < PartOf(type, group));
+            foreach (var after in type.GetCustomAttributes<UpdateAfterAttribute>())
+                Warn(systems, type, after.SystemType, group, PartOf(after.SystemType, group) > PartOf(type, group));
         }
+    }
 
-        static void Warn(List<ComponentSystemBase> systems, Type type, Type other, Type group, bool isAgainstParts)
-        {
-            if (isAgainstParts)
-                UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: " +
-                    "OrderFirst and OrderLast have higher precedence.");
-            else if (PartOf(type, group) == PartOf(other, group) && !systems.Exists(s => s.GetType() == other))
-                UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: both have to be in {group}.");
-        }
+    static void Warn(List<ComponentSystemBase> systems, Type type, Type other, Type group, bool isAgainstParts)
+    {
+        if (isAgainstParts)
+            UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: " +
+                "OrderFirst and OrderLast have higher precedence.");
+        else if (PartOf(type, group) == PartOf(other, group) && !systems.Exists(s => s.GetType() == other))
+            UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: both have to be in {group}.");
+    }
 
-        static int PartOf(Type system, Type group)
-        {
-            foreach (var member in system.GetCustomAttributes<UpdateInGroupAttribute>())
-                if (member.GroupType == group)
-                    return member.OrderFirst ? 0 : member.OrderLast ? 2 : 1;
-            return 1;
-        }
+    static int PartOf(Type system, Type group)
+    {
+        foreach (var member in system.GetCustomAttributes<UpdateInGroupAttribute>())
+            if (member.GroupType == group)
+                return member.OrderFirst ? 0 : member.OrderLast ? 2 : 1;
+        return 1;
     }
 }

@@ -1,20 +1,19 @@
-namespace Unity.Collections
-{
-    public enum Allocator
-    {
-        Invalid = 0,
-        None = 1,
-        Temp = 2,
-        TempJob = 3,
-        Persistent = 4,
-        AudioKernel = 5,
-        Domain = 6,
-        FirstUserIndex = 64,
-    }
+namespace Unity.Collections;
 
-    public enum NativeArrayOptions
-    {
-        UninitializedMemory = 0,
-        ClearMemory = 1,
-    }
+public enum Allocator
+{
+    Invalid = 0,
+    None = 1,
+    Temp = 2,
+    TempJob = 3,
+    Persistent = 4,
+    AudioKernel = 5,
+    Domain = 6,
+    FirstUserIndex = 64,
+}
+
+public enum NativeArrayOptions
+{
+    UninitializedMemory = 0,
+    ClearMemory = 1,
 }

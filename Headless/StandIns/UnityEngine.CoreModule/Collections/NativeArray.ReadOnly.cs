@@ -1,123 +1,98 @@
 using System.Collections;
 using System.Diagnostics;
 
-namespace Unity.Collections
+namespace Unity.Collections;
+
+public unsafe partial struct NativeArray<T>
 {
-    public unsafe partial struct NativeArray<T>
+    [NativeContainer]
+    [NativeContainerIsReadOnly]
+    [DebuggerDisplay("Length = {Length}")]
+    public struct ReadOnly : IEnumerable<T>
     {
-        [NativeContainer]
-        [NativeContainerIsReadOnly]
-        [DebuggerDisplay("Length = {Length}")]
-        public struct ReadOnly : IEnumerable<T>
+        [NativeDisableUnsafePtrRestriction]
+        internal void* m_Buffer;
+        internal int m_Length;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        internal AtomicSafetyHandle m_Safety;
+
+        internal ReadOnly(void* buffer, int length, AtomicSafetyHandle safety)
         {
-            [NativeDisableUnsafePtrRestriction]
-            internal void* m_Buffer;
-            internal int m_Length;
-#if ENABLE_UNITY_COLLECTIONS_CHECKS
-            internal AtomicSafetyHandle m_Safety;
-
-            internal ReadOnly(void* buffer, int length, AtomicSafetyHandle safety)
-            {
-                m_Buffer = buffer;
-                m_Length = length;
-                m_Safety = safety;
-            }
+            m_Buffer = buffer;
+            m_Length = length;
+            m_Safety = safety;
+        }
 #else
-            internal ReadOnly(void* buffer, int length)
-            {
-                m_Buffer = buffer;
-                m_Length = length;
-            }
+        internal ReadOnly(void* buffer, int length)
+        {
+            m_Buffer = buffer;
+            m_Length = length;
+        }
 #endif
 
-            public int Length
-            {
-                [MethodImpl(MethodImplOptions.AggressiveInlining)]
-                get => m_Length;
-            }
-
-            public T this[int index]
-            {
-                [MethodImpl(MethodImplOptions.AggressiveInlining)]
-                get
-                {
-                    CheckElement(index);
-                    return SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(m_Buffer), index);
-                }
-            }
-
-            public NativeArray<U>.ReadOnly Reinterpret<U>() where U : struct
-            {
-                CheckSameSize<U>();
-#if ENABLE_UNITY_COLLECTIONS_CHECKS
-                return new NativeArray<U>.ReadOnly(m_Buffer, m_Length, m_Safety);
-#else
-                return new NativeArray<U>.ReadOnly(m_Buffer, m_Length);
-#endif
-            }
-
-            public readonly ReadOnlySpan<T> AsReadOnlySpan()
-            {
-                CheckRead();
-                return new ReadOnlySpan<T>(m_Buffer, m_Length);
-            }
-
-            public static implicit operator ReadOnlySpan<T>(in ReadOnly source) => source.AsReadOnlySpan();
-
-            public Enumerator GetEnumerator() => new Enumerator(this);
-
-            IEnumerator<T> IEnumerable<T>.GetEnumerator() => GetEnumerator();
-
-            IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
-
-            [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
-            internal readonly void CheckRead()
-            {
-#if ENABLE_UNITY_COLLECTIONS_CHECKS
-                AtomicSafetyHandle.CheckReadAndThrow(m_Safety);
-#endif
-            }
-
-            [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        public int Length
+        {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            readonly void CheckElement(int index)
+            get => m_Length;
+        }
+
+        public T this[int index]
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get
             {
-                if ((uint)index >= (uint)m_Length)
-                    throw new IndexOutOfRangeException($"Index {index} is out of range (must be between 0 and {m_Length - 1}).");
-                CheckRead();
+                CheckElement(index);
+                return SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(m_Buffer), index);
             }
+        }
 
-            public struct Enumerator : IEnumerator<T>
-            {
-                ReadOnly m_Array;
-                int m_Index;
+        public NativeArray<U>.ReadOnly Reinterpret<U>() where U : struct
+        {
+            CheckSameSize<U>();
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+            return new NativeArray<U>.ReadOnly(m_Buffer, m_Length, m_Safety);
+#else
+            return new NativeArray<U>.ReadOnly(m_Buffer, m_Length);
+#endif
+        }
 
-                public Enumerator(in ReadOnly array)
-                {
-                    m_Array = array;
-                    m_Index = -1;
-                }
+        public readonly ReadOnlySpan<T> AsReadOnlySpan()
+        {
+            CheckRead();
+            return new ReadOnlySpan<T>(m_Buffer, m_Length);
+        }
 
-                public T Current => m_Array[m_Index];
+        public static implicit operator ReadOnlySpan<T>(in ReadOnly source) => source.AsReadOnlySpan();
 
-                object IEnumerator.Current => Current;
+        public Enumerator GetEnumerator() => new Enumerator(this);
 
-                public bool MoveNext() => ++m_Index < m_Array.Length;
+        IEnumerator<T> IEnumerable<T>.GetEnumerator() => GetEnumerator();
 
-                public void Reset() => m_Index = -1;
+        IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-                public void Dispose()
-                {
-                }
-            }
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        internal readonly void CheckRead()
+        {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+            AtomicSafetyHandle.CheckReadAndThrow(m_Safety);
+#endif
+        }
+
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        readonly void CheckElement(int index)
+        {
+            if ((uint)index >= (uint)m_Length)
+                throw new IndexOutOfRangeException($"Index {index} is out of range (must be between 0 and {m_Length - 1}).");
+            CheckRead();
         }
 
         public struct Enumerator : IEnumerator<T>
         {
-            NativeArray<T> m_Array;
+            ReadOnly m_Array;
             int m_Index;
 
-            public Enumerator(ref NativeArray<T> array)
+            public Enumerator(in ReadOnly array)
             {
                 m_Array = array;
                 m_Index = -1;
@@ -134,6 +109,30 @@ namespace Unity.Collections
             public void Dispose()
             {
             }
+        }
+    }
+
+    public struct Enumerator : IEnumerator<T>
+    {
+        NativeArray<T> m_Array;
+        int m_Index;
+
+        public Enumerator(ref NativeArray<T> array)
+        {
+            m_Array = array;
+            m_Index = -1;
+        }
+
+        public T Current => m_Array[m_Index];
+
+        object IEnumerator.Current => Current;
+
+        public bool MoveNext() => ++m_Index < m_Array.Length;
+
+        public void Reset() => m_Index = -1;
+
+        public void Dispose()
+        {
         }
     }
 }

@@ -1,18 +1,17 @@
-namespace Unity.Collections
-{
-    public enum NativeLeakDetectionMode
-    {
-        Disabled = 1,
-        Enabled = 2,
-        EnabledWithStackTrace = 3,
-    }
+namespace Unity.Collections;
 
-    public static class NativeLeakDetection
+public enum NativeLeakDetectionMode
+{
+    Disabled = 1,
+    Enabled = 2,
+    EnabledWithStackTrace = 3,
+}
+
+public static class NativeLeakDetection
+{
+    public static NativeLeakDetectionMode Mode
     {
-        public static NativeLeakDetectionMode Mode
-        {
-            get => AllocationLedger.Mode;
-            set => AllocationLedger.Mode = value;
-        }
+        get => AllocationLedger.Mode;
+        set => AllocationLedger.Mode = value;
     }
 }

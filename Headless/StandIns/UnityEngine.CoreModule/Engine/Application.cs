@@ -1,24 +1,23 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public sealed class Application
 {
-    public sealed class Application
-    {
-        /// <summary>The host is as an editor that does not play, unless a test has it play.</summary>
-        public static bool isPlaying => SceneLoop.IsPlaying;
+    /// <summary>The host is as an editor that does not play, unless a test has it play.</summary>
+    public static bool isPlaying => SceneLoop.IsPlaying;
 
-        public static bool isEditor => true;
+    public static bool isEditor => true;
 
-        /// <summary>Of a project that a test has made.</summary>
-        internal static string AssetsPath;
+    /// <summary>Of a project that a test has made.</summary>
+    internal static string AssetsPath;
 
-        public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
+    public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
 
-        /// <summary>Of a test; there is none otherwise.</summary>
-        internal static string PlayerFiles;
+    /// <summary>Of a test; there is none otherwise.</summary>
+    internal static string PlayerFiles;
 
-        public static string persistentDataPath => PlayerFiles;
+    public static string persistentDataPath => PlayerFiles;
 
-        public static string temporaryCachePath => PlayerFiles;
+    public static string temporaryCachePath => PlayerFiles;
 
-        public static string streamingAssetsPath => AppContext.BaseDirectory + "StreamingAssets";
-    }
+    public static string streamingAssetsPath => AppContext.BaseDirectory + "StreamingAssets";
 }

@@ -1,7 +1,6 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+/// <summary>An object's number from 6000.3 on.</summary>
+public struct EntityId
 {
-    /// <summary>An object's number from 6000.3 on.</summary>
-    public struct EntityId
-    {
-    }
 }

@@ -1,11 +1,10 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum LogType
 {
-    public enum LogType
-    {
-        Error = 0,
-        Assert = 1,
-        Warning = 2,
-        Log = 3,
-        Exception = 4,
-    }
+    Error = 0,
+    Assert = 1,
+    Warning = 2,
+    Log = 3,
+    Exception = 4,
 }

@@ -1,11 +1,10 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public struct Mathf
 {
-    public struct Mathf
-    {
-        public const float PI = MathF.PI;
+    public const float PI = MathF.PI;
 
-        public static float Sin(float f) => MathF.Sin(f);
+    public static float Sin(float f) => MathF.Sin(f);
 
-        public static float Cos(float f) => MathF.Cos(f);
-    }
+    public static float Cos(float f) => MathF.Cos(f);
 }

@@ -1,10 +1,9 @@
-namespace UnityEngine
-{
-    /// <summary>A host sets what a frame takes.</summary>
-    public class Time
-    {
-        internal static float s_frame = 1 / 60f;
+namespace UnityEngine;
 
-        public static float deltaTime => s_frame;
-    }
+/// <summary>A host sets what a frame takes.</summary>
+public class Time
+{
+    internal static float s_frame = 1 / 60f;
+
+    public static float deltaTime => s_frame;
 }

@@ -1,6 +1,5 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public class UnityException(string message) : SystemException(message)
 {
-    public class UnityException(string message) : SystemException(message)
-    {
-    }
 }

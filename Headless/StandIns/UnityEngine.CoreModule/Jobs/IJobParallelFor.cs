@@ -1,23 +1,22 @@
-namespace Unity.Jobs
+namespace Unity.Jobs;
+
+public interface IJobParallelFor
 {
-    public interface IJobParallelFor
-    {
-        void Execute(int index);
-    }
+    void Execute(int index);
+}
 
-    public static unsafe class IJobParallelForExtensions
+public static unsafe class IJobParallelForExtensions
+{
+    struct Kind<T> : IJobKind<T> where T : struct, IJobParallelFor
     {
-        struct Kind<T> : IJobKind<T> where T : struct, IJobParallelFor
+        public void Execute(ref T job, int begin, int end)
         {
-            public void Execute(ref T job, int begin, int end)
-            {
-                for (int i = begin; i < end; i++)
-                    job.Execute(i);
-            }
+            for (int i = begin; i < end; i++)
+                job.Execute(i);
         }
-
-        public static JobHandle Schedule<T>(this T jobData, int arrayLength, int innerloopBatchCount,
-            JobHandle dependsOn = default) where T : struct, IJobParallelFor =>
-            JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependsOn);
     }
+
+    public static JobHandle Schedule<T>(this T jobData, int arrayLength, int innerloopBatchCount,
+        JobHandle dependsOn = default) where T : struct, IJobParallelFor =>
+        JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependsOn);
 }

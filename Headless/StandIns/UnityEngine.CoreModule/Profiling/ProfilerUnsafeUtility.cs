@@ -1,22 +1,21 @@
 using System.Diagnostics;
 
-namespace Unity.Profiling.LowLevel.Unsafe
+namespace Unity.Profiling.LowLevel.Unsafe;
+
+/// <summary>The clock that jobs may read.</summary>
+public static class ProfilerUnsafeUtility
 {
-    /// <summary>The clock that jobs may read.</summary>
-    public static class ProfilerUnsafeUtility
+    public struct TimestampConversionRatio
     {
-        public struct TimestampConversionRatio
-        {
-            public long Numerator;
-            public long Denominator;
-        }
-
-        public static long Timestamp => Stopwatch.GetTimestamp() + SimulatedLatency.Ticks;
-
-        public static TimestampConversionRatio TimestampToNanosecondsConversionRatio => new TimestampConversionRatio
-        {
-            Numerator = 1000000000,
-            Denominator = Stopwatch.Frequency,
-        };
+        public long Numerator;
+        public long Denominator;
     }
+
+    public static long Timestamp => Stopwatch.GetTimestamp() + SimulatedLatency.Ticks;
+
+    public static TimestampConversionRatio TimestampToNanosecondsConversionRatio => new TimestampConversionRatio
+    {
+        Numerator = 1000000000,
+        Denominator = Stopwatch.Frequency,
+    };
 }

@@ -1,42 +1,41 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public class Behaviour : Component
 {
-    public class Behaviour : Component
+    bool m_enabled = true;
+
+    public bool enabled
     {
-        bool m_enabled = true;
-
-        public bool enabled
+        get
         {
-            get
-            {
-                CheckIsThere();
-                return m_enabled;
-            }
-            set
-            {
-                CheckIsThere();
-                m_enabled = value;
-                SceneLoop.Refresh(this);
-            }
+            CheckIsThere();
+            return m_enabled;
         }
-
-        public bool isActiveAndEnabled => enabled && gameObject.activeInHierarchy;
-
-        /// <summary>How far it is told of its life.</summary>
-        internal bool IsAwake { get; set; }
-        internal bool IsTold { get; set; }
-        internal bool IsStarted { get; set; }
-
-        internal override void OnDestroyed()
+        set
         {
-            m_enabled = false;
+            CheckIsThere();
+            m_enabled = value;
             SceneLoop.Refresh(this);
-            // What never woke is not told that it goes.
-            if (IsAwake)
-                SceneLoop.Send(this, "OnDestroy");
         }
     }
 
-    public class MonoBehaviour : Behaviour
+    public bool isActiveAndEnabled => enabled && gameObject.activeInHierarchy;
+
+    /// <summary>How far it is told of its life.</summary>
+    internal bool IsAwake { get; set; }
+    internal bool IsTold { get; set; }
+    internal bool IsStarted { get; set; }
+
+    internal override void OnDestroyed()
     {
+        m_enabled = false;
+        SceneLoop.Refresh(this);
+        // What never woke is not told that it goes.
+        if (IsAwake)
+            SceneLoop.Send(this, "OnDestroy");
     }
+}
+
+public class MonoBehaviour : Behaviour
+{
 }

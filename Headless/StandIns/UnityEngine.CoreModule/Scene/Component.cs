@@ -1,21 +1,20 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public class Component : Object
 {
-    public class Component : Object
+    GameObject m_gameObject;
+
+    public GameObject gameObject
     {
-        GameObject m_gameObject;
-
-        public GameObject gameObject
+        get
         {
-            get
-            {
-                CheckIsThere();
-                return m_gameObject;
-            }
-            internal set => m_gameObject = value;
+            CheckIsThere();
+            return m_gameObject;
         }
-
-        public Transform transform => gameObject.transform;
-
-        public T GetComponent<T>() => gameObject.GetComponent<T>();
+        internal set => m_gameObject = value;
     }
+
+    public Transform transform => gameObject.transform;
+
+    public T GetComponent<T>() => gameObject.GetComponent<T>();
 }

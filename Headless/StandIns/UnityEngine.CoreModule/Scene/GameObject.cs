@@ -1,113 +1,112 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public sealed class GameObject : Object
 {
-    public sealed class GameObject : Object
+    readonly List<Component> m_components = new List<Component>();
+    readonly Transform m_transform;
+    bool m_isActive = true;
+
+    public GameObject(string name)
     {
-        readonly List<Component> m_components = new List<Component>();
-        readonly Transform m_transform;
-        bool m_isActive = true;
+        this.name = name;
+        m_transform = new Transform { gameObject = this };
+        m_components.Add(m_transform);
+        SceneLoop.Objects.Add(this);
+    }
 
-        public GameObject(string name)
-        {
-            this.name = name;
-            m_transform = new Transform { gameObject = this };
-            m_components.Add(m_transform);
-            SceneLoop.Objects.Add(this);
-        }
-
-        public Transform transform
-        {
-            get
-            {
-                CheckIsThere();
-                return m_transform;
-            }
-        }
-
-        public bool activeSelf
-        {
-            get
-            {
-                CheckIsThere();
-                return m_isActive;
-            }
-        }
-
-        public bool activeInHierarchy =>
-            activeSelf && (m_transform.Parent is null || m_transform.Parent.gameObject.activeInHierarchy);
-
-        public void SetActive(bool value)
+    public Transform transform
+    {
+        get
         {
             CheckIsThere();
-            m_isActive = value;
-            Refresh();
+            return m_transform;
         }
+    }
 
-        /// <summary>Nobody looks for one here by its name.</summary>
-        public static GameObject Find(string name) =>
-            throw new NotSupportedException("there are no scenes here to find " + name + " in");
-
-        /// <summary>Without its mesh.</summary>
-        public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());
-
-        /// <returns>Null where there may be one only, and is one.</returns>
-        public T AddComponent<T>() where T : Component
+    public bool activeSelf
+    {
+        get
         {
             CheckIsThere();
-            if (typeof(T).IsDefined(typeof(DisallowMultipleComponent), false) && GetComponent<T>() != null)
-            {
-                Debug.LogError("Can't add component '" + typeof(T).Name + "' to " + name +
-                    " because such a component is already added to the game object!");
-                return null;
-            }
-            foreach (var required in typeof(T).GetCustomAttributes<RequireComponent>())
-                if (m_components.Find(required.m_Type0.IsInstanceOfType) == null)
-                    Add((Component)Activator.CreateInstance(required.m_Type0));
-            return (T)Add(Activator.CreateInstance<T>());
+            return m_isActive;
         }
+    }
 
-        public T GetComponent<T>()
+    public bool activeInHierarchy =>
+        activeSelf && (m_transform.Parent is null || m_transform.Parent.gameObject.activeInHierarchy);
+
+    public void SetActive(bool value)
+    {
+        CheckIsThere();
+        m_isActive = value;
+        Refresh();
+    }
+
+    /// <summary>Nobody looks for one here by its name.</summary>
+    public static GameObject Find(string name) =>
+        throw new NotSupportedException("there are no scenes here to find " + name + " in");
+
+    /// <summary>Without its mesh.</summary>
+    public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());
+
+    /// <returns>Null where there may be one only, and is one.</returns>
+    public T AddComponent<T>() where T : Component
+    {
+        CheckIsThere();
+        if (typeof(T).IsDefined(typeof(DisallowMultipleComponent), false) && GetComponent<T>() != null)
         {
-            CheckIsThere();
-            return m_components.Find(c => c is T && !c.IsDestroyed) is T found ? found : default;
+            Debug.LogError("Can't add component '" + typeof(T).Name + "' to " + name +
+                " because such a component is already added to the game object!");
+            return null;
         }
+        foreach (var required in typeof(T).GetCustomAttributes<RequireComponent>())
+            if (m_components.Find(required.m_Type0.IsInstanceOfType) == null)
+                Add((Component)Activator.CreateInstance(required.m_Type0));
+        return (T)Add(Activator.CreateInstance<T>());
+    }
 
-        /// <summary>Its own, then those of its children.</summary>
-        public T[] GetComponentsInChildren<T>(bool includeInactive) => includeInactive || activeInHierarchy
-            ? Components.OfType<T>().Concat(Children.SelectMany(c => c.GetComponentsInChildren<T>(includeInactive))).ToArray()
-            : new T[0];
+    public T GetComponent<T>()
+    {
+        CheckIsThere();
+        return m_components.Find(c => c is T && !c.IsDestroyed) is T found ? found : default;
+    }
 
-        internal IEnumerable<Component> Components => m_components.Where(c => !c.IsDestroyed);
+    /// <summary>Its own, then those of its children.</summary>
+    public T[] GetComponentsInChildren<T>(bool includeInactive) => includeInactive || activeInHierarchy
+        ? Components.OfType<T>().Concat(Children.SelectMany(c => c.GetComponentsInChildren<T>(includeInactive))).ToArray()
+        : new T[0];
 
-        internal void Refresh()
+    internal IEnumerable<Component> Components => m_components.Where(c => !c.IsDestroyed);
+
+    internal void Refresh()
+    {
+        foreach (var behaviour in Components.OfType<Behaviour>().ToArray())
+            SceneLoop.Refresh(behaviour);
+        foreach (var child in Children)
+            child.Refresh();
+    }
+
+    IEnumerable<GameObject> Children => m_transform.Children.Select(c => c.gameObject).ToArray();
+
+    Component Add(Component component)
+    {
+        component.gameObject = this;
+        m_components.Add(component);
+        if (component is Behaviour behaviour)
         {
-            foreach (var behaviour in Components.OfType<Behaviour>().ToArray())
-                SceneLoop.Refresh(behaviour);
-            foreach (var child in Children)
-                child.Refresh();
+            SceneLoop.Refresh(behaviour);
+            SceneLoop.Added(behaviour);
         }
+        return component;
+    }
 
-        IEnumerable<GameObject> Children => m_transform.Children.Select(c => c.gameObject).ToArray();
-
-        Component Add(Component component)
-        {
-            component.gameObject = this;
-            m_components.Add(component);
-            if (component is Behaviour behaviour)
-            {
-                SceneLoop.Refresh(behaviour);
-                SceneLoop.Added(behaviour);
-            }
-            return component;
-        }
-
-        internal override void OnDestroyed()
-        {
-            foreach (var child in Children)
-                DestroyImmediate(child);
-            m_transform.Leave();
-            foreach (var component in Components.Reverse().ToArray())
-                DestroyImmediate(component);
-            SceneLoop.Objects.Remove(this);
-        }
+    internal override void OnDestroyed()
+    {
+        foreach (var child in Children)
+            DestroyImmediate(child);
+        m_transform.Leave();
+        foreach (var component in Components.Reverse().ToArray())
+            DestroyImmediate(component);
+        SceneLoop.Objects.Remove(this);
     }
 }

@@ -1,82 +1,81 @@
-namespace StandIns.Scene
+namespace StandIns.Scene;
+
+/// <summary>What the engine's loop tells behaviours: in play mode all of them, in an editor that does not play those that are
+/// ExecuteAlways, and no others.</summary>
+static class SceneLoop
 {
-    /// <summary>What the engine's loop tells behaviours: in play mode all of them, in an editor that does not play those that are
-    /// ExecuteAlways, and no others.</summary>
-    static class SceneLoop
+    static readonly List<Behaviour> s_told = new List<Behaviour>();
+    static readonly List<Object> s_leaving = new List<Object>();
+
+    /// <summary>All that are in scenes, active or not.</summary>
+    public static List<GameObject> Objects { get; } = new List<GameObject>();
+
+    /// <summary>What was there before is not told anew.</summary>
+    public static bool IsPlaying { get; set; }
+
+    /// <summary>One frame: an Update of all that are enabled, then what was destroyed in it goes.</summary>
+    public static void Update()
     {
-        static readonly List<Behaviour> s_told = new List<Behaviour>();
-        static readonly List<Object> s_leaving = new List<Object>();
-
-        /// <summary>All that are in scenes, active or not.</summary>
-        public static List<GameObject> Objects { get; } = new List<GameObject>();
-
-        /// <summary>What was there before is not told anew.</summary>
-        public static bool IsPlaying { get; set; }
-
-        /// <summary>One frame: an Update of all that are enabled, then what was destroyed in it goes.</summary>
-        public static void Update()
+        for (int i = 0; i < s_told.Count; i++)
         {
-            for (int i = 0; i < s_told.Count; i++)
-            {
-                var behaviour = s_told[i];
-                if (!behaviour.IsStarted)
-                    Send(behaviour, "Start");
-                behaviour.IsStarted = true;
-                Send(behaviour, "Update");
-            }
-            foreach (var leaving in s_leaving.ToArray())
-                Object.DestroyImmediate(leaving);
-            s_leaving.Clear();
+            var behaviour = s_told[i];
+            if (!behaviour.IsStarted)
+                Send(behaviour, "Start");
+            behaviour.IsStarted = true;
+            Send(behaviour, "Update");
         }
-
-        /// <summary>As if somebody had moved it.</summary>
-        public static void Place(Transform transform, Matrix4x4 localToWorld) => transform.localToWorldMatrix = localToWorld;
-
-        internal static void DestroyLater(Object leaving) => s_leaving.Add(leaving);
-
-        /// <summary>Of components, those that are disabled and inactive, too.</summary>
-        internal static T[] Find<T>() where T : Object => Objects.OfType<T>()
-            .Concat(Objects.SelectMany(o => o.Components).OfType<T>())
-            .ToArray();
-
-        /// <summary>A scene takes the place of those that are open.</summary>
-        internal static void Clear()
-        {
-            foreach (var root in Objects.ToArray())
-                Object.DestroyImmediate(root);
-        }
-
-        internal static void Refresh(Behaviour behaviour)
-        {
-            bool isOn = behaviour.isActiveAndEnabled;
-            if (!IsPlaying && !behaviour.IsTold && !IsToldAlways(behaviour))
-                return;
-            if (!behaviour.IsAwake && behaviour.gameObject.activeInHierarchy)
-            {
-                behaviour.IsAwake = true;
-                Send(behaviour, "Awake");
-                isOn = behaviour.isActiveAndEnabled;
-            }
-            if (isOn == behaviour.IsTold)
-                return;
-            behaviour.IsTold = isOn;
-            if (isOn)
-                s_told.Add(behaviour);
-            else
-                s_told.Remove(behaviour);
-            Send(behaviour, isOn ? "OnEnable" : "OnDisable");
-        }
-
-        /// <summary>An editor that does not play has a component that was added just now set itself up.</summary>
-        internal static void Added(Behaviour behaviour)
-        {
-            if (!IsPlaying)
-                Send(behaviour, "Reset");
-        }
-
-        static bool IsToldAlways(Behaviour behaviour) => behaviour.GetType().GetCustomAttribute<ExecuteAlways>() != null;
-
-        internal static void Send(Object to, string message) => to.GetType().GetMethod(message,
-            BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic)?.Invoke(to, null);
+        foreach (var leaving in s_leaving.ToArray())
+            Object.DestroyImmediate(leaving);
+        s_leaving.Clear();
     }
+
+    /// <summary>As if somebody had moved it.</summary>
+    public static void Place(Transform transform, Matrix4x4 localToWorld) => transform.localToWorldMatrix = localToWorld;
+
+    internal static void DestroyLater(Object leaving) => s_leaving.Add(leaving);
+
+    /// <summary>Of components, those that are disabled and inactive, too.</summary>
+    internal static T[] Find<T>() where T : Object => Objects.OfType<T>()
+        .Concat(Objects.SelectMany(o => o.Components).OfType<T>())
+        .ToArray();
+
+    /// <summary>A scene takes the place of those that are open.</summary>
+    internal static void Clear()
+    {
+        foreach (var root in Objects.ToArray())
+            Object.DestroyImmediate(root);
+    }
+
+    internal static void Refresh(Behaviour behaviour)
+    {
+        bool isOn = behaviour.isActiveAndEnabled;
+        if (!IsPlaying && !behaviour.IsTold && !IsToldAlways(behaviour))
+            return;
+        if (!behaviour.IsAwake && behaviour.gameObject.activeInHierarchy)
+        {
+            behaviour.IsAwake = true;
+            Send(behaviour, "Awake");
+            isOn = behaviour.isActiveAndEnabled;
+        }
+        if (isOn == behaviour.IsTold)
+            return;
+        behaviour.IsTold = isOn;
+        if (isOn)
+            s_told.Add(behaviour);
+        else
+            s_told.Remove(behaviour);
+        Send(behaviour, isOn ? "OnEnable" : "OnDisable");
+    }
+
+    /// <summary>An editor that does not play has a component that was added just now set itself up.</summary>
+    internal static void Added(Behaviour behaviour)
+    {
+        if (!IsPlaying)
+            Send(behaviour, "Reset");
+    }
+
+    static bool IsToldAlways(Behaviour behaviour) => behaviour.GetType().GetCustomAttribute<ExecuteAlways>() != null;
+
+    internal static void Send(Object to, string message) => to.GetType().GetMethod(message,
+        BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic)?.Invoke(to, null);
 }

@@ -1,21 +1,20 @@
-namespace UnityEngine.SceneManagement
+namespace UnityEngine.SceneManagement;
+
+public struct Scene
 {
-    public struct Scene
-    {
-        internal GameObject[] Roots;
+    internal GameObject[] Roots;
 
-        internal string Path;
+    internal string Path;
 
-        /// <summary>Empty for one that was never saved.</summary>
-        public string path => Path ?? "";
+    /// <summary>Empty for one that was never saved.</summary>
+    public string path => Path ?? "";
 
-        public GameObject[] GetRootGameObjects() => Roots;
-    }
+    public GameObject[] GetRootGameObjects() => Roots;
+}
 
-    public class SceneManager
-    {
-        internal static Scene s_active;
+public class SceneManager
+{
+    internal static Scene s_active;
 
-        public static Scene GetActiveScene() => s_active;
-    }
+    public static Scene GetActiveScene() => s_active;
 }

@@ -1,24 +1,23 @@
-namespace StandIns.Scheduling
+namespace StandIns.Scheduling;
+
+/// <summary>How long runs of a job took.</summary>
+sealed class JobRuns
 {
-    /// <summary>How long runs of a job took.</summary>
-    sealed class JobRuns
+    /// <summary>Of a bucket; the last has all that is longer.</summary>
+    internal const double MsPerBucket = 0.01;
+
+    readonly int[] m_runsOfBucket = new int[4096];
+
+    internal ReadOnlySpan<int> RunsOfBucket => m_runsOfBucket;
+
+    internal int Count { get; private set; }
+
+    internal double MaxMs { get; private set; }
+
+    internal void Add(double ms)
     {
-        /// <summary>Of a bucket; the last has all that is longer.</summary>
-        internal const double MsPerBucket = 0.01;
-
-        readonly int[] m_runsOfBucket = new int[4096];
-
-        internal ReadOnlySpan<int> RunsOfBucket => m_runsOfBucket;
-
-        internal int Count { get; private set; }
-
-        internal double MaxMs { get; private set; }
-
-        internal void Add(double ms)
-        {
-            Count++;
-            MaxMs = Math.Max(MaxMs, ms);
-            m_runsOfBucket[(int)Math.Min(ms / MsPerBucket, m_runsOfBucket.Length - 1)]++;
-        }
+        Count++;
+        MaxMs = Math.Max(MaxMs, ms);
+        m_runsOfBucket[(int)Math.Min(ms / MsPerBucket, m_runsOfBucket.Length - 1)]++;
     }
 }

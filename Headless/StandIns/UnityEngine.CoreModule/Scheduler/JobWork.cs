@@ -1,72 +1,71 @@
-namespace StandIns.Scheduling
+namespace StandIns.Scheduling;
+
+/// <summary>How one kind of job runs over a range: a struct, so that the call is a direct one.</summary>
+interface IJobKind<T> where T : struct
 {
-    /// <summary>How one kind of job runs over a range: a struct, so that the call is a direct one.</summary>
-    interface IJobKind<T> where T : struct
+    void Execute(ref T job, int begin, int end);
+}
+
+/// <summary>A scheduled job's own copy of the job struct.</summary>
+abstract class JobWork
+{
+    internal abstract Type JobType { get; }
+
+    /// <param name="shared">Other threads run other ranges of the same job.</param>
+    internal abstract void Execute(int begin, int end, bool shared, int threadIndex);
+
+    /// <summary>The job is done: frees what it was told to free and goes back to its pool.</summary>
+    internal abstract void Finish();
+}
+
+sealed class JobWork<T, TKind> : JobWork where T : struct where TKind : struct, IJobKind<T>
+{
+    static readonly object s_lock = new object();
+    static JobWork<T, TKind> s_free;
+
+    JobWork<T, TKind> m_nextFree;
+    internal T Data;
+
+    internal override Type JobType => typeof(T);
+
+    internal static JobWork<T, TKind> Take(ref T data)
     {
-        void Execute(ref T job, int begin, int end);
+        JobWork<T, TKind> work;
+        lock (s_lock)
+        {
+            work = s_free;
+            if (work != null)
+                s_free = work.m_nextFree;
+        }
+        work ??= new JobWork<T, TKind>();
+        work.Data = data;
+        return work;
     }
 
-    /// <summary>A scheduled job's own copy of the job struct.</summary>
-    abstract class JobWork
+    /// <summary>Back to the pool without having run.</summary>
+    internal void Return()
     {
-        internal abstract Type JobType { get; }
-
-        /// <param name="shared">Other threads run other ranges of the same job.</param>
-        internal abstract void Execute(int begin, int end, bool shared, int threadIndex);
-
-        /// <summary>The job is done: frees what it was told to free and goes back to its pool.</summary>
-        internal abstract void Finish();
+        lock (s_lock)
+        {
+            m_nextFree = s_free;
+            s_free = this;
+        }
     }
 
-    sealed class JobWork<T, TKind> : JobWork where T : struct where TKind : struct, IJobKind<T>
+    internal override void Execute(int begin, int end, bool shared, int threadIndex)
     {
-        static readonly object s_lock = new object();
-        static JobWork<T, TKind> s_free;
+        // On the stack: a job may hold pointers to its own fields, and this object may be moved. And a copy for each range: a
+        // job's fields are no way from one index to another, and the range that a thread may write is kept in them.
+        T data = Data;
+        JobPatch<T>.SetThreadIndex(ref data, threadIndex);
+        if (shared)
+            JobPatch<T>.Restrict(ref data, begin, end);
+        default(TKind).Execute(ref data, begin, end);
+    }
 
-        JobWork<T, TKind> m_nextFree;
-        internal T Data;
-
-        internal override Type JobType => typeof(T);
-
-        internal static JobWork<T, TKind> Take(ref T data)
-        {
-            JobWork<T, TKind> work;
-            lock (s_lock)
-            {
-                work = s_free;
-                if (work != null)
-                    s_free = work.m_nextFree;
-            }
-            work ??= new JobWork<T, TKind>();
-            work.Data = data;
-            return work;
-        }
-
-        /// <summary>Back to the pool without having run.</summary>
-        internal void Return()
-        {
-            lock (s_lock)
-            {
-                m_nextFree = s_free;
-                s_free = this;
-            }
-        }
-
-        internal override void Execute(int begin, int end, bool shared, int threadIndex)
-        {
-            // On the stack: a job may hold pointers to its own fields, and this object may be moved. And a copy for each range: a
-            // job's fields are no way from one index to another, and the range that a thread may write is kept in them.
-            T data = Data;
-            JobPatch<T>.SetThreadIndex(ref data, threadIndex);
-            if (shared)
-                JobPatch<T>.Restrict(ref data, begin, end);
-            default(TKind).Execute(ref data, begin, end);
-        }
-
-        internal override void Finish()
-        {
-            JobPatch<T>.Deallocate(ref Data);
-            Return();
-        }
+    internal override void Finish()
+    {
+        JobPatch<T>.Deallocate(ref Data);
+        Return();
     }
 }

@@ -1,69 +1,68 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>Fills constant buffers from what is set by name; what is not set is zero.</summary>
+static unsafe class ConstantWriter
 {
-    /// <summary>Fills constant buffers from what is set by name; what is not set is zero.</summary>
-    static unsafe class ConstantWriter
+    /// <param name="target">Zeros, as many bytes as the block has.</param>
+    internal static void Write(ShaderResource block, in PropertyScope scope, byte* target)
     {
-        /// <param name="target">Zeros, as many bytes as the block has.</param>
-        internal static void Write(ShaderResource block, in PropertyScope scope, byte* target)
-        {
-            foreach (ShaderMember member in block.Members)
-                if (scope.TryGet(member.NameId, out PropertyValue value))
-                    Write(member, value, target + member.Offset);
-        }
+        foreach (ShaderMember member in block.Members)
+            if (scope.TryGet(member.NameId, out PropertyValue value))
+                Write(member, value, target + member.Offset);
+    }
 
-        static void Write(ShaderMember member, in PropertyValue value, byte* target)
+    static void Write(ShaderMember member, in PropertyValue value, byte* target)
+    {
+        int bytes = member.End - member.Offset;
+        switch (value.Kind)
         {
-            int bytes = member.End - member.Offset;
-            switch (value.Kind)
-            {
-                case PropertyKind.Matrix:
-                    fixed (float* first = &value.Matrix.m00)
-                        Buffer.MemoryCopy(first, target, bytes, Math.Min(bytes, 64));
-                    break;
-                case PropertyKind.Ints:
-                    fixed (float* first = &value.Vector.x)
-                        Buffer.MemoryCopy(first, target, bytes, Math.Min(bytes, 16));
-                    break;
-                case PropertyKind.Floats:
-                    WriteElements(member, (float[])value.Reference, target);
-                    break;
-                case PropertyKind.Int:
-                    if (member.IsFloat)
-                        *(float*)target = value.Int;
-                    else
-                        *(int*)target = value.Int;
-                    break;
-                case PropertyKind.Float:
-                    WriteComponents(member, value.Vector, 1, target);
-                    break;
-                case PropertyKind.Vector:
-                    WriteComponents(member, value.Vector, member.Rows, target);
-                    break;
-                default:
-                    throw new InvalidOperationException($"{member.Name} is a constant, and a {value.Kind} is set under that "
-                        + $"name");
-            }
-        }
-
-        // Where the shader has whole numbers, a float becomes one.
-        static void WriteComponents(ShaderMember member, Vector4 value, int count, byte* target)
-        {
-            for (int i = 0; i < count; i++)
+            case PropertyKind.Matrix:
+                fixed (float* first = &value.Matrix.m00)
+                    Buffer.MemoryCopy(first, target, bytes, Math.Min(bytes, 64));
+                break;
+            case PropertyKind.Ints:
+                fixed (float* first = &value.Vector.x)
+                    Buffer.MemoryCopy(first, target, bytes, Math.Min(bytes, 16));
+                break;
+            case PropertyKind.Floats:
+                WriteElements(member, (float[])value.Reference, target);
+                break;
+            case PropertyKind.Int:
                 if (member.IsFloat)
-                    ((float*)target)[i] = value[i];
+                    *(float*)target = value.Int;
                 else
-                    ((int*)target)[i] = unchecked((int)(long)value[i]);
+                    *(int*)target = value.Int;
+                break;
+            case PropertyKind.Float:
+                WriteComponents(member, value.Vector, 1, target);
+                break;
+            case PropertyKind.Vector:
+                WriteComponents(member, value.Vector, member.Rows, target);
+                break;
+            default:
+                throw new InvalidOperationException($"{member.Name} is a constant, and a {value.Kind} is set under that "
+                    + $"name");
         }
+    }
 
-        // Elements of four components each, as Unity keeps arrays of vectors and matrices, or of one.
-        static void WriteElements(ShaderMember member, float[] values, byte* target)
-        {
-            int width = member.Columns > 1 ? 16 : member.Rows > 1 ? 4 : 1;
-            int count = Math.Min(member.Count, values.Length / width);
-            fixed (float* first = values)
-                for (int i = 0; i < count; i++)
-                    UnsafeUtility.MemCpy(target + i * member.Stride, first + i * width,
-                        Math.Min(width, member.Columns > 1 ? 16 : member.Rows) * 4);
-        }
+    // Where the shader has whole numbers, a float becomes one.
+    static void WriteComponents(ShaderMember member, Vector4 value, int count, byte* target)
+    {
+        for (int i = 0; i < count; i++)
+            if (member.IsFloat)
+                ((float*)target)[i] = value[i];
+            else
+                ((int*)target)[i] = unchecked((int)(long)value[i]);
+    }
+
+    // Elements of four components each, as Unity keeps arrays of vectors and matrices, or of one.
+    static void WriteElements(ShaderMember member, float[] values, byte* target)
+    {
+        int width = member.Columns > 1 ? 16 : member.Rows > 1 ? 4 : 1;
+        int count = Math.Min(member.Count, values.Length / width);
+        fixed (float* first = values)
+            for (int i = 0; i < count; i++)
+                UnsafeUtility.MemCpy(target + i * member.Stride, first + i * width,
+                    Math.Min(width, member.Columns > 1 ? 16 : member.Rows) * 4);
     }
 }

@@ -1,64 +1,63 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+sealed unsafe partial class CommandReplay
 {
-    sealed unsafe partial class CommandReplay
+    static readonly int s_view = PropertyNames.IdOf("unity_MatrixV");
+    static readonly int s_projection = PropertyNames.IdOf("glstate_matrix_projection");
+    static readonly int s_viewProjection = PropertyNames.IdOf("unity_MatrixVP");
+    static readonly int s_objectToWorld = PropertyNames.IdOf("unity_ObjectToWorld");
+    static readonly int s_worldToObject = PropertyNames.IdOf("unity_WorldToObject");
+
+    static void SetViewProjection(in Matrix4x4 view, in Matrix4x4 projection)
     {
-        static readonly int s_view = PropertyNames.IdOf("unity_MatrixV");
-        static readonly int s_projection = PropertyNames.IdOf("glstate_matrix_projection");
-        static readonly int s_viewProjection = PropertyNames.IdOf("unity_MatrixVP");
-        static readonly int s_objectToWorld = PropertyNames.IdOf("unity_ObjectToWorld");
-        static readonly int s_worldToObject = PropertyNames.IdOf("unity_WorldToObject");
+        Matrix4x4 forDevice = GL.GetGPUProjectionMatrix(projection, renderIntoTexture: true);
+        PropertySheet.Global.Set(s_view, PropertyValue.Of(view));
+        PropertySheet.Global.Set(s_projection, PropertyValue.Of(forDevice));
+        PropertySheet.Global.Set(s_viewProjection, PropertyValue.Of(forDevice * view));
+    }
 
-        static void SetViewProjection(in Matrix4x4 view, in Matrix4x4 projection)
+    void Draw(in RecordedCommand command)
+    {
+        CheckTarget("A draw");
+        var material = (Material)command.X;
+        if (material == null)
+            throw new InvalidOperationException($"A draw in command buffer {m_buffer.name}: its material was destroyed");
+        ShaderPass pass = material.shader.Source.Pass(command.A);
+        Matrix4x4 matrix = m_buffer.Values[command.Data].Matrix;
+        PropertySheet.Global.Set(s_objectToWorld, PropertyValue.Of(matrix));
+        PropertySheet.Global.Set(s_worldToObject, PropertyValue.Of(matrix.inverse));
+
+        GraphicsProgram program = pass.Program(material.Keywords);
+        var scope = new PropertyScope((PropertySheet)command.Y, material.Sheet, pass.Shader.Defaults);
+        ulong pipeline =
+            program.Pipeline(new PipelineKey(m_targets, pass.State.Evaluate(scope), TopologyOf((MeshTopology)command.B)));
+        GpuBuffer arguments = command.Kind == CommandKind.DrawIndirect
+            ? Arguments((GraphicsBuffer)command.Z, command.C, GraphicsBuffer.IndirectDrawArgs.size) : null;
+        ResourceBinder.MakeTextures(m_recording, m_targets, program.Layout, scope);
+        m_targets.Open(m_recording);
+        m_targets.SetViewport(m_recording, m_viewport);
+        Vk.vkCmdBindPipeline(m_recording.Commands, VkPipelineBindPoint.Graphics, pipeline);
+        m_binder.Bind(m_recording, VkPipelineBindPoint.Graphics, program.Name, program.Layout, scope);
+        if (arguments != null)
+            Vk.vkCmdDrawIndirect(m_recording.Commands, arguments.Handle, (ulong)command.C, 1, 0);
+        else
+            Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
+    }
+
+    static VkPrimitiveTopology TopologyOf(MeshTopology topology)
+    {
+        switch (topology)
         {
-            Matrix4x4 forDevice = GL.GetGPUProjectionMatrix(projection, renderIntoTexture: true);
-            PropertySheet.Global.Set(s_view, PropertyValue.Of(view));
-            PropertySheet.Global.Set(s_projection, PropertyValue.Of(forDevice));
-            PropertySheet.Global.Set(s_viewProjection, PropertyValue.Of(forDevice * view));
-        }
-
-        void Draw(in RecordedCommand command)
-        {
-            CheckTarget("A draw");
-            var material = (Material)command.X;
-            if (material == null)
-                throw new InvalidOperationException($"A draw in command buffer {m_buffer.name}: its material was destroyed");
-            ShaderPass pass = material.shader.Source.Pass(command.A);
-            Matrix4x4 matrix = m_buffer.Values[command.Data].Matrix;
-            PropertySheet.Global.Set(s_objectToWorld, PropertyValue.Of(matrix));
-            PropertySheet.Global.Set(s_worldToObject, PropertyValue.Of(matrix.inverse));
-
-            GraphicsProgram program = pass.Program(material.Keywords);
-            var scope = new PropertyScope((PropertySheet)command.Y, material.Sheet, pass.Shader.Defaults);
-            ulong pipeline =
-                program.Pipeline(new PipelineKey(m_targets, pass.State.Evaluate(scope), TopologyOf((MeshTopology)command.B)));
-            GpuBuffer arguments = command.Kind == CommandKind.DrawIndirect
-                ? Arguments((GraphicsBuffer)command.Z, command.C, GraphicsBuffer.IndirectDrawArgs.size) : null;
-            ResourceBinder.MakeTextures(m_recording, m_targets, program.Layout, scope);
-            m_targets.Open(m_recording);
-            m_targets.SetViewport(m_recording, m_viewport);
-            Vk.vkCmdBindPipeline(m_recording.Commands, VkPipelineBindPoint.Graphics, pipeline);
-            m_binder.Bind(m_recording, VkPipelineBindPoint.Graphics, program.Name, program.Layout, scope);
-            if (arguments != null)
-                Vk.vkCmdDrawIndirect(m_recording.Commands, arguments.Handle, (ulong)command.C, 1, 0);
-            else
-                Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
-        }
-
-        static VkPrimitiveTopology TopologyOf(MeshTopology topology)
-        {
-            switch (topology)
-            {
-                case MeshTopology.Triangles:
-                    return VkPrimitiveTopology.TriangleList;
-                case MeshTopology.Lines:
-                    return VkPrimitiveTopology.LineList;
-                case MeshTopology.LineStrip:
-                    return VkPrimitiveTopology.LineStrip;
-                case MeshTopology.Points:
-                    return VkPrimitiveTopology.PointList;
-                default:
-                    throw new NotSupportedException($"MeshTopology.{topology}: not every API has it");
-            }
+            case MeshTopology.Triangles:
+                return VkPrimitiveTopology.TriangleList;
+            case MeshTopology.Lines:
+                return VkPrimitiveTopology.LineList;
+            case MeshTopology.LineStrip:
+                return VkPrimitiveTopology.LineStrip;
+            case MeshTopology.Points:
+                return VkPrimitiveTopology.PointList;
+            default:
+                throw new NotSupportedException($"MeshTopology.{topology}: not every API has it");
         }
     }
 }

@@ -1,35 +1,34 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>Copies to where the host reads; what is copied is there when the copy's last use has passed.</summary>
+static unsafe class Readback
 {
-    /// <summary>Copies to where the host reads; what is copied is there when the copy's last use has passed.</summary>
-    static unsafe class Readback
+    internal static GpuBuffer Copy(GpuDevice device, GpuBuffer source, ulong offset, ulong bytes)
     {
-        internal static GpuBuffer Copy(GpuDevice device, GpuBuffer source, ulong offset, ulong bytes)
-        {
-            GpuBuffer copy = Create(device, bytes);
-            GpuRecording recording = device.Queue.Open();
-            recording.Barrier();
-            recording.Copy(source, offset, copy, 0, bytes);
-            return copy;
-        }
-
-        internal static GpuBuffer Copy(GpuDevice device, GpuImage source, int texelBytes)
-        {
-            GpuBuffer copy =
-                Create(device, (ulong)source.Width * (ulong)source.Height * (ulong)source.Slices * (ulong)texelBytes);
-            GpuRecording recording = device.Queue.Open();
-            recording.Barrier();
-            var region = new VkBufferImageCopy
-            {
-                imageSubresource = new VkImageSubresourceLayers { aspectMask = source.Aspect, layerCount = (uint)source.Slices },
-                imageExtent = new VkExtent3D { width = (uint)source.Width, height = (uint)source.Height, depth = 1 },
-            };
-            Vk.vkCmdCopyImageToBuffer(recording.Commands, source.Handle, VkImageLayout.General, copy.Handle, 1, &region);
-            copy.LastUse = recording.Number;
-            return copy;
-        }
-
-        static GpuBuffer Create(GpuDevice device, ulong bytes) =>
-            GpuBuffer.TryCreate(device, bytes, 0, isForHost: true, isRead: true)
-            ?? throw new OutOfMemoryException($"No graphics memory to read {bytes} bytes back");
+        GpuBuffer copy = Create(device, bytes);
+        GpuRecording recording = device.Queue.Open();
+        recording.Barrier();
+        recording.Copy(source, offset, copy, 0, bytes);
+        return copy;
     }
+
+    internal static GpuBuffer Copy(GpuDevice device, GpuImage source, int texelBytes)
+    {
+        GpuBuffer copy =
+            Create(device, (ulong)source.Width * (ulong)source.Height * (ulong)source.Slices * (ulong)texelBytes);
+        GpuRecording recording = device.Queue.Open();
+        recording.Barrier();
+        var region = new VkBufferImageCopy
+        {
+            imageSubresource = new VkImageSubresourceLayers { aspectMask = source.Aspect, layerCount = (uint)source.Slices },
+            imageExtent = new VkExtent3D { width = (uint)source.Width, height = (uint)source.Height, depth = 1 },
+        };
+        Vk.vkCmdCopyImageToBuffer(recording.Commands, source.Handle, VkImageLayout.General, copy.Handle, 1, &region);
+        copy.LastUse = recording.Number;
+        return copy;
+    }
+
+    static GpuBuffer Create(GpuDevice device, ulong bytes) =>
+        GpuBuffer.TryCreate(device, bytes, 0, isForHost: true, isRead: true)
+        ?? throw new OutOfMemoryException($"No graphics memory to read {bytes} bytes back");
 }

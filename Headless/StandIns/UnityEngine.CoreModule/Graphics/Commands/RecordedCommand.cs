@@ -1,44 +1,43 @@
-namespace StandIns.Graphics
-{
-    enum CommandKind : byte
-    {
-        SetTarget,
-        ClearTarget,
-        SetViewport,
-        SetViewProjection,
-        SetGlobal,
-        SetGlobalTexture,
-        SetArray,
-        SetKeyword,
-        SetConstant,
-        SetKernelBuffer,
-        SetKernelTexture,
-        GetTemporary,
-        ReleaseTemporary,
-        SetInstanceMultiplier,
-        Draw,
-        DrawIndirect,
-        Dispatch,
-        DispatchIndirect,
-        Upload,
-        CopyBuffer,
-        Fence,
-        ReadBuffer,
-        ReadTexture,
-    }
+namespace StandIns.Graphics;
 
-    /// <summary>One entry of a command buffer. What the numbers mean is said where it is recorded.</summary>
-    struct RecordedCommand
-    {
-        internal CommandKind Kind;
-        internal object X;
-        internal object Y;
-        internal object Z;
-        internal int A;
-        internal int B;
-        internal int C;
-        internal int D;
-        /// <summary>Where the command's further data begins, in the list that its kind uses.</summary>
-        internal int Data;
-    }
+enum CommandKind : byte
+{
+    SetTarget,
+    ClearTarget,
+    SetViewport,
+    SetViewProjection,
+    SetGlobal,
+    SetGlobalTexture,
+    SetArray,
+    SetKeyword,
+    SetConstant,
+    SetKernelBuffer,
+    SetKernelTexture,
+    GetTemporary,
+    ReleaseTemporary,
+    SetInstanceMultiplier,
+    Draw,
+    DrawIndirect,
+    Dispatch,
+    DispatchIndirect,
+    Upload,
+    CopyBuffer,
+    Fence,
+    ReadBuffer,
+    ReadTexture,
+}
+
+/// <summary>One entry of a command buffer. What the numbers mean is said where it is recorded.</summary>
+struct RecordedCommand
+{
+    internal CommandKind Kind;
+    internal object X;
+    internal object Y;
+    internal object Z;
+    internal int A;
+    internal int B;
+    internal int C;
+    internal int D;
+    /// <summary>Where the command's further data begins, in the list that its kind uses.</summary>
+    internal int Data;
 }

@@ -1,15 +1,14 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>A part of a block of device memory.</summary>
+readonly unsafe struct GpuAllocation(GpuMemoryBlock block, ulong offset, ulong bytes)
 {
-    /// <summary>A part of a block of device memory.</summary>
-    readonly unsafe struct GpuAllocation(GpuMemoryBlock block, ulong offset, ulong bytes)
-    {
-        internal readonly GpuMemoryBlock Block = block;
-        internal readonly ulong Offset = offset;
-        internal readonly ulong Bytes = bytes;
+    internal readonly GpuMemoryBlock Block = block;
+    internal readonly ulong Offset = offset;
+    internal readonly ulong Bytes = bytes;
 
-        internal bool IsCreated => Block != null;
+    internal bool IsCreated => Block != null;
 
-        /// <summary>Where the host sees it; null where it does not.</summary>
-        internal byte* Mapped => Block.Mapped == null ? null : Block.Mapped + Offset;
-    }
+    /// <summary>Where the host sees it; null where it does not.</summary>
+    internal byte* Mapped => Block.Mapped == null ? null : Block.Mapped + Offset;
 }

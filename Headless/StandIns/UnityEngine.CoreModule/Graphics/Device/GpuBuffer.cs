@@ -1,60 +1,59 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>A buffer and its memory.</summary>
+sealed unsafe class GpuBuffer
 {
-    /// <summary>A buffer and its memory.</summary>
-    sealed unsafe class GpuBuffer
+    internal readonly ulong Handle;
+    internal readonly ulong Bytes;
+    internal readonly GpuAllocation Allocation;
+    /// <summary>The last submission that may touch it.</summary>
+    internal ulong LastUse;
+
+    GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation)
     {
-        internal readonly ulong Handle;
-        internal readonly ulong Bytes;
-        internal readonly GpuAllocation Allocation;
-        /// <summary>The last submission that may touch it.</summary>
-        internal ulong LastUse;
+        Handle = handle;
+        Bytes = bytes;
+        Allocation = allocation;
+    }
 
-        GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation)
+    internal byte* Mapped => Allocation.Mapped;
+
+    /// <summary>A buffer, or null where there is no memory for it.</summary>
+    /// <param name="isForHost">In memory that the host sees.</param>
+    /// <param name="isRead">The host reads it: cached, where there is such memory.</param>
+    internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, VkBufferUsageFlags usage, bool isForHost,
+        bool isRead = false)
+    {
+        var create = new VkBufferCreateInfo
         {
-            Handle = handle;
-            Bytes = bytes;
-            Allocation = allocation;
-        }
-
-        internal byte* Mapped => Allocation.Mapped;
-
-        /// <summary>A buffer, or null where there is no memory for it.</summary>
-        /// <param name="isForHost">In memory that the host sees.</param>
-        /// <param name="isRead">The host reads it: cached, where there is such memory.</param>
-        internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, VkBufferUsageFlags usage, bool isForHost,
-            bool isRead = false)
+            sType = VkStructureType.BufferCreateInfo,
+            size = Math.Max(4, bytes),
+            usage = usage | VkBufferUsageFlags.TransferSrc | VkBufferUsageFlags.TransferDst,
+        };
+        ulong handle;
+        VkResult result = Vk.vkCreateBuffer(device.Handle, &create, null, &handle);
+        if (result == VkResult.ErrorOutOfDeviceMemory || result == VkResult.ErrorOutOfHostMemory)
+            return null;
+        Vk.Check(result, "vkCreateBuffer");
+        VkMemoryRequirements needs;
+        Vk.vkGetBufferMemoryRequirements(device.Handle, handle, &needs);
+        const VkMemoryPropertyFlags host = VkMemoryPropertyFlags.HostVisible | VkMemoryPropertyFlags.HostCoherent;
+        GpuAllocation allocation = device.Memory.Allocate(needs, false, isForHost ? host : VkMemoryPropertyFlags.DeviceLocal,
+            isRead ? VkMemoryPropertyFlags.HostCached : 0);
+        if (!allocation.IsCreated)
         {
-            var create = new VkBufferCreateInfo
-            {
-                sType = VkStructureType.BufferCreateInfo,
-                size = Math.Max(4, bytes),
-                usage = usage | VkBufferUsageFlags.TransferSrc | VkBufferUsageFlags.TransferDst,
-            };
-            ulong handle;
-            VkResult result = Vk.vkCreateBuffer(device.Handle, &create, null, &handle);
-            if (result == VkResult.ErrorOutOfDeviceMemory || result == VkResult.ErrorOutOfHostMemory)
-                return null;
-            Vk.Check(result, "vkCreateBuffer");
-            VkMemoryRequirements needs;
-            Vk.vkGetBufferMemoryRequirements(device.Handle, handle, &needs);
-            const VkMemoryPropertyFlags host = VkMemoryPropertyFlags.HostVisible | VkMemoryPropertyFlags.HostCoherent;
-            GpuAllocation allocation = device.Memory.Allocate(needs, false, isForHost ? host : VkMemoryPropertyFlags.DeviceLocal,
-                isRead ? VkMemoryPropertyFlags.HostCached : 0);
-            if (!allocation.IsCreated)
-            {
-                Vk.vkDestroyBuffer(device.Handle, handle, null);
-                return null;
-            }
-            Vk.Check(Vk.vkBindBufferMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset),
-                "vkBindBufferMemory");
-            return new GpuBuffer(handle, bytes, allocation);
+            Vk.vkDestroyBuffer(device.Handle, handle, null);
+            return null;
         }
+        Vk.Check(Vk.vkBindBufferMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset),
+            "vkBindBufferMemory");
+        return new GpuBuffer(handle, bytes, allocation);
+    }
 
-        /// <summary>At once: nothing may still use it.</summary>
-        internal void Destroy(GpuDevice device)
-        {
-            Vk.vkDestroyBuffer(device.Handle, Handle, null);
-            device.Memory.Free(Allocation);
-        }
+    /// <summary>At once: nothing may still use it.</summary>
+    internal void Destroy(GpuDevice device)
+    {
+        Vk.vkDestroyBuffer(device.Handle, Handle, null);
+        device.Memory.Free(Allocation);
     }
 }

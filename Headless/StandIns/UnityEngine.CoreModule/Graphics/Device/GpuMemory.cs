@@ -1,120 +1,119 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>
+/// Device memory, taken in blocks and handed out in parts: drivers allow only some thousand allocations. Parts of a block
+/// are all buffers or all images; what is large has a block of its own.
+/// </summary>
+sealed unsafe class GpuMemory
 {
-    /// <summary>
-    /// Device memory, taken in blocks and handed out in parts: drivers allow only some thousand allocations. Parts of a block
-    /// are all buffers or all images; what is large has a block of its own.
-    /// </summary>
-    sealed unsafe class GpuMemory
+    const ulong BlockBytes = 16 << 20;
+    const ulong LargeBytes = BlockBytes / 4;
+
+    readonly GpuDevice m_device;
+    readonly VkPhysicalDeviceMemoryProperties m_properties;
+    readonly List<GpuMemoryBlock> m_blocks = new List<GpuMemoryBlock>();
+    ulong m_usedBytes;
+
+    internal GpuMemory(GpuDevice device)
     {
-        const ulong BlockBytes = 16 << 20;
-        const ulong LargeBytes = BlockBytes / 4;
+        m_device = device;
+        VkPhysicalDeviceMemoryProperties properties;
+        Vk.vkGetPhysicalDeviceMemoryProperties(device.Physical, &properties);
+        m_properties = properties;
+    }
 
-        readonly GpuDevice m_device;
-        readonly VkPhysicalDeviceMemoryProperties m_properties;
-        readonly List<GpuMemoryBlock> m_blocks = new List<GpuMemoryBlock>();
-        ulong m_usedBytes;
+    /// <summary>Beyond this many bytes there is no more memory, as if the device had no more.</summary>
+    internal ulong LimitBytes { get; set; } = ulong.MaxValue;
 
-        internal GpuMemory(GpuDevice device)
+    /// <summary>What is handed out, alignment included.</summary>
+    internal ulong UsedBytes
+    {
+        get
         {
-            m_device = device;
-            VkPhysicalDeviceMemoryProperties properties;
-            Vk.vkGetPhysicalDeviceMemoryProperties(device.Physical, &properties);
-            m_properties = properties;
+            lock (m_blocks)
+                return m_usedBytes;
         }
+    }
 
-        /// <summary>Beyond this many bytes there is no more memory, as if the device had no more.</summary>
-        internal ulong LimitBytes { get; set; } = ulong.MaxValue;
+    internal VkPhysicalDeviceMemoryProperties Properties => m_properties;
 
-        /// <summary>What is handed out, alignment included.</summary>
-        internal ulong UsedBytes
+    /// <summary>A part that fits, or one with no memory where there is none.</summary>
+    /// <param name="wanted">What the memory must be; <paramref name="liked"/> what it had better be.</param>
+    internal GpuAllocation Allocate(VkMemoryRequirements needs, bool isImage, VkMemoryPropertyFlags wanted,
+        VkMemoryPropertyFlags liked)
+    {
+        int type = TypeFor(needs.memoryTypeBits, wanted | liked);
+        if (type < 0)
+            type = TypeFor(needs.memoryTypeBits, wanted);
+        if (type < 0)
+            return default;
+        lock (m_blocks)
         {
-            get
-            {
-                lock (m_blocks)
-                    return m_usedBytes;
-            }
-        }
-
-        internal VkPhysicalDeviceMemoryProperties Properties => m_properties;
-
-        /// <summary>A part that fits, or one with no memory where there is none.</summary>
-        /// <param name="wanted">What the memory must be; <paramref name="liked"/> what it had better be.</param>
-        internal GpuAllocation Allocate(VkMemoryRequirements needs, bool isImage, VkMemoryPropertyFlags wanted,
-            VkMemoryPropertyFlags liked)
-        {
-            int type = TypeFor(needs.memoryTypeBits, wanted | liked);
-            if (type < 0)
-                type = TypeFor(needs.memoryTypeBits, wanted);
-            if (type < 0)
+            if (m_usedBytes + needs.size > LimitBytes)
                 return default;
-            lock (m_blocks)
-            {
-                if (m_usedBytes + needs.size > LimitBytes)
-                    return default;
-                bool isLarge = needs.size >= LargeBytes;
-                foreach (GpuMemoryBlock block in m_blocks)
-                    if (!isLarge && block.Fits(type, isImage) && block.TryTake(needs.size, needs.alignment, out ulong at))
-                        return Count(new GpuAllocation(block, at, needs.size));
-                GpuMemoryBlock added = AddBlock(type, isImage, isLarge ? needs.size : BlockBytes, isLarge);
-                if (added == null)
-                    return default;
-                added.TryTake(needs.size, needs.alignment, out ulong start);
-                return Count(new GpuAllocation(added, start, needs.size));
-            }
+            bool isLarge = needs.size >= LargeBytes;
+            foreach (GpuMemoryBlock block in m_blocks)
+                if (!isLarge && block.Fits(type, isImage) && block.TryTake(needs.size, needs.alignment, out ulong at))
+                    return Count(new GpuAllocation(block, at, needs.size));
+            GpuMemoryBlock added = AddBlock(type, isImage, isLarge ? needs.size : BlockBytes, isLarge);
+            if (added == null)
+                return default;
+            added.TryTake(needs.size, needs.alignment, out ulong start);
+            return Count(new GpuAllocation(added, start, needs.size));
         }
+    }
 
-        internal void Free(in GpuAllocation allocation)
+    internal void Free(in GpuAllocation allocation)
+    {
+        if (!allocation.IsCreated)
+            return;
+        lock (m_blocks)
         {
-            if (!allocation.IsCreated)
+            m_usedBytes -= allocation.Bytes;
+            allocation.Block.Give(allocation.Offset, allocation.Bytes);
+            if (!allocation.Block.IsLarge || !allocation.Block.IsEmpty)
                 return;
-            lock (m_blocks)
-            {
-                m_usedBytes -= allocation.Bytes;
-                allocation.Block.Give(allocation.Offset, allocation.Bytes);
-                if (!allocation.Block.IsLarge || !allocation.Block.IsEmpty)
-                    return;
-                m_blocks.Remove(allocation.Block);
-                Vk.vkFreeMemory(m_device.Handle, allocation.Block.Memory, null);
-            }
+            m_blocks.Remove(allocation.Block);
+            Vk.vkFreeMemory(m_device.Handle, allocation.Block.Memory, null);
         }
+    }
 
-        GpuAllocation Count(GpuAllocation allocation)
-        {
-            m_usedBytes += allocation.Bytes;
-            return allocation;
-        }
+    GpuAllocation Count(GpuAllocation allocation)
+    {
+        m_usedBytes += allocation.Bytes;
+        return allocation;
+    }
 
-        GpuMemoryBlock AddBlock(int type, bool isImage, ulong bytes, bool isLarge)
+    GpuMemoryBlock AddBlock(int type, bool isImage, ulong bytes, bool isLarge)
+    {
+        var allocate = new VkMemoryAllocateInfo
         {
-            var allocate = new VkMemoryAllocateInfo
-            {
-                sType = VkStructureType.MemoryAllocateInfo,
-                allocationSize = bytes,
-                memoryTypeIndex = (uint)type,
-            };
-            ulong memory;
-            if (Vk.vkAllocateMemory(m_device.Handle, &allocate, null, &memory) != VkResult.Success)
-                return null;
-            void* mapped = null;
-            if ((FlagsOf(type) & VkMemoryPropertyFlags.HostVisible) != 0)
-                Vk.Check(Vk.vkMapMemory(m_device.Handle, memory, 0, Vk.WholeSize, 0, &mapped), "vkMapMemory");
-            var block = new GpuMemoryBlock(memory, (byte*)mapped, bytes, type, isImage, isLarge);
-            m_blocks.Add(block);
-            return block;
-        }
+            sType = VkStructureType.MemoryAllocateInfo,
+            allocationSize = bytes,
+            memoryTypeIndex = (uint)type,
+        };
+        ulong memory;
+        if (Vk.vkAllocateMemory(m_device.Handle, &allocate, null, &memory) != VkResult.Success)
+            return null;
+        void* mapped = null;
+        if ((FlagsOf(type) & VkMemoryPropertyFlags.HostVisible) != 0)
+            Vk.Check(Vk.vkMapMemory(m_device.Handle, memory, 0, Vk.WholeSize, 0, &mapped), "vkMapMemory");
+        var block = new GpuMemoryBlock(memory, (byte*)mapped, bytes, type, isImage, isLarge);
+        m_blocks.Add(block);
+        return block;
+    }
 
-        int TypeFor(uint allowed, VkMemoryPropertyFlags wanted)
-        {
-            for (int type = 0; type < m_properties.memoryTypeCount; type++)
-                if ((allowed >> type & 1) != 0 && (FlagsOf(type) & wanted) == wanted)
-                    return type;
-            return -1;
-        }
+    int TypeFor(uint allowed, VkMemoryPropertyFlags wanted)
+    {
+        for (int type = 0; type < m_properties.memoryTypeCount; type++)
+            if ((allowed >> type & 1) != 0 && (FlagsOf(type) & wanted) == wanted)
+                return type;
+        return -1;
+    }
 
-        VkMemoryPropertyFlags FlagsOf(int type)
-        {
-            fixed (uint* pairs = m_properties.memoryTypes)
-                return (VkMemoryPropertyFlags)pairs[type * 2];
-        }
+    VkMemoryPropertyFlags FlagsOf(int type)
+    {
+        fixed (uint* pairs = m_properties.memoryTypes)
+            return (VkMemoryPropertyFlags)pairs[type * 2];
     }
 }

@@ -1,69 +1,68 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>One allocation of the driver's and the parts of it that are free, in order, none touching the next.</summary>
+sealed unsafe class GpuMemoryBlock
 {
-    /// <summary>One allocation of the driver's and the parts of it that are free, in order, none touching the next.</summary>
-    sealed unsafe class GpuMemoryBlock
+    internal readonly ulong Memory;
+    /// <summary>Where the host sees it; null where it does not.</summary>
+    internal readonly byte* Mapped;
+    internal readonly bool IsLarge;
+
+    readonly ulong m_bytes;
+    readonly int m_type;
+    readonly bool m_isImage;
+    readonly List<(ulong Start, ulong End)> m_free = new List<(ulong, ulong)>();
+
+    internal GpuMemoryBlock(ulong memory, byte* mapped, ulong bytes, int type, bool isImage, bool isLarge)
     {
-        internal readonly ulong Memory;
-        /// <summary>Where the host sees it; null where it does not.</summary>
-        internal readonly byte* Mapped;
-        internal readonly bool IsLarge;
+        Memory = memory;
+        Mapped = mapped;
+        IsLarge = isLarge;
+        m_bytes = bytes;
+        m_type = type;
+        m_isImage = isImage;
+        m_free.Add((0, bytes));
+    }
 
-        readonly ulong m_bytes;
-        readonly int m_type;
-        readonly bool m_isImage;
-        readonly List<(ulong Start, ulong End)> m_free = new List<(ulong, ulong)>();
+    internal bool IsEmpty => m_free.Count == 1 && m_free[0] == (0, m_bytes);
 
-        internal GpuMemoryBlock(ulong memory, byte* mapped, ulong bytes, int type, bool isImage, bool isLarge)
+    internal bool Fits(int type, bool isImage) => !IsLarge && m_type == type && m_isImage == isImage;
+
+    internal bool TryTake(ulong bytes, ulong alignment, out ulong start)
+    {
+        for (int i = 0; i < m_free.Count; i++)
         {
-            Memory = memory;
-            Mapped = mapped;
-            IsLarge = isLarge;
-            m_bytes = bytes;
-            m_type = type;
-            m_isImage = isImage;
-            m_free.Add((0, bytes));
+            (ulong first, ulong end) = m_free[i];
+            start = (first + alignment - 1) / alignment * alignment;
+            if (start + bytes > end)
+                continue;
+            m_free.RemoveAt(i);
+            if (start + bytes < end)
+                m_free.Insert(i, (start + bytes, end));
+            if (first < start)
+                m_free.Insert(i, (first, start));
+            return true;
         }
+        start = 0;
+        return false;
+    }
 
-        internal bool IsEmpty => m_free.Count == 1 && m_free[0] == (0, m_bytes);
-
-        internal bool Fits(int type, bool isImage) => !IsLarge && m_type == type && m_isImage == isImage;
-
-        internal bool TryTake(ulong bytes, ulong alignment, out ulong start)
+    internal void Give(ulong start, ulong bytes)
+    {
+        ulong end = start + bytes;
+        int at = 0;
+        while (at < m_free.Count && m_free[at].Start < start)
+            at++;
+        if (at < m_free.Count && m_free[at].Start == end)
         {
-            for (int i = 0; i < m_free.Count; i++)
-            {
-                (ulong first, ulong end) = m_free[i];
-                start = (first + alignment - 1) / alignment * alignment;
-                if (start + bytes > end)
-                    continue;
-                m_free.RemoveAt(i);
-                if (start + bytes < end)
-                    m_free.Insert(i, (start + bytes, end));
-                if (first < start)
-                    m_free.Insert(i, (first, start));
-                return true;
-            }
-            start = 0;
-            return false;
+            end = m_free[at].End;
+            m_free.RemoveAt(at);
         }
-
-        internal void Give(ulong start, ulong bytes)
+        if (at > 0 && m_free[at - 1].End == start)
         {
-            ulong end = start + bytes;
-            int at = 0;
-            while (at < m_free.Count && m_free[at].Start < start)
-                at++;
-            if (at < m_free.Count && m_free[at].Start == end)
-            {
-                end = m_free[at].End;
-                m_free.RemoveAt(at);
-            }
-            if (at > 0 && m_free[at - 1].End == start)
-            {
-                start = m_free[--at].Start;
-                m_free.RemoveAt(at);
-            }
-            m_free.Insert(at, (start, end));
+            start = m_free[--at].Start;
+            m_free.RemoveAt(at);
         }
+        m_free.Insert(at, (start, end));
     }
 }

@@ -1,33 +1,32 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>Text as C reads it, for the length of one call.</summary>
+sealed unsafe class NativeStrings : IDisposable
 {
-    /// <summary>Text as C reads it, for the length of one call.</summary>
-    sealed unsafe class NativeStrings : IDisposable
+    readonly List<IntPtr> m_blocks = new List<IntPtr>();
+
+    public void Dispose()
     {
-        readonly List<IntPtr> m_blocks = new List<IntPtr>();
+        foreach (IntPtr block in m_blocks)
+            Marshal.FreeHGlobal(block);
+        m_blocks.Clear();
+    }
 
-        public void Dispose()
-        {
-            foreach (IntPtr block in m_blocks)
-                Marshal.FreeHGlobal(block);
-            m_blocks.Clear();
-        }
+    internal static string Read(byte* text) => Marshal.PtrToStringAnsi((IntPtr)text) ?? "";
 
-        internal static string Read(byte* text) => Marshal.PtrToStringAnsi((IntPtr)text) ?? "";
+    internal byte* Text(string text)
+    {
+        IntPtr block = Marshal.StringToHGlobalAnsi(text);
+        m_blocks.Add(block);
+        return (byte*)block;
+    }
 
-        internal byte* Text(string text)
-        {
-            IntPtr block = Marshal.StringToHGlobalAnsi(text);
-            m_blocks.Add(block);
-            return (byte*)block;
-        }
-
-        internal byte** Array(params string[] texts)
-        {
-            IntPtr block = Marshal.AllocHGlobal(Math.Max(1, texts.Length) * sizeof(byte*));
-            m_blocks.Add(block);
-            for (int i = 0; i < texts.Length; i++)
-                ((byte**)block)[i] = Text(texts[i]);
-            return (byte**)block;
-        }
+    internal byte** Array(params string[] texts)
+    {
+        IntPtr block = Marshal.AllocHGlobal(Math.Max(1, texts.Length) * sizeof(byte*));
+        m_blocks.Add(block);
+        for (int i = 0; i < texts.Length; i++)
+            ((byte**)block)[i] = Text(texts[i]);
+        return (byte**)block;
     }
 }

@@ -1,75 +1,74 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+/// <summary>A host sets its matrices and its size; nothing is drawn by itself.</summary>
+public sealed class Camera : Behaviour
 {
-    /// <summary>A host sets its matrices and its size; nothing is drawn by itself.</summary>
-    public sealed class Camera : Behaviour
+    public delegate void CameraCallback(Camera cam);
+
+    public enum StereoscopicEye
     {
-        public delegate void CameraCallback(Camera cam);
-
-        public enum StereoscopicEye
-        {
-            Left = 0,
-            Right = 1,
-        }
-
-        public enum MonoOrStereoscopicEye
-        {
-            Left = 0,
-            Right = 1,
-            Mono = 2,
-        }
-
-        public static CameraCallback onPreCull;
-
-        readonly List<(CameraEvent Event, CommandBuffer Commands)> m_commands = new List<(CameraEvent, CommandBuffer)>();
-
-        /// <summary>The one that a host or a new scene made last.</summary>
-        public static Camera main { get; internal set; }
-
-        public CameraType cameraType { get; set; } = CameraType.Game;
-
-        public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;
-
-        public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
-
-        /// <summary>A host's headset says it.</summary>
-        public bool stereoEnabled { get; internal set; }
-
-        public MonoOrStereoscopicEye stereoActiveEye { get; internal set; } = MonoOrStereoscopicEye.Mono;
-
-        /// <summary>By eye: view and projection of a host's headset.</summary>
-        internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
-
-        public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => Eyes[(int)eye].View;
-
-        public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => Eyes[(int)eye].Projection;
-
-        public RenderTexture targetTexture { get; set; }
-
-        public int pixelWidth => targetTexture == null ? 0 : targetTexture.width;
-
-        public int pixelHeight => targetTexture == null ? 0 : targetTexture.height;
-
-        public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Add((evt, buffer));
-
-        public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Remove((evt, buffer));
-
-        /// <summary>Its target cleared, then the command buffers: what the Built-in pipeline makes of a camera in a scene without
-        /// meshes.</summary>
-        public void Render()
-        {
-            onPreCull?.Invoke(this);
-            using (var target = new CommandBuffer())
-            {
-                target.SetRenderTarget(targetTexture);
-                target.ClearRenderTarget(true, true, backgroundColor);
-                Graphics.ExecuteCommandBuffer(target);
-                target.Clear();
-                target.SetRenderTarget(targetTexture);
-                foreach (var (_, commands) in m_commands)
-                    Graphics.Execute(target, commands, targetTexture);
-            }
-        }
-
-        public Color backgroundColor { get; set; }
+        Left = 0,
+        Right = 1,
     }
+
+    public enum MonoOrStereoscopicEye
+    {
+        Left = 0,
+        Right = 1,
+        Mono = 2,
+    }
+
+    public static CameraCallback onPreCull;
+
+    readonly List<(CameraEvent Event, CommandBuffer Commands)> m_commands = new List<(CameraEvent, CommandBuffer)>();
+
+    /// <summary>The one that a host or a new scene made last.</summary>
+    public static Camera main { get; internal set; }
+
+    public CameraType cameraType { get; set; } = CameraType.Game;
+
+    public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;
+
+    public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
+
+    /// <summary>A host's headset says it.</summary>
+    public bool stereoEnabled { get; internal set; }
+
+    public MonoOrStereoscopicEye stereoActiveEye { get; internal set; } = MonoOrStereoscopicEye.Mono;
+
+    /// <summary>By eye: view and projection of a host's headset.</summary>
+    internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
+
+    public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => Eyes[(int)eye].View;
+
+    public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => Eyes[(int)eye].Projection;
+
+    public RenderTexture targetTexture { get; set; }
+
+    public int pixelWidth => targetTexture == null ? 0 : targetTexture.width;
+
+    public int pixelHeight => targetTexture == null ? 0 : targetTexture.height;
+
+    public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Add((evt, buffer));
+
+    public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Remove((evt, buffer));
+
+    /// <summary>Its target cleared, then the command buffers: what the Built-in pipeline makes of a camera in a scene without
+    /// meshes.</summary>
+    public void Render()
+    {
+        onPreCull?.Invoke(this);
+        using (var target = new CommandBuffer())
+        {
+            target.SetRenderTarget(targetTexture);
+            target.ClearRenderTarget(true, true, backgroundColor);
+            Graphics.ExecuteCommandBuffer(target);
+            target.Clear();
+            target.SetRenderTarget(targetTexture);
+            foreach (var (_, commands) in m_commands)
+                Graphics.Execute(target, commands, targetTexture);
+        }
+    }
+
+    public Color backgroundColor { get; set; }
 }

@@ -1,84 +1,83 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+/// <summary>A .compute file; a host loads it by its path (HeadlessShaders.LoadCompute).</summary>
+public sealed class ComputeShader : Object
 {
-    /// <summary>A .compute file; a host loads it by its path (HeadlessShaders.LoadCompute).</summary>
-    public sealed class ComputeShader : Object
+    readonly ComputeSource m_source;
+    readonly List<ComputeKernel> m_kernels = new List<ComputeKernel>();
+    readonly KeywordSet m_keywords = new KeywordSet();
+    readonly CommandBuffer m_commands = new CommandBuffer();
+
+    internal ComputeShader(ComputeSource source)
     {
-        readonly ComputeSource m_source;
-        readonly List<ComputeKernel> m_kernels = new List<ComputeKernel>();
-        readonly KeywordSet m_keywords = new KeywordSet();
-        readonly CommandBuffer m_commands = new CommandBuffer();
+        m_source = source;
+        name = source.Name;
+        foreach (string kernel in source.Kernels)
+            m_kernels.Add(new ComputeKernel(source, kernel));
+    }
 
-        internal ComputeShader(ComputeSource source)
-        {
-            m_source = source;
-            name = source.Name;
-            foreach (string kernel in source.Kernels)
-                m_kernels.Add(new ComputeKernel(source, kernel));
-        }
+    /// <summary>The constants: all kernels have them in common.</summary>
+    internal PropertySheet Constants { get; } = new PropertySheet();
 
-        /// <summary>The constants: all kernels have them in common.</summary>
-        internal PropertySheet Constants { get; } = new PropertySheet();
+    internal KeywordSet Keywords => m_keywords;
 
-        internal KeywordSet Keywords => m_keywords;
+    /// <exception cref="ArgumentException">No such kernel.</exception>
+    public int FindKernel(string name)
+    {
+        int kernel = m_kernels.FindIndex(k => k.Name == name);
+        return kernel >= 0 ? kernel : throw new ArgumentException($"Kernel '{name}' not found in {this.name}");
+    }
 
-        /// <exception cref="ArgumentException">No such kernel.</exception>
-        public int FindKernel(string name)
-        {
-            int kernel = m_kernels.FindIndex(k => k.Name == name);
-            return kernel >= 0 ? kernel : throw new ArgumentException($"Kernel '{name}' not found in {this.name}");
-        }
+    public bool HasKernel(string name) => m_kernels.Exists(k => k.Name == name);
 
-        public bool HasKernel(string name) => m_kernels.Exists(k => k.Name == name);
+    public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z) =>
+        (x, y, z) = Kernel(kernelIndex).Program(m_keywords).GroupSize;
 
-        public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z) =>
-            (x, y, z) = Kernel(kernelIndex).Program(m_keywords).GroupSize;
+    public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
 
-        public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
+    public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
 
-        public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
+    public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
 
-        public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
+    public void SetInt(string name, int val) => SetInt(Shader.PropertyToID(name), val);
 
-        public void SetInt(string name, int val) => SetInt(Shader.PropertyToID(name), val);
+    public void SetInts(int nameID, params int[] values) => Constants.Set(nameID, PropertyValue.Of(values));
 
-        public void SetInts(int nameID, params int[] values) => Constants.Set(nameID, PropertyValue.Of(values));
+    public void SetFloat(int nameID, float val) => Constants.Set(nameID, PropertyValue.Of(val));
 
-        public void SetFloat(int nameID, float val) => Constants.Set(nameID, PropertyValue.Of(val));
+    public void SetFloat(string name, float val) => SetFloat(Shader.PropertyToID(name), val);
 
-        public void SetFloat(string name, float val) => SetFloat(Shader.PropertyToID(name), val);
+    public void SetVector(int nameID, Vector4 val) => Constants.Set(nameID, PropertyValue.Of(val));
 
-        public void SetVector(int nameID, Vector4 val) => Constants.Set(nameID, PropertyValue.Of(val));
+    public void SetMatrix(int nameID, Matrix4x4 val) => Constants.Set(nameID, PropertyValue.Of(val));
 
-        public void SetMatrix(int nameID, Matrix4x4 val) => Constants.Set(nameID, PropertyValue.Of(val));
+    public void SetVectorArray(int nameID, Vector4[] values) => Constants.Set(nameID, values);
 
-        public void SetVectorArray(int nameID, Vector4[] values) => Constants.Set(nameID, values);
+    public void SetMatrixArray(int nameID, Matrix4x4[] values) => Constants.Set(nameID, values);
 
-        public void SetMatrixArray(int nameID, Matrix4x4[] values) => Constants.Set(nameID, values);
+    public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) =>
+        Kernel(kernelIndex).Sheet.Set(nameID, buffer);
 
-        public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) =>
-            Kernel(kernelIndex).Sheet.Set(nameID, buffer);
+    public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) =>
+        SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
 
-        public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) =>
-            SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
+    public void SetTexture(int kernelIndex, int nameID, Texture texture) => Kernel(kernelIndex).Sheet.Set(nameID, texture);
 
-        public void SetTexture(int kernelIndex, int nameID, Texture texture) => Kernel(kernelIndex).Sheet.Set(nameID, texture);
+    public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel,
+        RenderTextureSubElement element) =>
+        Kernel(kernelIndex).Sheet.Set(nameID, texture, element == RenderTextureSubElement.Depth);
 
-        public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel,
-            RenderTextureSubElement element) =>
-            Kernel(kernelIndex).Sheet.Set(nameID, texture, element == RenderTextureSubElement.Depth);
+    public void Dispatch(int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)
+    {
+        m_commands.Clear();
+        m_commands.DispatchCompute(this, kernelIndex, threadGroupsX, threadGroupsY, threadGroupsZ);
+        Graphics.ExecuteCommandBuffer(m_commands);
+    }
 
-        public void Dispatch(int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)
-        {
-            m_commands.Clear();
-            m_commands.DispatchCompute(this, kernelIndex, threadGroupsX, threadGroupsY, threadGroupsZ);
-            Graphics.ExecuteCommandBuffer(m_commands);
-        }
-
-        internal ComputeKernel Kernel(int index)
-        {
-            if ((uint)index >= (uint)m_kernels.Count)
-                throw new IndexOutOfRangeException($"{name}: kernel {index} of {m_kernels.Count}");
-            return m_kernels[index];
-        }
+    internal ComputeKernel Kernel(int index)
+    {
+        if ((uint)index >= (uint)m_kernels.Count)
+            throw new IndexOutOfRangeException($"{name}: kernel {index} of {m_kernels.Count}");
+        return m_kernels[index];
     }
 }

@@ -1,42 +1,41 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public sealed partial class GraphicsBuffer
 {
-    public sealed partial class GraphicsBuffer
+    [Flags]
+    public enum Target
     {
-        [Flags]
-        public enum Target
-        {
-            Vertex = 1,
-            Index = 2,
-            CopySource = 4,
-            CopyDestination = 8,
-            Structured = 16,
-            Raw = 32,
-            Append = 64,
-            Counter = 128,
-            IndirectArguments = 256,
-            Constant = 512,
-        }
+        Vertex = 1,
+        Index = 2,
+        CopySource = 4,
+        CopyDestination = 8,
+        Structured = 16,
+        Raw = 32,
+        Append = 64,
+        Counter = 128,
+        IndirectArguments = 256,
+        Constant = 512,
+    }
 
-        [Flags]
-        public enum UsageFlags
-        {
-            None = 0,
-            LockBufferForWrite = 1,
-        }
+    [Flags]
+    public enum UsageFlags
+    {
+        None = 0,
+        LockBufferForWrite = 1,
+    }
 
-        /// <summary>What one draw of DrawProceduralIndirect reads.</summary>
-        [StructLayout(LayoutKind.Sequential)]
-        public struct IndirectDrawArgs
-        {
-            public const int size = 16;
+    /// <summary>What one draw of DrawProceduralIndirect reads.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct IndirectDrawArgs
+    {
+        public const int size = 16;
 
-            public uint vertexCountPerInstance { get; set; }
+        public uint vertexCountPerInstance { get; set; }
 
-            public uint instanceCount { get; set; }
+        public uint instanceCount { get; set; }
 
-            public uint startVertex { get; set; }
+        public uint startVertex { get; set; }
 
-            public uint startInstance { get; set; }
-        }
+        public uint startInstance { get; set; }
     }
 }

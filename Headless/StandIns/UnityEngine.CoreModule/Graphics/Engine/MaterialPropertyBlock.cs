@@ -1,22 +1,21 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+/// <summary>Values for one draw, before the material's.</summary>
+public sealed class MaterialPropertyBlock
 {
-    /// <summary>Values for one draw, before the material's.</summary>
-    public sealed class MaterialPropertyBlock
-    {
-        internal PropertySheet Sheet { get; } = new PropertySheet();
+    internal PropertySheet Sheet { get; } = new PropertySheet();
 
-        public void Clear() => Sheet.Clear();
+    public void Clear() => Sheet.Clear();
 
-        public void SetFloat(int nameID, float value) => Sheet.Set(nameID, PropertyValue.Of(value));
+    public void SetFloat(int nameID, float value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
-        public void SetInteger(int nameID, int value) => Sheet.Set(nameID, PropertyValue.Of(value));
+    public void SetInteger(int nameID, int value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
-        public void SetVector(int nameID, Vector4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
+    public void SetVector(int nameID, Vector4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
-        public void SetMatrix(int nameID, Matrix4x4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
+    public void SetMatrix(int nameID, Matrix4x4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
-        public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, values);
+    public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, values);
 
-        public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
-    }
+    public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
 }

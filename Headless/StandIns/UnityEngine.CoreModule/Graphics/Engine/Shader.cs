@@ -1,25 +1,24 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+/// <summary>A .shader file; a host loads it by its path (HeadlessShaders.Load).</summary>
+public sealed class Shader : Object
 {
-    /// <summary>A .shader file; a host loads it by its path (HeadlessShaders.Load).</summary>
-    public sealed class Shader : Object
+    internal Shader(ShaderLabSource source)
     {
-        internal Shader(ShaderLabSource source)
-        {
-            Source = source;
-            name = source.Name;
-        }
-
-        internal ShaderLabSource Source { get; }
-
-        public int passCount => Source.Passes.Count;
-
-        public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(Source);
-
-        public static int PropertyToID(string name) => PropertyNames.IdOf(name);
-
-        public static void SetGlobalVector(int nameID, Vector4 value) =>
-            PropertySheet.Global.Set(nameID, PropertyValue.Of(value));
-
-        public static void SetGlobalBuffer(int nameID, GraphicsBuffer value) => PropertySheet.Global.Set(nameID, value);
+        Source = source;
+        name = source.Name;
     }
+
+    internal ShaderLabSource Source { get; }
+
+    public int passCount => Source.Passes.Count;
+
+    public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(Source);
+
+    public static int PropertyToID(string name) => PropertyNames.IdOf(name);
+
+    public static void SetGlobalVector(int nameID, Vector4 value) =>
+        PropertySheet.Global.Set(nameID, PropertyValue.Of(value));
+
+    public static void SetGlobalBuffer(int nameID, GraphicsBuffer value) => PropertySheet.Global.Set(nameID, value);
 }

@@ -1,34 +1,33 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+/// <summary>What the device can; with none, as on a server without graphics: nothing.</summary>
+public sealed class SystemInfo
 {
-    /// <summary>What the device can; with none, as on a server without graphics: nothing.</summary>
-    public sealed class SystemInfo
+    public static string graphicsDeviceName => GpuDevice.TryGet(out _)?.Name ?? "Null Device";
+
+    public static GraphicsDeviceType graphicsDeviceType => HasDevice ? GraphicsDeviceType.Vulkan : GraphicsDeviceType.Null;
+
+    public static bool supportsComputeShaders => HasDevice;
+
+    public static bool supportsGraphicsFence => HasDevice;
+
+    public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
+
+    /// <summary>Not by this host: its render passes have no view masks.</summary>
+    public static bool supportsMultiview => false;
+
+    public static bool graphicsUVStartsAtTop => true;
+
+    /// <summary>In bytes: what one shader may see of a buffer.</summary>
+    public static long maxGraphicsBufferSize => GpuDevice.TryGet(out _)?.Limits.maxStorageBufferRange ?? 0;
+
+    public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) => usage switch
     {
-        public static string graphicsDeviceName => GpuDevice.TryGet(out _)?.Name ?? "Null Device";
+        GraphicsFormatUsage.Blend => GpuDevice.TryGet(out _)?.CanBlend(TextureFormats.Vulkan(format)) ?? false,
+        _ => throw new System.NotSupportedException("GraphicsFormatUsage." + usage),
+    };
 
-        public static GraphicsDeviceType graphicsDeviceType => HasDevice ? GraphicsDeviceType.Vulkan : GraphicsDeviceType.Null;
+    static bool HasDevice => GpuDevice.TryGet(out _) != null;
 
-        public static bool supportsComputeShaders => HasDevice;
-
-        public static bool supportsGraphicsFence => HasDevice;
-
-        public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
-
-        /// <summary>Not by this host: its render passes have no view masks.</summary>
-        public static bool supportsMultiview => false;
-
-        public static bool graphicsUVStartsAtTop => true;
-
-        /// <summary>In bytes: what one shader may see of a buffer.</summary>
-        public static long maxGraphicsBufferSize => GpuDevice.TryGet(out _)?.Limits.maxStorageBufferRange ?? 0;
-
-        public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) => usage switch
-        {
-            GraphicsFormatUsage.Blend => GpuDevice.TryGet(out _)?.CanBlend(TextureFormats.Vulkan(format)) ?? false,
-            _ => throw new System.NotSupportedException("GraphicsFormatUsage." + usage),
-        };
-
-        static bool HasDevice => GpuDevice.TryGet(out _) != null;
-
-        static int StorageBuffers => (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
-    }
+    static int StorageBuffers => (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
 }

@@ -1,42 +1,41 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public class Texture : Object
 {
-    public class Texture : Object
+    // A RenderTargetIdentifier is a plain struct and names a texture by its number.
+    static readonly Dictionary<int, Texture> s_textures = new Dictionary<int, Texture>();
+
+    protected Texture()
     {
-        // A RenderTargetIdentifier is a plain struct and names a texture by its number.
-        static readonly Dictionary<int, Texture> s_textures = new Dictionary<int, Texture>();
+        lock (s_textures)
+            s_textures.Add(Id, this);
+    }
 
-        protected Texture()
-        {
-            lock (s_textures)
-                s_textures.Add(Id, this);
-        }
+    public virtual int width { get; set; }
 
-        public virtual int width { get; set; }
+    public virtual int height { get; set; }
 
-        public virtual int height { get; set; }
+    public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
 
-        public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
+    public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
 
-        public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
+    public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
 
-        public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
+    /// <summary>RenderTexture hides <see cref="graphicsFormat"/> with one that can be set.</summary>
+    internal virtual GraphicsFormat Format => GraphicsFormat.None;
 
-        /// <summary>RenderTexture hides <see cref="graphicsFormat"/> with one that can be set.</summary>
-        internal virtual GraphicsFormat Format => GraphicsFormat.None;
+    internal static Texture Find(int id)
+    {
+        lock (s_textures)
+            return s_textures.TryGetValue(id, out Texture texture) ? texture : null;
+    }
 
-        internal static Texture Find(int id)
-        {
-            lock (s_textures)
-                return s_textures.TryGetValue(id, out Texture texture) ? texture : null;
-        }
+    /// <summary>What shaders see.</summary>
+    internal virtual GpuImage ImageFor(bool isDepth) => throw new System.NotSupportedException(GetType().Name);
 
-        /// <summary>What shaders see.</summary>
-        internal virtual GpuImage ImageFor(bool isDepth) => throw new System.NotSupportedException(GetType().Name);
-
-        internal override void OnDestroyed()
-        {
-            lock (s_textures)
-                s_textures.Remove(Id);
-        }
+    internal override void OnDestroyed()
+    {
+        lock (s_textures)
+            s_textures.Remove(Id);
     }
 }

@@ -1,7 +1,6 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public enum CameraEvent
 {
-    public enum CameraEvent
-    {
-        AfterForwardOpaque = 11,
-    }
+    AfterForwardOpaque = 11,
 }

@@ -1,9 +1,8 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum ColorSpace
 {
-    public enum ColorSpace
-    {
-        Uninitialized = -1,
-        Gamma = 0,
-        Linear = 1,
-    }
+    Uninitialized = -1,
+    Gamma = 0,
+    Linear = 1,
 }

@@ -1,9 +1,8 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum FilterMode
 {
-    public enum FilterMode
-    {
-        Point = 0,
-        Bilinear = 1,
-        Trilinear = 2,
-    }
+    Point = 0,
+    Bilinear = 1,
+    Trilinear = 2,
 }

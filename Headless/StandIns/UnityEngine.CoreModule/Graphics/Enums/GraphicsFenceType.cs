@@ -1,8 +1,7 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public enum GraphicsFenceType
 {
-    public enum GraphicsFenceType
-    {
-        AsyncQueueSynchronisation = 0,
-        CPUSynchronisation = 1,
-    }
+    AsyncQueueSynchronisation = 0,
+    CPUSynchronisation = 1,
 }

@@ -1,8 +1,7 @@
-namespace UnityEngine.Experimental.Rendering
+namespace UnityEngine.Experimental.Rendering;
+
+[Flags]
+public enum GraphicsFormatUsage
 {
-    [Flags]
-    public enum GraphicsFormatUsage
-    {
-        Blend = 32,
-    }
+    Blend = 32,
 }

@@ -1,8 +1,7 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum KeyCode
 {
-    public enum KeyCode
-    {
-        None = 0,
-        Escape = 27,
-    }
+    None = 0,
+    Escape = 27,
 }

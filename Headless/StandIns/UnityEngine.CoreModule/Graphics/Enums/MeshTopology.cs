@@ -1,11 +1,10 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum MeshTopology
 {
-    public enum MeshTopology
-    {
-        Triangles = 0,
-        Quads = 2,
-        Lines = 3,
-        LineStrip = 4,
-        Points = 5,
-    }
+    Triangles = 0,
+    Quads = 2,
+    Lines = 3,
+    LineStrip = 4,
+    Points = 5,
 }

@@ -1,9 +1,8 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public enum RenderBufferLoadAction
 {
-    public enum RenderBufferLoadAction
-    {
-        Load = 0,
-        Clear = 1,
-        DontCare = 2,
-    }
+    Load = 0,
+    Clear = 1,
+    DontCare = 2,
 }

@@ -1,10 +1,9 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public enum RenderBufferStoreAction
 {
-    public enum RenderBufferStoreAction
-    {
-        Store = 0,
-        Resolve = 1,
-        StoreAndResolve = 2,
-        DontCare = 3,
-    }
+    Store = 0,
+    Resolve = 1,
+    StoreAndResolve = 2,
+    DontCare = 3,
 }

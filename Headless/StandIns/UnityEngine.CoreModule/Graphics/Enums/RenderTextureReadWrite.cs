@@ -1,9 +1,8 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum RenderTextureReadWrite
 {
-    public enum RenderTextureReadWrite
-    {
-        Default = 0,
-        Linear = 1,
-        sRGB = 2,
-    }
+    Default = 0,
+    Linear = 1,
+    sRGB = 2,
 }

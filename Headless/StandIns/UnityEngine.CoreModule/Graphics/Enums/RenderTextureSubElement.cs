@@ -1,9 +1,8 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public enum RenderTextureSubElement
 {
-    public enum RenderTextureSubElement
-    {
-        Color = 0,
-        Depth = 1,
-        Default = 3,
-    }
+    Color = 0,
+    Depth = 1,
+    Default = 3,
 }

@@ -1,10 +1,9 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public enum SynchronisationStageFlags
 {
-    public enum SynchronisationStageFlags
-    {
-        VertexProcessing = 1,
-        PixelProcessing = 2,
-        ComputeProcessing = 4,
-        AllGPUOperations = 7,
-    }
+    VertexProcessing = 1,
+    PixelProcessing = 2,
+    ComputeProcessing = 4,
+    AllGPUOperations = 7,
 }

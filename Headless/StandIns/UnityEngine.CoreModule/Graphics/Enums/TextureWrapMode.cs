@@ -1,10 +1,9 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public enum TextureWrapMode
 {
-    public enum TextureWrapMode
-    {
-        Repeat = 0,
-        Clamp = 1,
-        Mirror = 2,
-        MirrorOnce = 3,
-    }
+    Repeat = 0,
+    Clamp = 1,
+    Mirror = 2,
+    MirrorOnce = 3,
 }

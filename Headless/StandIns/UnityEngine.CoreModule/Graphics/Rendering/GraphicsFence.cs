@@ -1,39 +1,38 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+/// <summary>Tells whether the device has come to a certain command.</summary>
+public struct GraphicsFence
 {
-    /// <summary>Tells whether the device has come to a certain command.</summary>
-    public struct GraphicsFence
+    // The submission of each of the last fences; before it is executed a fence has none.
+    const int Kept = 1024;
+    static readonly ulong[] s_submissionOf = new ulong[Kept];
+    static int s_last;
+
+    int m_id;
+    GraphicsFenceType m_type;
+
+    /// <summary>Also true for a fence so old that a thousand came after it.</summary>
+    /// <exception cref="InvalidOperationException">Not made for CPUSynchronisation.</exception>
+    public bool passed
     {
-        // The submission of each of the last fences; before it is executed a fence has none.
-        const int Kept = 1024;
-        static readonly ulong[] s_submissionOf = new ulong[Kept];
-        static int s_last;
-
-        int m_id;
-        GraphicsFenceType m_type;
-
-        /// <summary>Also true for a fence so old that a thousand came after it.</summary>
-        /// <exception cref="InvalidOperationException">Not made for CPUSynchronisation.</exception>
-        public bool passed
+        get
         {
-            get
-            {
-                if (m_type != GraphicsFenceType.CPUSynchronisation)
-                    throw new InvalidOperationException("Only a fence made with GraphicsFenceType.CPUSynchronisation can be "
-                        + "asked");
-                ulong number = s_submissionOf[m_id % Kept];
-                return m_id <= s_last - Kept || (number > 0 && GpuDevice.Current.Queue.HasPassed(number));
-            }
+            if (m_type != GraphicsFenceType.CPUSynchronisation)
+                throw new InvalidOperationException("Only a fence made with GraphicsFenceType.CPUSynchronisation can be "
+                    + "asked");
+            ulong number = s_submissionOf[m_id % Kept];
+            return m_id <= s_last - Kept || (number > 0 && GpuDevice.Current.Queue.HasPassed(number));
         }
-
-        internal readonly int Id => m_id;
-
-        internal static GraphicsFence Create(GraphicsFenceType type)
-        {
-            s_last++;
-            s_submissionOf[s_last % Kept] = 0;
-            return new GraphicsFence { m_id = s_last, m_type = type };
-        }
-
-        internal static void Execute(int id, ulong submission) => s_submissionOf[id % Kept] = submission;
     }
+
+    internal readonly int Id => m_id;
+
+    internal static GraphicsFence Create(GraphicsFenceType type)
+    {
+        s_last++;
+        s_submissionOf[s_last % Kept] = 0;
+        return new GraphicsFence { m_id = s_last, m_type = type };
+    }
+
+    internal static void Execute(int id, ulong submission) => s_submissionOf[id % Kept] = submission;
 }

@@ -1,19 +1,18 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public sealed class GraphicsSettings : Object
 {
-    public sealed class GraphicsSettings : Object
-    {
-        /// <summary>Null in the Built-in pipeline; a test sets another.</summary>
-        public static RenderPipelineAsset currentRenderPipeline { get; internal set; }
+    /// <summary>Null in the Built-in pipeline; a test sets another.</summary>
+    public static RenderPipelineAsset currentRenderPipeline { get; internal set; }
 
-        /// <summary>No level of quality names another.</summary>
-        public static RenderPipelineAsset defaultRenderPipeline
-        {
-            get => currentRenderPipeline;
-            set => currentRenderPipeline = value;
-        }
-    }
-
-    public abstract class RenderPipelineAsset : ScriptableObject
+    /// <summary>No level of quality names another.</summary>
+    public static RenderPipelineAsset defaultRenderPipeline
     {
+        get => currentRenderPipeline;
+        set => currentRenderPipeline = value;
     }
+}
+
+public abstract class RenderPipelineAsset : ScriptableObject
+{
 }

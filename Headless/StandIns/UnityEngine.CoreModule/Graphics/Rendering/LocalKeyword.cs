@@ -1,34 +1,33 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public readonly struct LocalKeyword
 {
-    public readonly struct LocalKeyword
+    internal LocalKeyword(string name)
     {
-        internal LocalKeyword(string name)
-        {
-            this.name = name;
-        }
-
-        public string name { get; }
+        this.name = name;
     }
 
-    /// <summary>Those that a shader's passes declare.</summary>
-    public readonly struct LocalKeywordSpace
+    public string name { get; }
+}
+
+/// <summary>Those that a shader's passes declare.</summary>
+public readonly struct LocalKeywordSpace
+{
+    readonly ShaderLabSource m_source;
+
+    internal LocalKeywordSpace(ShaderLabSource source)
     {
-        readonly ShaderLabSource m_source;
-
-        internal LocalKeywordSpace(ShaderLabSource source)
-        {
-            m_source = source;
-        }
-
-        public LocalKeyword[] keywords => m_source.Passes.SelectMany(p => p.Keywords).SelectMany(g => g.Keywords)
-            .Where(k => k != null).Distinct().Select(k => new LocalKeyword(k)).ToArray();
+        m_source = source;
     }
 
-    /// <summary>Those of a variant.</summary>
-    public struct ShaderKeywordSet
-    {
-        internal HashSet<string> Names;
+    public LocalKeyword[] keywords => m_source.Passes.SelectMany(p => p.Keywords).SelectMany(g => g.Keywords)
+        .Where(k => k != null).Distinct().Select(k => new LocalKeyword(k)).ToArray();
+}
 
-        public bool IsEnabled(LocalKeyword keyword) => Names.Contains(keyword.name);
-    }
+/// <summary>Those of a variant.</summary>
+public struct ShaderKeywordSet
+{
+    internal HashSet<string> Names;
+
+    public bool IsEnabled(LocalKeyword keyword) => Names.Contains(keyword.name);
 }

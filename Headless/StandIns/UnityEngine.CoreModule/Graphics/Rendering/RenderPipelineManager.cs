@@ -1,13 +1,12 @@
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public static class RenderPipelineManager
 {
-    public static class RenderPipelineManager
-    {
-        public static event Action<ScriptableRenderContext, Camera> beginCameraRendering;
+    public static event Action<ScriptableRenderContext, Camera> beginCameraRendering;
 
-        internal static void Begin(Camera camera) => beginCameraRendering?.Invoke(default, camera);
-    }
+    internal static void Begin(Camera camera) => beginCameraRendering?.Invoke(default, camera);
+}
 
-    public struct ScriptableRenderContext
-    {
-    }
+public struct ScriptableRenderContext
+{
 }

@@ -1,38 +1,37 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>A .compute file: HLSL with the names of its kernels and its keywords in pragmas.</summary>
+sealed class ComputeSource
 {
-    /// <summary>A .compute file: HLSL with the names of its kernels and its keywords in pragmas.</summary>
-    sealed class ComputeSource
+    internal readonly ShaderFiles Files;
+    /// <summary>The file's name.</summary>
+    internal readonly string Name;
+    internal readonly string Text;
+    internal readonly List<string> Kernels = new List<string>();
+    internal readonly KeywordGroup[] Keywords;
+
+    internal ComputeSource(string path)
     {
-        internal readonly ShaderFiles Files;
-        /// <summary>The file's name.</summary>
-        internal readonly string Name;
-        internal readonly string Text;
-        internal readonly List<string> Kernels = new List<string>();
-        internal readonly KeywordGroup[] Keywords;
-
-        internal ComputeSource(string path)
+        Files = new ShaderFiles(path);
+        Name = Path.GetFileName(path);
+        Text = File.ReadAllText(path);
+        var keywords = new List<KeywordGroup>();
+        foreach (string[] words in ShaderPragmas.Of(Text))
         {
-            Files = new ShaderFiles(path);
-            Name = Path.GetFileName(path);
-            Text = File.ReadAllText(path);
-            var keywords = new List<KeywordGroup>();
-            foreach (string[] words in ShaderPragmas.Of(Text))
-            {
-                if (words[0] == "kernel" && words.Length > 2)
-                    throw new InvalidDataException($"{path}: kernel {words[1]} has definitions of its own, which is not "
-                        + $"supported");
-                if (words[0] == "kernel")
-                    Kernels.Add(words[1]);
-                else if (KeywordGroup.TryRead(words) is { } group)
-                    keywords.Add(group);
-            }
-            if (Kernels.Count == 0)
-                throw new InvalidDataException($"{path}: has no #pragma kernel");
-            Keywords = keywords.ToArray();
+            if (words[0] == "kernel" && words.Length > 2)
+                throw new InvalidDataException($"{path}: kernel {words[1]} has definitions of its own, which is not "
+                    + $"supported");
+            if (words[0] == "kernel")
+                Kernels.Add(words[1]);
+            else if (KeywordGroup.TryRead(words) is { } group)
+                keywords.Add(group);
         }
-
-        /// <summary>A variant of a kernel.</summary>
-        internal ShaderStage Kernel(string kernel, long variant) =>
-            new ShaderStage(Files, Name, Text, "comp", kernel, KeywordVariant.Names(Keywords, variant, "comp").ToArray());
+        if (Kernels.Count == 0)
+            throw new InvalidDataException($"{path}: has no #pragma kernel");
+        Keywords = keywords.ToArray();
     }
+
+    /// <summary>A variant of a kernel.</summary>
+    internal ShaderStage Kernel(string kernel, long variant) =>
+        new ShaderStage(Files, Name, Text, "comp", kernel, KeywordVariant.Names(Keywords, variant, "comp").ToArray());
 }

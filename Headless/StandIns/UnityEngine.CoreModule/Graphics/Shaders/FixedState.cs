@@ -1,32 +1,31 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>The fixed state of one draw, as Vulkan has it.</summary>
+struct FixedState : IEquatable<FixedState>
 {
-    /// <summary>The fixed state of one draw, as Vulkan has it.</summary>
-    struct FixedState : IEquatable<FixedState>
-    {
-        internal VkCullModeFlags Cull;
-        internal VkCompareOp DepthTest;
-        internal bool WritesDepth;
-        internal VkBlendFactor SourceColor;
-        internal VkBlendFactor TargetColor;
-        internal VkBlendFactor SourceAlpha;
-        internal VkBlendFactor TargetAlpha;
-        internal VkBlendOp ColorOperation;
-        internal VkBlendOp AlphaOperation;
-        internal byte ColorMask;
+    internal VkCullModeFlags Cull;
+    internal VkCompareOp DepthTest;
+    internal bool WritesDepth;
+    internal VkBlendFactor SourceColor;
+    internal VkBlendFactor TargetColor;
+    internal VkBlendFactor SourceAlpha;
+    internal VkBlendFactor TargetAlpha;
+    internal VkBlendOp ColorOperation;
+    internal VkBlendOp AlphaOperation;
+    internal byte ColorMask;
 
-        internal readonly bool Blends => SourceColor != VkBlendFactor.One || TargetColor != VkBlendFactor.Zero
-            || SourceAlpha != VkBlendFactor.One || TargetAlpha != VkBlendFactor.Zero || ColorOperation != VkBlendOp.Add
-            || AlphaOperation != VkBlendOp.Add;
+    internal readonly bool Blends => SourceColor != VkBlendFactor.One || TargetColor != VkBlendFactor.Zero
+        || SourceAlpha != VkBlendFactor.One || TargetAlpha != VkBlendFactor.Zero || ColorOperation != VkBlendOp.Add
+        || AlphaOperation != VkBlendOp.Add;
 
-        public readonly bool Equals(FixedState other) => Bits == other.Bits;
+    public readonly bool Equals(FixedState other) => Bits == other.Bits;
 
-        public override readonly bool Equals(object obj) => obj is FixedState other && Equals(other);
+    public override readonly bool Equals(object obj) => obj is FixedState other && Equals(other);
 
-        public override readonly int GetHashCode() => Bits.GetHashCode();
+    public override readonly int GetHashCode() => Bits.GetHashCode();
 
-        // Cull 2 bits, test 3, write 1, factors 4 x 5, operations 2 x 3, mask 4.
-        readonly ulong Bits => (uint)Cull | (ulong)DepthTest << 2 | (WritesDepth ? 1ul << 5 : 0) | (ulong)SourceColor << 6
-            | (ulong)TargetColor << 11 | (ulong)SourceAlpha << 16 | (ulong)TargetAlpha << 21 | (ulong)ColorOperation << 26
-            | (ulong)AlphaOperation << 29 | (ulong)ColorMask << 32;
-    }
+    // Cull 2 bits, test 3, write 1, factors 4 x 5, operations 2 x 3, mask 4.
+    readonly ulong Bits => (uint)Cull | (ulong)DepthTest << 2 | (WritesDepth ? 1ul << 5 : 0) | (ulong)SourceColor << 6
+        | (ulong)TargetColor << 11 | (ulong)SourceAlpha << 16 | (ulong)TargetAlpha << 21 | (ulong)ColorOperation << 26
+        | (ulong)AlphaOperation << 29 | (ulong)ColorMask << 32;
 }

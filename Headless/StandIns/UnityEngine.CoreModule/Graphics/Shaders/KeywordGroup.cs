@@ -1,58 +1,57 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>One multi_compile line: of its keywords one is on, or none where it begins with an underscore.</summary>
+sealed class KeywordGroup
 {
-    /// <summary>One multi_compile line: of its keywords one is on, or none where it begins with an underscore.</summary>
-    sealed class KeywordGroup
+    /// <summary>The names; null for none.</summary>
+    internal readonly string[] Keywords;
+    /// <summary>Global keywords do not reach it.</summary>
+    internal readonly bool IsLocal;
+
+    readonly string m_stage;
+
+    KeywordGroup(string[] keywords, bool isLocal, string stage)
     {
-        /// <summary>The names; null for none.</summary>
-        internal readonly string[] Keywords;
-        /// <summary>Global keywords do not reach it.</summary>
-        internal readonly bool IsLocal;
+        Keywords = keywords;
+        IsLocal = isLocal;
+        m_stage = stage;
+    }
 
-        readonly string m_stage;
+    /// <summary>Reads a pragma's words; null where it declares no keywords.</summary>
+    internal static KeywordGroup TryRead(string[] words)
+    {
+        string kind = words[0];
+        string only = null;
+        foreach (string stage in new[] { "_vertex", "_fragment" })
+            if (kind.EndsWith(stage, StringComparison.Ordinal))
+            {
+                kind = kind[..^stage.Length];
+                only = stage[1..5];
+            }
+        bool isLocal = kind.EndsWith("_local", StringComparison.Ordinal);
+        if (isLocal)
+            kind = kind[..^"_local".Length];
+        if (kind != "multi_compile" && kind != "shader_feature")
+            return null;
+        var names = new List<string>();
+        if (kind == "shader_feature" && words.Length == 2)
+            names.Add(null);
+        for (int i = 1; i < words.Length; i++)
+            names.Add(words[i].Trim('_').Length == 0 ? null : words[i]);
+        return new KeywordGroup(names.ToArray(), isLocal, only);
+    }
 
-        KeywordGroup(string[] keywords, bool isLocal, string stage)
-        {
-            Keywords = keywords;
-            IsLocal = isLocal;
-            m_stage = stage;
-        }
+    /// <summary>Whether a stage, as glslang calls it, is told of the keywords.</summary>
+    internal bool IsFor(string stage) => m_stage == null || m_stage == stage;
 
-        /// <summary>Reads a pragma's words; null where it declares no keywords.</summary>
-        internal static KeywordGroup TryRead(string[] words)
-        {
-            string kind = words[0];
-            string only = null;
-            foreach (string stage in new[] { "_vertex", "_fragment" })
-                if (kind.EndsWith(stage, StringComparison.Ordinal))
-                {
-                    kind = kind[..^stage.Length];
-                    only = stage[1..5];
-                }
-            bool isLocal = kind.EndsWith("_local", StringComparison.Ordinal);
-            if (isLocal)
-                kind = kind[..^"_local".Length];
-            if (kind != "multi_compile" && kind != "shader_feature")
-                return null;
-            var names = new List<string>();
-            if (kind == "shader_feature" && words.Length == 2)
-                names.Add(null);
-            for (int i = 1; i < words.Length; i++)
-                names.Add(words[i].Trim('_').Length == 0 ? null : words[i]);
-            return new KeywordGroup(names.ToArray(), isLocal, only);
-        }
-
-        /// <summary>Whether a stage, as glslang calls it, is told of the keywords.</summary>
-        internal bool IsFor(string stage) => m_stage == null || m_stage == stage;
-
-        /// <summary>
-        /// Which is on, as an index: the first that is asked for; else none, or the first where none is not offered.
-        /// </summary>
-        internal int Choose(KeywordSet local, KeywordSet global)
-        {
-            for (int i = 0; i < Keywords.Length; i++)
-                if (Keywords[i] != null && (local.Contains(Keywords[i]) || (!IsLocal && global.Contains(Keywords[i]))))
-                    return i;
-            return Math.Max(0, Array.IndexOf(Keywords, null));
-        }
+    /// <summary>
+    /// Which is on, as an index: the first that is asked for; else none, or the first where none is not offered.
+    /// </summary>
+    internal int Choose(KeywordSet local, KeywordSet global)
+    {
+        for (int i = 0; i < Keywords.Length; i++)
+            if (Keywords[i] != null && (local.Contains(Keywords[i]) || (!IsLocal && global.Contains(Keywords[i]))))
+                return i;
+        return Math.Max(0, Array.IndexOf(Keywords, null));
     }
 }

@@ -1,28 +1,27 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>The keywords that are on.</summary>
+sealed class KeywordSet
 {
-    /// <summary>The keywords that are on.</summary>
-    sealed class KeywordSet
+    internal static readonly KeywordSet Global = new KeywordSet();
+
+    readonly HashSet<string> m_names = new HashSet<string>();
+
+    internal bool Contains(string keyword) => m_names.Contains(keyword);
+
+    internal void Set(string keyword, bool isOn)
     {
-        internal static readonly KeywordSet Global = new KeywordSet();
-
-        readonly HashSet<string> m_names = new HashSet<string>();
-
-        internal bool Contains(string keyword) => m_names.Contains(keyword);
-
-        internal void Set(string keyword, bool isOn)
-        {
-            if (isOn)
-                m_names.Add(keyword);
-            else
-                m_names.Remove(keyword);
-        }
-
-        internal void CopyFrom(KeywordSet other)
-        {
-            m_names.Clear();
-            m_names.UnionWith(other.m_names);
-        }
-
-        internal void Clear() => m_names.Clear();
+        if (isOn)
+            m_names.Add(keyword);
+        else
+            m_names.Remove(keyword);
     }
+
+    internal void CopyFrom(KeywordSet other)
+    {
+        m_names.Clear();
+        m_names.UnionWith(other.m_names);
+    }
+
+    internal void Clear() => m_names.Clear();
 }

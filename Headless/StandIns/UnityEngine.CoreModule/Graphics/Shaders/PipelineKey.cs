@@ -1,33 +1,32 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>What a pipeline depends on beside its program.</summary>
+readonly struct PipelineKey : IEquatable<PipelineKey>
 {
-    /// <summary>What a pipeline depends on beside its program.</summary>
-    readonly struct PipelineKey : IEquatable<PipelineKey>
+    internal readonly FixedState State;
+    internal readonly VkPrimitiveTopology Topology;
+    internal readonly VkFormat Depth;
+    internal readonly int ColorCount;
+    // 16 bits a target.
+    readonly ulong m_colors;
+
+    internal PipelineKey(RenderTargets targets, in FixedState state, VkPrimitiveTopology topology)
     {
-        internal readonly FixedState State;
-        internal readonly VkPrimitiveTopology Topology;
-        internal readonly VkFormat Depth;
-        internal readonly int ColorCount;
-        // 16 bits a target.
-        readonly ulong m_colors;
-
-        internal PipelineKey(RenderTargets targets, in FixedState state, VkPrimitiveTopology topology)
-        {
-            State = state;
-            Topology = topology;
-            Depth = targets.DepthFormat;
-            ColorCount = targets.ColorCount;
-            m_colors = 0;
-            for (int i = 0; i < ColorCount; i++)
-                m_colors |= (ulong)targets.ColorFormat(i) << (16 * i);
-        }
-
-        internal VkFormat Color(int index) => (VkFormat)(m_colors >> (16 * index) & 0xffff);
-
-        public bool Equals(PipelineKey other) => State.Equals(other.State) && Topology == other.Topology && Depth == other.Depth
-            && ColorCount == other.ColorCount && m_colors == other.m_colors;
-
-        public override bool Equals(object obj) => obj is PipelineKey other && Equals(other);
-
-        public override int GetHashCode() => HashCode.Combine(State, (int)Topology, (int)Depth, ColorCount, m_colors);
+        State = state;
+        Topology = topology;
+        Depth = targets.DepthFormat;
+        ColorCount = targets.ColorCount;
+        m_colors = 0;
+        for (int i = 0; i < ColorCount; i++)
+            m_colors |= (ulong)targets.ColorFormat(i) << (16 * i);
     }
+
+    internal VkFormat Color(int index) => (VkFormat)(m_colors >> (16 * index) & 0xffff);
+
+    public bool Equals(PipelineKey other) => State.Equals(other.State) && Topology == other.Topology && Depth == other.Depth
+        && ColorCount == other.ColorCount && m_colors == other.m_colors;
+
+    public override bool Equals(object obj) => obj is PipelineKey other && Equals(other);
+
+    public override int GetHashCode() => HashCode.Combine(State, (int)Topology, (int)Depth, ColorCount, m_colors);
 }

@@ -1,19 +1,18 @@
-namespace StandIns.Graphics
-{
-    /// <summary>A constant in a constant buffer, of 4-byte components.</summary>
-    sealed class ShaderMember(string name, int offset)
-    {
-        internal readonly string Name = name;
-        internal readonly int NameId = PropertyNames.IdOf(name);
-        internal readonly int Offset = offset;
-        /// <summary>Not whole numbers.</summary>
-        internal bool IsFloat;
-        internal int Columns = 1;
-        internal int Rows = 1;
-        /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 where it is none.</summary>
-        internal int Count = 1;
-        internal int Stride;
+namespace StandIns.Graphics;
 
-        internal int End => Offset + (Count - 1) * Stride + (Columns > 1 ? Columns * 16 : Rows * 4);
-    }
+/// <summary>A constant in a constant buffer, of 4-byte components.</summary>
+sealed class ShaderMember(string name, int offset)
+{
+    internal readonly string Name = name;
+    internal readonly int NameId = PropertyNames.IdOf(name);
+    internal readonly int Offset = offset;
+    /// <summary>Not whole numbers.</summary>
+    internal bool IsFloat;
+    internal int Columns = 1;
+    internal int Rows = 1;
+    /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 where it is none.</summary>
+    internal int Count = 1;
+    internal int Stride;
+
+    internal int End => Offset + (Count - 1) * Stride + (Columns > 1 ? Columns * 16 : Rows * 4);
 }

@@ -1,216 +1,215 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>
+/// Compiled shader code of one stage, as words, and what it says of its resources (SPIR-V 1.3, section 3). Only what glslang
+/// makes of HLSL is understood.
+/// </summary>
+sealed class SpirvModule
 {
-    /// <summary>
-    /// Compiled shader code of one stage, as words, and what it says of its resources (SPIR-V 1.3, section 3). Only what glslang
-    /// makes of HLSL is understood.
-    /// </summary>
-    sealed class SpirvModule
+    const uint Magic = 0x07230203;
+    const int HeaderWords = 5;
+
+    readonly uint[] m_words;
+    readonly Dictionary<uint, string> m_names = new Dictionary<uint, string>();
+    readonly Dictionary<(uint Type, uint Member), string> m_memberNames = new Dictionary<(uint, uint), string>();
+    readonly Dictionary<(uint Target, uint Member, Decoration Kind), uint> m_decorations =
+        new Dictionary<(uint, uint, Decoration), uint>();
+    // Where in the words a decoration's value stands.
+    readonly Dictionary<(uint Target, Decoration Kind), int> m_valueAt = new Dictionary<(uint, Decoration), int>();
+    readonly Dictionary<uint, int> m_instructionOf = new Dictionary<uint, int>();
+    readonly List<int> m_variables = new List<int>();
+
+    internal SpirvModule(byte[] bytes)
     {
-        const uint Magic = 0x07230203;
-        const int HeaderWords = 5;
+        m_words = new uint[bytes.Length / 4];
+        Buffer.BlockCopy(bytes, 0, m_words, 0, m_words.Length * 4);
+        if (m_words.Length < HeaderWords || m_words[0] != Magic)
+            throw new InvalidDataException("Not SPIR-V");
+        Read();
+    }
 
-        readonly uint[] m_words;
-        readonly Dictionary<uint, string> m_names = new Dictionary<uint, string>();
-        readonly Dictionary<(uint Type, uint Member), string> m_memberNames = new Dictionary<(uint, uint), string>();
-        readonly Dictionary<(uint Target, uint Member, Decoration Kind), uint> m_decorations =
-            new Dictionary<(uint, uint, Decoration), uint>();
-        // Where in the words a decoration's value stands.
-        readonly Dictionary<(uint Target, Decoration Kind), int> m_valueAt = new Dictionary<(uint, Decoration), int>();
-        readonly Dictionary<uint, int> m_instructionOf = new Dictionary<uint, int>();
-        readonly List<int> m_variables = new List<int>();
+    internal enum Decoration : uint
+    {
+        Block = 2,
+        BufferBlock = 3,
+        ArrayStride = 6,
+        MatrixStride = 7,
+        NonWritable = 24,
+        Binding = 33,
+        Offset = 35,
+    }
 
-        internal SpirvModule(byte[] bytes)
+    enum Op : uint
+    {
+        Name = 5,
+        MemberName = 6,
+        ExecutionMode = 16,
+        TypeInt = 21,
+        TypeFloat = 22,
+        TypeVector = 23,
+        TypeMatrix = 24,
+        TypeImage = 25,
+        TypeSampler = 26,
+        TypeArray = 28,
+        TypeRuntimeArray = 29,
+        TypeStruct = 30,
+        TypePointer = 32,
+        Constant = 43,
+        Variable = 59,
+        Decorate = 71,
+        MemberDecorate = 72,
+    }
+
+    internal uint[] Words => m_words;
+
+    /// <summary>Of a compute shader.</summary>
+    internal (uint X, uint Y, uint Z) GroupSize { get; private set; }
+
+    /// <summary>As a device takes it.</summary>
+    internal static SpirvModule For(GpuDevice device, byte[] code) =>
+        new SpirvModule(device.WritesAnyFormat ? SpirvImageFormats.WithoutAssumed(code) : code);
+
+    /// <summary>All resources that the code names, with no binding yet.</summary>
+    internal List<ShaderResource> Resources()
+    {
+        var resources = new List<ShaderResource>();
+        foreach (int at in m_variables)
         {
-            m_words = new uint[bytes.Length / 4];
-            Buffer.BlockCopy(bytes, 0, m_words, 0, m_words.Length * 4);
-            if (m_words.Length < HeaderWords || m_words[0] != Magic)
-                throw new InvalidDataException("Not SPIR-V");
-            Read();
+            uint variable = m_words[at + 2];
+            if (!m_valueAt.ContainsKey((variable, Decoration.Binding)))
+                continue;
+            uint type = m_words[m_instructionOf[m_words[at + 1]] + 3];
+            resources.Add(Describe(variable, type));
         }
+        return resources;
+    }
 
-        internal enum Decoration : uint
+    /// <summary>Puts a resource where both stages of a pass find it.</summary>
+    internal void SetBinding(ShaderResource resource, int binding) =>
+        m_words[m_valueAt[(resource.Variable, Decoration.Binding)]] = (uint)binding;
+
+    ShaderResource Describe(uint variable, uint type)
+    {
+        int at = m_instructionOf[type];
+        switch (OpAt(at))
         {
-            Block = 2,
-            BufferBlock = 3,
-            ArrayStride = 6,
-            MatrixStride = 7,
-            NonWritable = 24,
-            Binding = 33,
-            Offset = 35,
+            case Op.TypeSampler:
+                return new ShaderResource(variable, m_names[variable], VkDescriptorType.Sampler);
+            case Op.TypeImage:
+                const uint storage = 2;
+                VkDescriptorType kind = m_words[at + 7] == storage ? VkDescriptorType.StorageImage
+                    : VkDescriptorType.SampledImage;
+                return new ShaderResource(variable, m_names[variable], kind)
+                {
+                    IsArray = m_words[at + 5] != 0,
+                    Format = SpirvImageFormats.Vulkan(m_words[at + 8]),
+                };
+            case Op.TypeStruct when m_decorations.ContainsKey((type, uint.MaxValue, Decoration.BufferBlock)):
+                return new ShaderResource(variable, m_names[variable], VkDescriptorType.StorageBuffer)
+                {
+                    Stride = (int)Decorated(m_words[at + 2], Decoration.ArrayStride),
+                    IsWritten = !m_decorations.ContainsKey((type, 0, Decoration.NonWritable)),
+                };
+            case Op.TypeStruct:
+                return new ShaderResource(variable, m_names[type],
+                    VkDescriptorType.UniformBuffer)
+                { Members = MembersOf(type, at) };
+            default:
+                throw new InvalidDataException($"{m_names[variable]}: resources of this kind (an array of them?) are not "
+                    + $"supported");
         }
+    }
 
-        enum Op : uint
+    ShaderMember[] MembersOf(uint type, int at)
+    {
+        var members = new ShaderMember[(m_words[at] >> 16) - 2];
+        for (uint i = 0; i < members.Length; i++)
         {
-            Name = 5,
-            MemberName = 6,
-            ExecutionMode = 16,
-            TypeInt = 21,
-            TypeFloat = 22,
-            TypeVector = 23,
-            TypeMatrix = 24,
-            TypeImage = 25,
-            TypeSampler = 26,
-            TypeArray = 28,
-            TypeRuntimeArray = 29,
-            TypeStruct = 30,
-            TypePointer = 32,
-            Constant = 43,
-            Variable = 59,
-            Decorate = 71,
-            MemberDecorate = 72,
-        }
-
-        internal uint[] Words => m_words;
-
-        /// <summary>Of a compute shader.</summary>
-        internal (uint X, uint Y, uint Z) GroupSize { get; private set; }
-
-        /// <summary>As a device takes it.</summary>
-        internal static SpirvModule For(GpuDevice device, byte[] code) =>
-            new SpirvModule(device.WritesAnyFormat ? SpirvImageFormats.WithoutAssumed(code) : code);
-
-        /// <summary>All resources that the code names, with no binding yet.</summary>
-        internal List<ShaderResource> Resources()
-        {
-            var resources = new List<ShaderResource>();
-            foreach (int at in m_variables)
+            var member = new ShaderMember(m_memberNames[(type, i)], (int)m_decorations[(type, i, Decoration.Offset)]);
+            uint memberType = m_words[at + 2 + i];
+            int typeAt = m_instructionOf[memberType];
+            if (OpAt(typeAt) == Op.TypeArray)
             {
-                uint variable = m_words[at + 2];
-                if (!m_valueAt.ContainsKey((variable, Decoration.Binding)))
-                    continue;
-                uint type = m_words[m_instructionOf[m_words[at + 1]] + 3];
-                resources.Add(Describe(variable, type));
+                member.Stride = (int)Decorated(memberType, Decoration.ArrayStride);
+                member.Count = (int)m_words[m_instructionOf[m_words[typeAt + 3]] + 3];
+                typeAt = m_instructionOf[m_words[typeAt + 2]];
             }
-            return resources;
+            if (OpAt(typeAt) == Op.TypeMatrix)
+            {
+                member.Columns = (int)m_words[typeAt + 3];
+                typeAt = m_instructionOf[m_words[typeAt + 2]];
+            }
+            if (OpAt(typeAt) == Op.TypeVector)
+            {
+                member.Rows = (int)m_words[typeAt + 3];
+                typeAt = m_instructionOf[m_words[typeAt + 2]];
+            }
+            member.IsFloat = OpAt(typeAt) == Op.TypeFloat;
+            members[i] = member;
         }
+        return members;
+    }
 
-        /// <summary>Puts a resource where both stages of a pass find it.</summary>
-        internal void SetBinding(ShaderResource resource, int binding) =>
-            m_words[m_valueAt[(resource.Variable, Decoration.Binding)]] = (uint)binding;
+    uint Decorated(uint target, Decoration kind) =>
+        m_decorations.TryGetValue((target, uint.MaxValue, kind), out uint value) ? value : 0;
 
-        ShaderResource Describe(uint variable, uint type)
-        {
-            int at = m_instructionOf[type];
+    void Read()
+    {
+        for (int at = HeaderWords; at < m_words.Length; at += (int)(m_words[at] >> 16))
             switch (OpAt(at))
             {
-                case Op.TypeSampler:
-                    return new ShaderResource(variable, m_names[variable], VkDescriptorType.Sampler);
+                case Op.Name:
+                    m_names[m_words[at + 1]] = Text(at + 2);
+                    break;
+                case Op.MemberName:
+                    m_memberNames[(m_words[at + 1], m_words[at + 2])] = Text(at + 3);
+                    break;
+                case Op.ExecutionMode when m_words[at + 2] == 17:
+                    GroupSize = (m_words[at + 3], m_words[at + 4], m_words[at + 5]);
+                    break;
+                case Op.Decorate:
+                    var decoration = (Decoration)m_words[at + 2];
+                    bool hasValue = m_words[at] >> 16 > 3;
+                    m_decorations[(m_words[at + 1], uint.MaxValue, decoration)] = hasValue ? m_words[at + 3] : 1;
+                    m_valueAt[(m_words[at + 1], decoration)] = at + 3;
+                    break;
+                case Op.MemberDecorate:
+                    m_decorations[(m_words[at + 1], m_words[at + 2], (Decoration)m_words[at + 3])] =
+                        m_words[at] >> 16 > 4 ? m_words[at + 4] : 1;
+                    break;
+                case Op.TypeInt:
+                case Op.TypeFloat:
+                case Op.TypeVector:
+                case Op.TypeMatrix:
                 case Op.TypeImage:
-                    const uint storage = 2;
-                    VkDescriptorType kind = m_words[at + 7] == storage ? VkDescriptorType.StorageImage
-                        : VkDescriptorType.SampledImage;
-                    return new ShaderResource(variable, m_names[variable], kind)
-                    {
-                        IsArray = m_words[at + 5] != 0,
-                        Format = SpirvImageFormats.Vulkan(m_words[at + 8]),
-                    };
-                case Op.TypeStruct when m_decorations.ContainsKey((type, uint.MaxValue, Decoration.BufferBlock)):
-                    return new ShaderResource(variable, m_names[variable], VkDescriptorType.StorageBuffer)
-                    {
-                        Stride = (int)Decorated(m_words[at + 2], Decoration.ArrayStride),
-                        IsWritten = !m_decorations.ContainsKey((type, 0, Decoration.NonWritable)),
-                    };
+                case Op.TypeSampler:
+                case Op.TypeArray:
+                case Op.TypeRuntimeArray:
                 case Op.TypeStruct:
-                    return new ShaderResource(variable, m_names[type],
-                        VkDescriptorType.UniformBuffer)
-                    { Members = MembersOf(type, at) };
-                default:
-                    throw new InvalidDataException($"{m_names[variable]}: resources of this kind (an array of them?) are not "
-                        + $"supported");
+                case Op.TypePointer:
+                    m_instructionOf[m_words[at + 1]] = at;
+                    break;
+                case Op.Constant:
+                    m_instructionOf[m_words[at + 2]] = at;
+                    break;
+                case Op.Variable:
+                    m_variables.Add(at);
+                    break;
             }
-        }
+    }
 
-        ShaderMember[] MembersOf(uint type, int at)
-        {
-            var members = new ShaderMember[(m_words[at] >> 16) - 2];
-            for (uint i = 0; i < members.Length; i++)
+    Op OpAt(int at) => (Op)(m_words[at] & 0xffff);
+
+    string Text(int at)
+    {
+        var bytes = new List<byte>();
+        for (; ; at++)
+            for (int shift = 0; shift < 32; shift += 8)
             {
-                var member = new ShaderMember(m_memberNames[(type, i)], (int)m_decorations[(type, i, Decoration.Offset)]);
-                uint memberType = m_words[at + 2 + i];
-                int typeAt = m_instructionOf[memberType];
-                if (OpAt(typeAt) == Op.TypeArray)
-                {
-                    member.Stride = (int)Decorated(memberType, Decoration.ArrayStride);
-                    member.Count = (int)m_words[m_instructionOf[m_words[typeAt + 3]] + 3];
-                    typeAt = m_instructionOf[m_words[typeAt + 2]];
-                }
-                if (OpAt(typeAt) == Op.TypeMatrix)
-                {
-                    member.Columns = (int)m_words[typeAt + 3];
-                    typeAt = m_instructionOf[m_words[typeAt + 2]];
-                }
-                if (OpAt(typeAt) == Op.TypeVector)
-                {
-                    member.Rows = (int)m_words[typeAt + 3];
-                    typeAt = m_instructionOf[m_words[typeAt + 2]];
-                }
-                member.IsFloat = OpAt(typeAt) == Op.TypeFloat;
-                members[i] = member;
+                byte b = (byte)(m_words[at] >> shift);
+                if (b == 0)
+                    return Encoding.UTF8.GetString(bytes.ToArray());
+                bytes.Add(b);
             }
-            return members;
-        }
-
-        uint Decorated(uint target, Decoration kind) =>
-            m_decorations.TryGetValue((target, uint.MaxValue, kind), out uint value) ? value : 0;
-
-        void Read()
-        {
-            for (int at = HeaderWords; at < m_words.Length; at += (int)(m_words[at] >> 16))
-                switch (OpAt(at))
-                {
-                    case Op.Name:
-                        m_names[m_words[at + 1]] = Text(at + 2);
-                        break;
-                    case Op.MemberName:
-                        m_memberNames[(m_words[at + 1], m_words[at + 2])] = Text(at + 3);
-                        break;
-                    case Op.ExecutionMode when m_words[at + 2] == 17:
-                        GroupSize = (m_words[at + 3], m_words[at + 4], m_words[at + 5]);
-                        break;
-                    case Op.Decorate:
-                        var decoration = (Decoration)m_words[at + 2];
-                        bool hasValue = m_words[at] >> 16 > 3;
-                        m_decorations[(m_words[at + 1], uint.MaxValue, decoration)] = hasValue ? m_words[at + 3] : 1;
-                        m_valueAt[(m_words[at + 1], decoration)] = at + 3;
-                        break;
-                    case Op.MemberDecorate:
-                        m_decorations[(m_words[at + 1], m_words[at + 2], (Decoration)m_words[at + 3])] =
-                            m_words[at] >> 16 > 4 ? m_words[at + 4] : 1;
-                        break;
-                    case Op.TypeInt:
-                    case Op.TypeFloat:
-                    case Op.TypeVector:
-                    case Op.TypeMatrix:
-                    case Op.TypeImage:
-                    case Op.TypeSampler:
-                    case Op.TypeArray:
-                    case Op.TypeRuntimeArray:
-                    case Op.TypeStruct:
-                    case Op.TypePointer:
-                        m_instructionOf[m_words[at + 1]] = at;
-                        break;
-                    case Op.Constant:
-                        m_instructionOf[m_words[at + 2]] = at;
-                        break;
-                    case Op.Variable:
-                        m_variables.Add(at);
-                        break;
-                }
-        }
-
-        Op OpAt(int at) => (Op)(m_words[at] & 0xffff);
-
-        string Text(int at)
-        {
-            var bytes = new List<byte>();
-            for (; ; at++)
-                for (int shift = 0; shift < 32; shift += 8)
-                {
-                    byte b = (byte)(m_words[at] >> shift);
-                    if (b == 0)
-                        return Encoding.UTF8.GetString(bytes.ToArray());
-                    bytes.Add(b);
-                }
-        }
     }
 }

@@ -1,39 +1,38 @@
-namespace StandIns.Graphics
+namespace StandIns.Graphics;
+
+/// <summary>A value of the fixed state: a number, or a property's.</summary>
+readonly struct StateValue
 {
-    /// <summary>A value of the fixed state: a number, or a property's.</summary>
-    readonly struct StateValue
+    readonly int m_number;
+    // One more than the property's, so that the default is none.
+    readonly int m_name;
+
+    StateValue(int number, int name)
     {
-        readonly int m_number;
-        // One more than the property's, so that the default is none.
-        readonly int m_name;
+        m_number = number;
+        m_name = name;
+    }
 
-        StateValue(int number, int name)
+    internal static StateValue Of(int number) => new StateValue(number, 0);
+
+    /// <summary>One of the words, whose place among them is its number, or [_Property].</summary>
+    internal static StateValue Read(ShaderLabTokens tokens, string[] words)
+    {
+        if (tokens.TryTake("["))
         {
-            m_number = number;
-            m_name = name;
+            int name = PropertyNames.IdOf(tokens.Take());
+            tokens.Expect("]");
+            return new StateValue(0, name + 1);
         }
+        string word = tokens.Take();
+        int number = Array.FindIndex(words, w => string.Equals(w, word, StringComparison.OrdinalIgnoreCase));
+        return number >= 0 ? Of(number) : throw tokens.Error($"'{word}' is none of {string.Join(", ", words)}");
+    }
 
-        internal static StateValue Of(int number) => new StateValue(number, 0);
-
-        /// <summary>One of the words, whose place among them is its number, or [_Property].</summary>
-        internal static StateValue Read(ShaderLabTokens tokens, string[] words)
-        {
-            if (tokens.TryTake("["))
-            {
-                int name = PropertyNames.IdOf(tokens.Take());
-                tokens.Expect("]");
-                return new StateValue(0, name + 1);
-            }
-            string word = tokens.Take();
-            int number = Array.FindIndex(words, w => string.Equals(w, word, StringComparison.OrdinalIgnoreCase));
-            return number >= 0 ? Of(number) : throw tokens.Error($"'{word}' is none of {string.Join(", ", words)}");
-        }
-
-        internal int Evaluate(in PropertyScope scope)
-        {
-            if (m_name == 0 || !scope.TryGet(m_name - 1, out PropertyValue value))
-                return m_number;
-            return value.Kind == PropertyKind.Int ? value.Int : (int)value.Vector.x;
-        }
+    internal int Evaluate(in PropertyScope scope)
+    {
+        if (m_name == 0 || !scope.TryGet(m_name - 1, out PropertyValue value))
+            return m_number;
+        return value.Kind == PropertyKind.Int ? value.Int : (int)value.Vector.x;
     }
 }

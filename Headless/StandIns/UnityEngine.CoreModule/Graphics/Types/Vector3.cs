@@ -1,103 +1,102 @@
-namespace UnityEngine
+namespace UnityEngine;
+
+public struct Vector3 : IEquatable<Vector3>, IFormattable
 {
-    public struct Vector3 : IEquatable<Vector3>, IFormattable
+    public float x;
+    public float y;
+    public float z;
+
+    public Vector3(float x, float y, float z)
     {
-        public float x;
-        public float y;
-        public float z;
+        this.x = x;
+        this.y = y;
+        this.z = z;
+    }
 
-        public Vector3(float x, float y, float z)
+    public Vector3(float x, float y)
+        : this(x, y, 0)
+    {
+    }
+
+    public static Vector3 zero => default;
+
+    public static Vector3 one => new Vector3(1, 1, 1);
+
+    public static Vector3 up => new Vector3(0, 1, 0);
+
+    public static Vector3 right => new Vector3(1, 0, 0);
+
+    public static Vector3 forward => new Vector3(0, 0, 1);
+
+    public float magnitude => MathF.Sqrt(sqrMagnitude);
+
+    public float sqrMagnitude => x * x + y * y + z * z;
+
+    public Vector3 normalized => magnitude > 1e-5f ? this / magnitude : zero;
+
+    public float this[int index]
+    {
+        get => index switch
         {
-            this.x = x;
-            this.y = y;
-            this.z = z;
-        }
-
-        public Vector3(float x, float y)
-            : this(x, y, 0)
+            0 => x,
+            1 => y,
+            2 => z,
+            _ => throw new IndexOutOfRangeException("Invalid Vector3 index!"),
+        };
+        set
         {
-        }
-
-        public static Vector3 zero => default;
-
-        public static Vector3 one => new Vector3(1, 1, 1);
-
-        public static Vector3 up => new Vector3(0, 1, 0);
-
-        public static Vector3 right => new Vector3(1, 0, 0);
-
-        public static Vector3 forward => new Vector3(0, 0, 1);
-
-        public float magnitude => MathF.Sqrt(sqrMagnitude);
-
-        public float sqrMagnitude => x * x + y * y + z * z;
-
-        public Vector3 normalized => magnitude > 1e-5f ? this / magnitude : zero;
-
-        public float this[int index]
-        {
-            get => index switch
+            switch (index)
             {
-                0 => x,
-                1 => y,
-                2 => z,
-                _ => throw new IndexOutOfRangeException("Invalid Vector3 index!"),
-            };
-            set
-            {
-                switch (index)
-                {
-                    case 0:
-                        x = value;
-                        break;
-                    case 1:
-                        y = value;
-                        break;
-                    case 2:
-                        z = value;
-                        break;
-                    default:
-                        throw new IndexOutOfRangeException("Invalid Vector3 index!");
-                }
+                case 0:
+                    x = value;
+                    break;
+                case 1:
+                    y = value;
+                    break;
+                case 2:
+                    z = value;
+                    break;
+                default:
+                    throw new IndexOutOfRangeException("Invalid Vector3 index!");
             }
         }
+    }
 
-        public static Vector3 Scale(Vector3 a, Vector3 b) => new Vector3(a.x * b.x, a.y * b.y, a.z * b.z);
+    public static Vector3 Scale(Vector3 a, Vector3 b) => new Vector3(a.x * b.x, a.y * b.y, a.z * b.z);
 
-        public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;
+    public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;
 
-        public static Vector3 Cross(Vector3 lhs, Vector3 rhs) =>
-            new Vector3(lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
+    public static Vector3 Cross(Vector3 lhs, Vector3 rhs) =>
+        new Vector3(lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
 
-        public static Vector3 operator +(Vector3 a, Vector3 b) => new Vector3(a.x + b.x, a.y + b.y, a.z + b.z);
+    public static Vector3 operator +(Vector3 a, Vector3 b) => new Vector3(a.x + b.x, a.y + b.y, a.z + b.z);
 
-        public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
+    public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
 
-        public static Vector3 operator -(Vector3 a) => new Vector3(-a.x, -a.y, -a.z);
+    public static Vector3 operator -(Vector3 a) => new Vector3(-a.x, -a.y, -a.z);
 
-        public static Vector3 operator *(Vector3 a, float d) => new Vector3(a.x * d, a.y * d, a.z * d);
+    public static Vector3 operator *(Vector3 a, float d) => new Vector3(a.x * d, a.y * d, a.z * d);
 
-        public static Vector3 operator *(float d, Vector3 a) => a * d;
+    public static Vector3 operator *(float d, Vector3 a) => a * d;
 
-        public static Vector3 operator /(Vector3 a, float d) => new Vector3(a.x / d, a.y / d, a.z / d);
+    public static Vector3 operator /(Vector3 a, float d) => new Vector3(a.x / d, a.y / d, a.z / d);
 
-        public static bool operator ==(Vector3 lhs, Vector3 rhs) => (lhs - rhs).sqrMagnitude < 1e-10f;
+    public static bool operator ==(Vector3 lhs, Vector3 rhs) => (lhs - rhs).sqrMagnitude < 1e-10f;
 
-        public static bool operator !=(Vector3 lhs, Vector3 rhs) => !(lhs == rhs);
+    public static bool operator !=(Vector3 lhs, Vector3 rhs) => !(lhs == rhs);
 
-        public readonly bool Equals(Vector3 other) => x.Equals(other.x) && y.Equals(other.y) && z.Equals(other.z);
+    public readonly bool Equals(Vector3 other) => x.Equals(other.x) && y.Equals(other.y) && z.Equals(other.z);
 
-        public override readonly bool Equals(object other) => other is Vector3 vector && Equals(vector);
+    public override readonly bool Equals(object other) => other is Vector3 vector && Equals(vector);
 
-        public override readonly int GetHashCode() => HashCode.Combine(x, y, z);
+    public override readonly int GetHashCode() => HashCode.Combine(x, y, z);
 
-        public override readonly string ToString() => ToString("F2", null);
+    public override readonly string ToString() => ToString("F2", null);
 
-        public readonly string ToString(string format, IFormatProvider formatProvider)
-        {
-            formatProvider ??= CultureInfo.InvariantCulture;
-            return "(" + x.ToString(format, formatProvider) + ", " + y.ToString(format, formatProvider) + ", "
-                + z.ToString(format, formatProvider) + ")";
-        }
+    public readonly string ToString(string format, IFormatProvider formatProvider)
+    {
+        formatProvider ??= CultureInfo.InvariantCulture;
+        return "(" + x.ToString(format, formatProvider) + ", " + y.ToString(format, formatProvider) + ", "
+            + z.ToString(format, formatProvider) + ")";
     }
 }
