@@ -22,8 +22,7 @@ public static class CommandLine
         // --help belongs to every command, and is one option: its action is replaced, and its text is ours.
         root.Options.OfType<HelpOption>().Single().Action = new HelpTextAction(verbs);
 
-        var parsed =
-            root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
+        var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
             return WrongUsage(error, parsed.CommandResult.Command, parsed.Errors[0].Message);
         if (UnknownOption(parsed) is { } unknown)

@@ -27,8 +27,7 @@ public sealed class Repository(string root)
     /// <summary>The full list of Unity's signatures; it may be absent.</summary>
     public string FullApi => Path.Combine(DataRoot, "unity-api");
 
-    private string DataRoot =>
-        Environment.GetEnvironmentVariable("FASTPOINTS_DATA") ?? Path.Combine(Root, "..", "shared");
+    private string DataRoot => Environment.GetEnvironmentVariable("FASTPOINTS_DATA") ?? Path.Combine(Root, "..", "shared");
 
     /// <summary>The folder of an assembly as one generation of Unity compiles it.</summary>
     public string BuildOf(string assembly, string generation) =>

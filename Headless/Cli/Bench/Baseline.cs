@@ -52,8 +52,7 @@ public sealed class Baseline
 
     BaselineRow Compare(WorkloadSamples now)
     {
-        if (!m_results.TryGetValue(now.Name, out var before) ||
-            Samples(before, WorkloadSamples.Time) is not { Count: > 0 } times)
+        if (!m_results.TryGetValue(now.Name, out var before) || Samples(before, WorkloadSamples.Time) is not { Count: > 0 } times)
             return new BaselineRow(now.Name, times: [], null, null, null, "new");
         var error = before.SampleGroups.Find(g => g.Name.StartsWith(WorkloadSamples.Error, StringComparison.Ordinal));
         double? earlierError = error == null ? null : WorkloadSamples.Median(error.Samples);
@@ -116,9 +115,7 @@ public sealed class BaselineRow(string name, IReadOnlyList<double> times, Sample
         // Between no change and that of all, or with that of all inside what the scatter allows.
         bool isAsAll = time.Low <= all && all <= time.High;
         bool isLess = verdict == Baseline.Slower ? all > time.High : all < time.Low;
-        string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange
-            ? ", as all are"
-            : isLess ? ", less than all are" : "";
+        string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange ? ", as all are" : isLess ? ", less than all are" : "";
         return new BaselineRow(name, times, time, limit, error, verdict + beside);
     }
 

@@ -91,8 +91,7 @@ public static class BenchReport
                 + "nothing can be said of noise there.";
     }
 
-    static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads,
-        bool isCompared)
+    static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads, bool isCompared)
     {
         var ms = workloads.SelectMany(w => w.Samples.Ms.Concat(w.Row?.Times ?? [])).Where(v => v > 0).ToList();
         var chart = new RowChart("Time of one run: " + family, "milliseconds", "error",

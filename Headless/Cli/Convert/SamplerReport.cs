@@ -96,8 +96,7 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     void WritePictures(List<Built> built)
     {
-        var csv =
-            new StringBuilder("setting,buildSeconds,bytesPerPoint,view,budget,points,drawSeconds,psnr,ssim,uncovered\n");
+        var csv = new StringBuilder("setting,buildSeconds,bytesPerPoint,view,budget,points,drawSeconds,psnr,ssim,uncovered\n");
         foreach (var b in built)
             foreach (var p in b.Pictures)
                 csv.Append('"').Append(b.Name).Append("\",")
@@ -128,8 +127,7 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
             page.Picture(Png.Encode(view.Reference), "all points");
         }
         page.Heading("Evenness");
-        var variation = new LineChart("Coefficient of variation of the distance to the nearest neighbour",
-            "level", "variation");
+        var variation = new LineChart("Coefficient of variation of the distance to the nearest neighbour", "level", "variation");
         var near = new LineChart("Smallest distance inside chunks by spacing", "level", "spacings");
         foreach (var b in built)
         {

@@ -13,8 +13,7 @@ public static class LasTiling
     const int WaveformStart = 227, EvlrStart = 235, Count64 = 247, ByReturn64 = 255;
 
     /// <returns>Points written.</returns>
-    public static long Write(string source, string destination, int times, StageProgress progress,
-        CancellationToken cancellation)
+    public static long Write(string source, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
         long points, pointsAt;
         int recordBytes;

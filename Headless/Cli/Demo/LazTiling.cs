@@ -16,8 +16,7 @@ public static class LazTiling
     const int ChunkPointsAt = 12;
 
     /// <returns>Points written.</returns>
-    public static long Write(string path, string destination, int times, StageProgress progress,
-        CancellationToken cancellation)
+    public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
         using var source = FileSource.Open(path);
         var las = LasFile.Read(source);

@@ -5,8 +5,7 @@ public sealed class CpuPicture(StreamContext stream, PictureOptions options) : F
 {
     readonly StreamedPicture m_picture = new(options);
 
-    internal override void Add(int cloud, PicturePlan plan) =>
-        m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
+    internal override void Add(int cloud, PicturePlan plan) => m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
 
     public override RgbaImage Draw(in Camera camera) => m_picture.Draw(camera);
 

@@ -59,8 +59,7 @@ public static class FlightCloud
             ranges = preview.Ranges;
             sample = new SampleReader(preview.Sample, reader.Info.Path);
         }
-        var source = new TreeSource(sample,
-            CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+        var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
         number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
         return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
     }

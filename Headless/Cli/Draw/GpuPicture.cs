@@ -27,8 +27,7 @@ public sealed class GpuPicture : FlightPicture
         m_options = options;
         m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
         m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool, m_sizes);
-        m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
-            GraphicsFormat.D32_SFloat);
+        m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         m_target.Create();
     }
 

@@ -14,8 +14,7 @@ public sealed class OutputFile : IDisposable
     {
         m_path = path;
         m_temporaryPath = path + "." + Environment.ProcessId + ".part";
-        Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create,
-            FileAccess.Write, FileShare.Read, 1 << 16));
+        Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1 << 16));
     }
 
     public FileStream Stream { get; private set; } = null!;

@@ -49,8 +49,7 @@ public sealed class ReportPage(string title)
         m_body.Append("</div>\n");
     }
 
-    public void Chart(RowChart chart) =>
-        m_body.Append("<figure class=\"rows\">\n").Append(chart.ToSvg()).Append("\n</figure>\n");
+    public void Chart(RowChart chart) => m_body.Append("<figure class=\"rows\">\n").Append(chart.ToSvg()).Append("\n</figure>\n");
 
     /// <summary>Charts side by side, as many as fit.</summary>
     public void Charts(IEnumerable<LineChart> charts)

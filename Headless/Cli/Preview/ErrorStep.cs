@@ -7,8 +7,7 @@ public sealed class ErrorStep
     public const string OursName = "ours, in waves", ScanName = "full scan";
 
     /// <summary>Shares of each block that the points are chosen from.</summary>
-    static readonly (double Share, string Name)[] s_shares =
-        [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
+    static readonly (double Share, string Name)[] s_shares = [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
 
     /// <summary>Points that are decoded for one that is shown, where prefixes are thinned.</summary>
     const int TimesDecoded = 5;
@@ -92,8 +91,7 @@ public sealed class ErrorStep
         Curves.Add(first);
         if (reader.HasFixedStride || reader.BlockCount < 2 || reader.PointCount == 0)
             return;
-        var prefixes = new ErrorCurve("block prefixes",
-            "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
+        var prefixes = new ErrorCurve("block prefixes", "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
         foreach (int count in counts)
             Measure(prefixes, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
         Curves.Add(prefixes);

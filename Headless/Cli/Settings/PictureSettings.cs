@@ -88,8 +88,7 @@ public sealed class PictureSettings
         {
             var up = new double3(0, 0, 0);
             up[(int)options.UpAxis] = 1;
-            options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up,
-                options.FovDegrees);
+            options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up, options.FovDegrees);
         }
         options.View = view switch
         {

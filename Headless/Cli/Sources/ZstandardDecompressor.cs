@@ -98,8 +98,7 @@ internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
             (delegate* unmanaged<nint, int, int, nuint>)Find(handle, "ZSTD_DCtx_setParameter");
         public readonly delegate* unmanaged<nint, Piece*, Piece*, nuint> Decompress =
             (delegate* unmanaged<nint, Piece*, Piece*, nuint>)Find(handle, "ZSTD_decompressStream");
-        public readonly delegate* unmanaged<nuint, uint> IsError =
-            (delegate* unmanaged<nuint, uint>)Find(handle, "ZSTD_isError");
+        public readonly delegate* unmanaged<nuint, uint> IsError = (delegate* unmanaged<nuint, uint>)Find(handle, "ZSTD_isError");
 
         private static nint Find(nint handle, string name) => NativeLibrary.GetExport(handle, name);
     }

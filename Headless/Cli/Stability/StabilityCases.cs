@@ -102,8 +102,7 @@ public static class StabilityCases
         string file = StabilityFiles.Ply(folder, "cloud", count, i =>
         {
             var place = new double3(Uniform(i)) / 64;
-            double wrong =
-                (i / 100 % 3) switch { 0 => double.NaN, 1 => double.PositiveInfinity, _ => double.NegativeInfinity };
+            double wrong = (i / 100 % 3) switch { 0 => double.NaN, 1 => double.PositiveInfinity, _ => double.NegativeInfinity };
             if (i % 100 == 0)
                 place[i / 300 % 3] = wrong;
             return place;

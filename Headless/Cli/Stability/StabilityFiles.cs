@@ -8,8 +8,7 @@ static class StabilityFiles
     const int BoundsAt = 179;
 
     /// <summary>A coloured LAS 1.2 file, point format 2.</summary>
-    public static unsafe string Las(string folder, string name, int count, double scale,
-        double offset, Func<int, int3> placeOf)
+    public static unsafe string Las(string folder, string name, int count, double scale, double offset, Func<int, int3> placeOf)
     {
         string path = Path.Combine(folder, name + ".las");
         var settings = new LasWriterSettings

@@ -158,7 +158,6 @@ public sealed class StabilityRun
             Problems.Add(stage + ": " + e);
         }
         using var process = Process.GetCurrentProcess();
-        Stages.Add(new StageResult(stage, outcome, error, Stopwatch.GetElapsedTime(begin).TotalSeconds,
-            process.WorkingSet64));
+        Stages.Add(new StageResult(stage, outcome, error, Stopwatch.GetElapsedTime(begin).TotalSeconds, process.WorkingSet64));
     }
 }

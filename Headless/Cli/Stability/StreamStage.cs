@@ -26,8 +26,7 @@ static class StreamStage
     }
 
     /// <summary>Frames until nothing more comes.</summary>
-    public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems,
-        Action? endFrame = null)
+    public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems, Action? endFrame = null)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = view };
         for (int frame = 0; frame < MostFrames; frame++)

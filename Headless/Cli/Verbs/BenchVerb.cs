@@ -81,8 +81,7 @@ public sealed class BenchVerb : Verb
         if (parsed.GetValue(m_list))
         {
             foreach (var workload in groups.SelectMany(g => g))
-                run.Out.WriteLine(workload.Name
-                    + (workload.LimitName == null ? "" : "   (limit: " + workload.LimitName + ")"));
+                run.Out.WriteLine(workload.Name + (workload.LimitName == null ? "" : "   (limit: " + workload.LimitName + ")"));
             return;
         }
         int points = parsed.GetValue(m_points), runs = parsed.GetValue(m_runs);

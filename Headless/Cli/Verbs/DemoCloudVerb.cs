@@ -79,8 +79,7 @@ public sealed class DemoCloudVerb : Verb
             if (parsed.GetValue(m_times) != 0)
                 throw new UsageException("--times belongs to --tile");
             written = parsed.GetValue(m_points);
-            if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) ||
-                !Enum.IsDefined(order))
+            if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) || !Enum.IsDefined(order))
                 throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
             if (written < 1)
                 throw new UsageException("--points is at least 1");

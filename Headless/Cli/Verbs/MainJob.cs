@@ -186,8 +186,7 @@ public sealed class MainJob : Verb
             }
             page.Heading("What took how long");
             page.Table(StageTable.Of(run.Progress, firstStage));
-            page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes)
-                + " of memory resident.");
+            page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory resident.");
             string pagePath = Path.Combine(folder, "report.html");
             OutputFile.Write(pagePath, page.ToBytes());
             return new Report

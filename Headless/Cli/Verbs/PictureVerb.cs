@@ -92,8 +92,7 @@ public sealed class PictureVerb : Verb
     }
 
     /// <summary>Whether there is more to it than drawing each node's points.</summary>
-    static bool IsForStream(PictureOptions options) =>
-        options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
+    static bool IsForStream(PictureOptions options) => options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
 
     static bool BringsOctree(string path)
     {

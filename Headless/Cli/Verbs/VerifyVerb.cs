@@ -56,8 +56,7 @@ public sealed class VerifyVerb : Verb
             run.Out.WriteLine(problem);
         if (result.ProblemCount > result.Problems.Count)
             run.Out.WriteLine("and " + Human.Count(result.ProblemCount - result.Problems.Count) + " more");
-        var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance",
-            "across chunks", "share too near");
+        var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance", "across chunks", "share too near");
         for (int level = 0; level < result.Levels.Count; level++)
         {
             var at = result.Levels[level];

@@ -7,8 +7,7 @@ public class AnimatedPngTests
     string m_path;
 
     [SetUp]
-    public void ChoosePath() =>
-        m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".png");
+    public void ChoosePath() => m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".png");
 
     [TearDown]
     public void Delete() => File.Delete(m_path);
@@ -50,8 +49,7 @@ public class AnimatedPngTests
                 Assert.That(Big(file, at + 8), Is.EqualTo(3));
             at += 12 + (int)length;
         }
-        Assert.That(names,
-            Is.EqualTo(new[] { "IHDR", "sRGB", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "IEND" }));
+        Assert.That(names, Is.EqualTo(new[] { "IHDR", "sRGB", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "IEND" }));
         Assert.That(sequence, Is.EqualTo(new uint[] { 0, 1, 2, 3, 4 }));
     }
 

@@ -39,8 +39,7 @@ public sealed class BenchTests
         using var json = JsonDocument.Parse(File.ReadAllBytes(m_results));
         var result = json.RootElement.GetProperty("Results").EnumerateArray()
             .Single(r => r.GetProperty("Name").GetString()!.EndsWith("(\"loop over native arrays\")"));
-        var groups = result.GetProperty("SampleGroups").EnumerateArray()
-            .ToDictionary(g => g.GetProperty("Name").GetString()!);
+        var groups = result.GetProperty("SampleGroups").EnumerateArray().ToDictionary(g => g.GetProperty("Name").GetString()!);
 
         Assert.That(groups.Keys, Is.EquivalentTo(new[] { "Time", "Points/s", "Bytes/s", "GC", "Error", "Times limit" }));
         Assert.That(groups["Time"].GetProperty("Unit").GetInt32(), Is.EqualTo(2));
@@ -55,8 +54,7 @@ public sealed class BenchTests
             Assert.That(group.GetProperty("Sum").GetDouble(), Is.EqualTo(samples.Sum()).Within(1e-9).Percent);
             Assert.That(group.GetProperty("Average").GetDouble(), Is.EqualTo(samples.Average()).Within(1e-9).Percent);
             Assert.That(group.GetProperty("Median").GetDouble(), Is.InRange(samples.Min(), samples.Max()));
-            Assert.That(group.GetProperty("StandardDeviation").GetDouble(),
-                Is.LessThanOrEqualTo(samples.Max() - samples.Min()));
+            Assert.That(group.GetProperty("StandardDeviation").GetDouble(), Is.LessThanOrEqualTo(samples.Max() - samples.Min()));
         }
     }
 
@@ -99,8 +97,7 @@ public sealed class BenchTests
 
         Assert.That(call.Output,
             Does.Contain("x baseline (95 %)").And.Match(@"\d\.\d\d \(\d\.\d\d to \d+\.\d\d\)").And.Contain("by chance"));
-        Assert.That(File.ReadAllText(Path.Combine(m_scratch["second"], "report.html")),
-            Does.Contain("Against the earlier run"));
+        Assert.That(File.ReadAllText(Path.Combine(m_scratch["second"], "report.html")), Does.Contain("Against the earlier run"));
     }
 
     static BaselineRow[] Compare(double ownNow, double othersNow)

@@ -37,8 +37,7 @@ public sealed class KillTests
 
     static void MakeCloud(ScratchFolder scratch, int points, int times)
     {
-        Assert.That(CliCall.Of("demo-cloud", "-o", scratch["one.las"], "--points", points.ToString(), "--quiet").Status,
-            Is.Zero);
+        Assert.That(CliCall.Of("demo-cloud", "-o", scratch["one.las"], "--points", points.ToString(), "--quiet").Status, Is.Zero);
         Assert.That(CliCall.Of("demo-cloud", "-o", scratch["cloud.las"], "--tile", scratch["one.las"], "--times",
             times.ToString(),
             "--quiet").Status, Is.Zero);
@@ -117,8 +116,7 @@ public sealed class KillTests
     {
         using var scratch = new ScratchFolder();
         MakeCloud(scratch, points, times);
-        var made = ConvertToEnd(scratch["cloud.las"], scratch["cloud.fastpoints"], LittleMemory,
-            "random", scratch["cloud.json"]);
+        var made = ConvertToEnd(scratch["cloud.las"], scratch["cloud.fastpoints"], LittleMemory, "random", scratch["cloud.json"]);
         Assert.That(made.GetProperty("points").GetInt64(), Is.EqualTo((long)points * times));
         Assert.That(made.GetProperty("peakResidentBytes").GetInt64(), Is.LessThanOrEqualTo(160L << 20));
     }

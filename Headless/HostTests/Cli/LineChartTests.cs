@@ -5,8 +5,7 @@ namespace FastPoints.HostTests.Cli;
 
 public sealed class LineChartTests
 {
-    static XElement Drawn(LineChart chart) =>
-        XDocument.Parse(Encoding.UTF8.GetString(chart.ToBytes()).TrimStart('\uFEFF')).Root!;
+    static XElement Drawn(LineChart chart) => XDocument.Parse(Encoding.UTF8.GetString(chart.ToBytes()).TrimStart('\uFEFF')).Root!;
 
     static string[] Texts(XElement svg) =>
         svg.Descendants().Where(e => e.Name.LocalName == "text").Select(e => e.Value).ToArray();
@@ -26,8 +25,7 @@ public sealed class LineChartTests
         var points = Polyline(svg);
         for (int i = 2; i < points.Length; i++)
             for (int axis = 0; axis < 2; axis++)
-                Assert.That(points[i][axis] - points[i - 1][axis],
-                    Is.EqualTo(points[1][axis] - points[0][axis]).Within(0.21));
+                Assert.That(points[i][axis] - points[i - 1][axis], Is.EqualTo(points[1][axis] - points[0][axis]).Within(0.21));
         Assert.That(points[1][0], Is.GreaterThan(points[0][0]));
         Assert.That(points[1][1], Is.GreaterThan(points[0][1]), "less lies below");
         Assert.That(Texts(svg), Is.SupersetOf(new[] { "a < b & c", "seconds", "error", "ours", "0.01", "10", "1,000" }));

@@ -39,8 +39,7 @@ public sealed class SampleComparisonTests
     [TestCase(1, 20)]
     public void Of_TooFewSamples_SaysThatItCannotKnow(int now, int before)
     {
-        var comparison = SampleComparison.Of(Enumerable.Repeat(2.0, now).ToArray(),
-            Enumerable.Repeat(1.0, before).ToArray())!;
+        var comparison = SampleComparison.Of(Enumerable.Repeat(2.0, now).ToArray(), Enumerable.Repeat(1.0, before).ToArray())!;
 
         Assert.That(comparison.Ratio, Is.EqualTo(2));
         Assert.That(comparison.IsUnknown, Is.True);
@@ -54,8 +53,7 @@ public sealed class SampleComparisonTests
     {
         const int Runs = 4000;
         var random = new System.Random(7);
-        int marked = Enumerable.Range(0, Runs)
-            .Count(_ => SampleComparison.Of(Samples(random), Samples(random))!.IsBeyondNoise);
+        int marked = Enumerable.Range(0, Runs).Count(_ => SampleComparison.Of(Samples(random), Samples(random))!.IsBeyondNoise);
 
         Assert.That((double)marked / Runs, Is.InRange(0.02, 0.06));
     }

@@ -124,14 +124,12 @@ public sealed class SummaryTests
         Assert.That(error.GetProperty("found").GetInt32(), Is.EqualTo(3000));
         foreach (var curve in error.GetProperty("curves").EnumerateArray())
         {
-            Assert.That(curve.GetProperty("waves").GetArrayLength(), Is.GreaterThan(0),
-                curve.GetProperty("name").GetString());
+            Assert.That(curve.GetProperty("waves").GetArrayLength(), Is.GreaterThan(0), curve.GetProperty("name").GetString());
             foreach (var wave in curve.GetProperty("waves").EnumerateArray())
                 Assert.That(wave.GetProperty("found").GetInt32(), Is.EqualTo(wave.GetProperty("lookedUp").GetInt32()));
         }
         Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
-        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")),
-            Does.Contain("<svg").And.Contain("data:image/png"));
+        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("<svg").And.Contain("data:image/png"));
         string[] table = File.ReadAllLines(Path.Combine(folder, "errors.csv"));
         Assert.That(table.Select(l => l.Split(',').Length), Is.All.EqualTo(table[0].Split(',').Length));
         Assert.That(File.Exists(Path.Combine(folder, "rms.svg")), Is.True);
@@ -161,8 +159,7 @@ public sealed class SummaryTests
     {
         string first = m_scratch["first.png"], second = m_scratch["second.png"];
         HasPictureKeys(Summary("picture", "picture", m_demo, "-o", first, "--size", "160x90", "--view", "iso"));
-        var json = Summary("picture", "picture", m_demo, "-o", second, "--size", "160x90",
-            "--view", "iso", "--against", first);
+        var json = Summary("picture", "picture", m_demo, "-o", second, "--size", "160x90", "--view", "iso", "--against", first);
         HasPictureKeys(json);
         Assert.That(json.GetProperty("psnr").ValueKind, Is.EqualTo(JsonValueKind.Null), "infinite");
         Assert.That(json.GetProperty("ssim").GetDouble(), Is.EqualTo(1).Within(1e-9));
@@ -241,8 +238,7 @@ public sealed class SummaryTests
         HasPreviewKeys(json.GetProperty("preview"));
         HasConvertKeys(json.GetProperty("convert"));
         HasPictureKeys(json.GetProperty("picture"), JsonValueKind.Number);
-        Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")),
-            Is.True);
+        Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")), Is.True);
         Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
         string[] always = ["report.html", "preview.png", "picture.png"];
         Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
@@ -268,7 +264,6 @@ public sealed class SummaryTests
         string file = m_scratch["summary.json"];
         var call = CliCall.Of("info", m_demo, "--json", file);
         Assert.That(call.Output, Does.Contain("LAS 1.4, point format 7"));
-        Assert.That(JsonDocument.Parse(File.ReadAllBytes(file)).RootElement.GetProperty("verb").GetString(),
-            Is.EqualTo("info"));
+        Assert.That(JsonDocument.Parse(File.ReadAllBytes(file)).RootElement.GetProperty("verb").GetString(), Is.EqualTo("info"));
     }
 }

@@ -14,8 +14,7 @@ public sealed class UsageTests
             Assert.That(call.Output, Does.Contain("\n  " + verb + " "));
             Assert.That(call.Output, Does.Contain("./fastpoints " + verb + " "), "an example of " + verb);
         }
-        Assert.That(call.Output,
-            Does.Contain("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled"));
+        Assert.That(call.Output, Does.Contain("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled"));
         Assert.That(call.Error, Is.Empty);
     }
 

@@ -70,8 +70,7 @@ public sealed class DocIdTests
         DocId.OfMethod(Method("op_Addition")), Is.EqualTo($"M:{Prefix}.op_Addition({Prefix[..^2]}{{`0}},System.Int32@)"));
 
     [Test]
-    public void OfMethod_Constructor_HasAHash() =>
-        Assert.That(DocId.OfMethod(Method(".ctor")), Is.EqualTo($"M:{Prefix}.#ctor"));
+    public void OfMethod_Constructor_HasAHash() => Assert.That(DocId.OfMethod(Method(".ctor")), Is.EqualTo($"M:{Prefix}.#ctor"));
 
     [TestCase("get_Item", "P:OWNER.Item(System.Int32,`0*)")]
     [TestCase("set_Item", "P:OWNER.Item(System.Int32,`0*)")]
@@ -89,8 +88,7 @@ public sealed class DocIdTests
     [Test]
     public void InSignature_NestedInstance_GivesEachLevelItsArguments()
     {
-        MethodDefinition method = m_sample.NestedTypes.Single(t => t.Name == "Nested`1")
-            .Methods.Single(m => m.Name == "Other");
+        MethodDefinition method = m_sample.NestedTypes.Single(t => t.Name == "Nested`1").Methods.Single(m => m.Name == "Other");
 
         Assert.That(DocId.InSignature(method.Parameters[0].ParameterType),
             Is.EqualTo($"{Prefix[..^2]}{{System.Int32}}.Nested{{`1}}[]"));

@@ -34,8 +34,7 @@ public sealed class CloudHandleTests
     {
         var handle = new CloudHandle { CloudPath = "a" };
 
-        handle.Describe("LAS",
-            Enumerable.Range(0, count).Select(i => new CloudWarning("/home/a/b.las", 7, "odd " + i)).ToList());
+        handle.Describe("LAS", Enumerable.Range(0, count).Select(i => new CloudWarning("/home/a/b.las", 7, "odd " + i)).ToList());
 
         var read = CloudHandle.FromJson(handle.ToJson(), "a.pointcloud");
         Assert.That(read.Warnings, Has.Count.EqualTo(kept).And.Some.EqualTo("b.las: at byte 7: odd 0"));

@@ -6,8 +6,7 @@ public sealed class InspectorTests
     [Test]
     public void ClassesOf_KnownRange_AreThoseThatMeanSomethingAndThoseThatAreHidden()
     {
-        Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }),
-            "8 is reserved");
+        Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }), "8 is reserved");
         Assert.That(ClassFilter.ClassesOf(8, 66, new int[0]).Where(c => c == 8 || c > 22),
             Is.EqualTo(new[] { 8, 64, 65, 66 }), "the least is there for sure");
         Assert.That(ClassFilter.ClassesOf(double.NaN, double.NaN, new int[0]), Does.Contain(2).And.Not.Contains(64));
@@ -59,8 +58,7 @@ public sealed class InspectorTests
         {
             var logged = new List<string>();
             Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-            var buttons =
-                new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
+            var buttons = new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
             try
             {
                 project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
@@ -126,8 +124,7 @@ public sealed class InspectorTests
         Assert.That(asset.FindProperty("m_Script"), Is.Not.Null);
         Assert.That(asset.FindProperty("ProjectPath"), Is.Not.Null);
         Assert.That(asset.FindProperty("Unknown"), Is.Null);
-        Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")),
-            Throws.TypeOf<NullReferenceException>());
+        Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")), Throws.TypeOf<NullReferenceException>());
     }
 
     [Test]

@@ -10,8 +10,7 @@ public sealed class PlayerCloudTests : EditorFixture
     const string ScenePath = "Assets/main.unity";
 
     [SetUp]
-    public void ReferToACloud() =>
-        AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
+    public void ReferToACloud() => AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
 
     [TearDown]
     public void CloseScene() => SceneManager.s_active = default;
@@ -70,8 +69,7 @@ public sealed class PlayerCloudTests : EditorFixture
         var context = Build(scene == null ? null : new[] { scene });
 
         Assert.That(context.FolderOfPlayerPath, Is.Empty);
-        Assert.That(m_logged.Single(),
-            Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
+        Assert.That(m_logged.Single(), Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
     }
 
     [Test]

@@ -10,8 +10,7 @@ public sealed class TransferTests : EditorFixture
         return asset;
     }
 
-    void Updates(Func<bool> isDone) =>
-        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), isDone);
+    void Updates(Func<bool> isDone) => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), isDone);
 
     static void AssertIsWhole(string cloud) =>
         Assert.That(CliCall.Of("verify", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));

@@ -223,8 +223,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         streams.Clip();
         Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts + sizePx);
         var left = streams.Draw(streams.Plan.Camera).Gpu;
-        int Covered(RgbaImage image) =>
-            Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
+        int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
         Assert.That(Covered(left), keeps ? Is.LessThan(Covered(all) * 0.8) : (IResolveConstraint)Is.EqualTo(Covered(all)));
     }
 

@@ -13,8 +13,7 @@ public sealed class HpcVerifierTests
         string file = typeof(HpcVerifierTests).Assembly.Location;
         var resolver = new DefaultAssemblyResolver();
         resolver.AddSearchDirectory(Path.GetDirectoryName(file));
-        m_module = ModuleDefinition.ReadModule(file,
-            new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
+        m_module = ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
         m_verifier = new HpcVerifier(new[] { m_module });
     }
 

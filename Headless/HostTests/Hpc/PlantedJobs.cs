@@ -72,8 +72,7 @@ internal static class PlantedJobs
     [BurstCompile]
     internal struct FineJob : IJobParallelFor
     {
-        [ReadOnly]
-        public NativeArray<float3> Positions;
+        [ReadOnly] public NativeArray<float3> Positions;
         public NativeArray<float> Lengths;
         public float Limit;
 

@@ -38,10 +38,8 @@ internal static class PlantedLayouts
     [StructLayout(LayoutKind.Explicit, Size = 16)]
     internal unsafe struct Overlaid
     {
-        [FieldOffset(0)]
-        public long Whole;
-        [FieldOffset(0)]
-        public fixed byte Bytes[16];
+        [FieldOffset(0)] public long Whole;
+        [FieldOffset(0)] public fixed byte Bytes[16];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -55,14 +53,12 @@ internal static class PlantedLayouts
 
     internal struct MarshalledAsPointer
     {
-        [MarshalAs(UnmanagedType.SysInt)]
-        public bool Flag;
+        [MarshalAs(UnmanagedType.SysInt)] public bool Flag;
     }
 
     internal struct MarshalledAsByte
     {
-        [MarshalAs(UnmanagedType.U1)]
-        public bool Flag;
+        [MarshalAs(UnmanagedType.U1)] public bool Flag;
     }
 
     internal struct Nested

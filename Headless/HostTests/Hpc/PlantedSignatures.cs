@@ -21,8 +21,7 @@ internal static unsafe class PlantedSignatures
     internal struct MarkedAsByte
     {
         public int Value;
-        [MarshalAs(UnmanagedType.U1)]
-        public bool IsSet;
+        [MarshalAs(UnmanagedType.U1)] public bool IsSet;
     }
 
     internal struct Outer
@@ -64,8 +63,7 @@ internal static unsafe class PlantedSignatures
     internal static class FineSignatures
     {
         [BurstCompile]
-        internal static bool Mark(
-            bool isSet, Kind kind, in float3 at, Marked* byPointer, ref MarkedAsByte marked, Handle handle)
+        internal static bool Mark(bool isSet, Kind kind, in float3 at, Marked* byPointer, ref MarkedAsByte marked, Handle handle)
         {
             marked.IsSet = isSet;
             byPointer->Value = (int)kind;

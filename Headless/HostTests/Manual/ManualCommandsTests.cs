@@ -31,8 +31,7 @@ public sealed class ManualCommandsTests
     static List<string> Verbs()
     {
         string help = CliCall.Of("--help").Output;
-        var verbs = Regex.Matches(help, @"^  ([a-z][a-z-]+)\s", RegexOptions.Multiline)
-            .Select(m => m.Groups[1].Value).ToList();
+        var verbs = Regex.Matches(help, @"^  ([a-z][a-z-]+)\s", RegexOptions.Multiline).Select(m => m.Groups[1].Value).ToList();
         Assert.That(verbs, Does.Contain("convert").And.Contain("demo-cloud"));
         return verbs;
     }

@@ -47,8 +47,7 @@ public sealed class ManualSettingsTests
     {
         var field = typeof(PointCloudSettings).GetField(nameof(PointCloudSettings.MillionPoints));
 
-        Assert.That(Row("Million Points", field, RangeOf(field)),
-            Is.EqualTo("Million Points, `MillionPoints`, 2, 0.1 to 100"));
+        Assert.That(Row("Million Points", field, RangeOf(field)), Is.EqualTo("Million Points, `MillionPoints`, 2, 0.1 to 100"));
     }
 
     static string Written(string[] cells) => string.Join(", ", cells.Take(4));
@@ -90,7 +89,6 @@ public sealed class ManualSettingsTests
     static string Nicified(string field)
     {
         string name = field.StartsWith("m_", StringComparison.Ordinal) ? field[2..] : field;
-        return Regex.Replace(char.ToUpperInvariant(name[0]) + name[1..],
-            "(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ");
+        return Regex.Replace(char.ToUpperInvariant(name[0]) + name[1..], "(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ");
     }
 }

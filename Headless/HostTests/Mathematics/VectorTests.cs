@@ -78,8 +78,7 @@ public sealed class VectorTests
 
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     [Test]
-    public void Indexer_OutOfRange_Throws() =>
-        Assert.That(() => new float3(1, 2, 3)[3], Throws.ArgumentException);
+    public void Indexer_OutOfRange_Throws() => Assert.That(() => new float3(1, 2, 3)[3], Throws.ArgumentException);
 #endif
 
     [Test]

@@ -77,8 +77,7 @@ public sealed class PreviewSliceTests
         using var reader = new VirtualReader(all, blockPoints, false);
         var runs = RunsOf(() =>
         {
-            using var sampler = new RefiningSampler(reader, points, 1, null,
-                new BoundsGeo(default, new double3(1500, 1500, 1)));
+            using var sampler = new RefiningSampler(reader, points, 1, null, new BoundsGeo(default, new double3(1500, 1500, 1)));
             WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
             Assert.That(sampler.Sample.Count, Is.EqualTo(points));
         });

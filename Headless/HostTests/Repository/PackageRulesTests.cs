@@ -63,8 +63,7 @@ public sealed class PackageRulesTests
         Put(file, text.Replace(from, to));
     }
 
-    string[] Problems(string tag = null) =>
-        PackageCommand.Run(new RepoTools.Repository(m_root), tag, null).Problems.ToArray();
+    string[] Problems(string tag = null) => PackageCommand.Run(new RepoTools.Repository(m_root), tag, null).Problems.ToArray();
 
     [Test]
     public void Check_PackageInOrder_FindsNothing() => Assert.That(Problems(), Is.Empty);

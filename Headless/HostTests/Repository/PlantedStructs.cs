@@ -39,11 +39,9 @@ internal struct PlantedWithByte
 [StructLayout(LayoutKind.Explicit)]
 internal struct PlantedWithGap
 {
-    [FieldOffset(0)]
-    public uint Count;
+    [FieldOffset(0)] public uint Count;
 
-    [FieldOffset(8)]
-    public uint Width;
+    [FieldOffset(8)] public uint Width;
 }
 
 [DiskFormat]

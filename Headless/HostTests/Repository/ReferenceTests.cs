@@ -6,12 +6,10 @@ namespace FastPoints.HostTests.Repository;
 /// <summary>The reference of public types at the end of the manual's API page.</summary>
 public sealed class ReferenceTests
 {
-    const string Page =
-        "Words.\n<!-- RepoTools reference writes what follows -->\nold\n<!-- and this is its end -->\nMore.\n";
+    const string Page = "Words.\n<!-- RepoTools reference writes what follows -->\nold\n<!-- and this is its end -->\nMore.\n";
     const string Sum = "static int Sum(in Record a, out List<int?> b, ref byte c, params string[] d)";
 
-    static readonly Lazy<ModuleDefinition> s_module =
-        new(() => ModuleDefinition.ReadModule(typeof(Opened).Assembly.Location));
+    static readonly Lazy<ModuleDefinition> s_module = new(() => ModuleDefinition.ReadModule(typeof(Opened).Assembly.Location));
 
     [TestCase(typeof(Opened), "", "new Opened(string path, long limitBytes = 3)", "static Opened Open(string path)")]
     [TestCase(typeof(Record), "", Sum, "int X")]

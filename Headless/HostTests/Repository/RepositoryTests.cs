@@ -21,8 +21,7 @@ public sealed class RepositoryTests
     {
         var found = new List<string>();
         foreach (string file in Checkout.Files().Where(f => s_text.Contains(Path.GetExtension(f))))
-            found.AddRange(Foreign(File.ReadAllText(Path.Combine(Checkout.Repository.Root, file)))
-                .Select(p => $"{file}: {p}"));
+            found.AddRange(Foreign(File.ReadAllText(Path.Combine(Checkout.Repository.Root, file))).Select(p => $"{file}: {p}"));
 
         Assert.That(found, Is.Empty);
     }
@@ -32,8 +31,7 @@ public sealed class RepositoryTests
         Assert.That(Foreign("see /wo" + "rk/here and nuget" + ".org"), Has.Count.EqualTo(2));
 
     [Test]
-    public void Paths_Committed_StayUnder140Characters() =>
-        Assert.That(Checkout.Files().Where(f => f.Length >= 140), Is.Empty);
+    public void Paths_Committed_StayUnder140Characters() => Assert.That(Checkout.Files().Where(f => f.Length >= 140), Is.Empty);
 
     [Test]
     public void Version_PackageChangelogAndProjects_AreOne()
@@ -61,8 +59,7 @@ public sealed class RepositoryTests
             .Select(m => m.Groups[1].Value).ToList();
 
         Assert.That(versions.Split(", ").Select(v => v[..v.LastIndexOf('.')]), Is.EqualTo(RepoTools.Repository.Generations));
-        Assert.That(projects,
-            Is.EquivalentTo(Directory.GetDirectories(Path.Combine(root, "Projects")).Select(Path.GetFileName)));
+        Assert.That(projects, Is.EquivalentTo(Directory.GetDirectories(Path.Combine(root, "Projects")).Select(Path.GetFileName)));
     }
 
     private static List<string> Foreign(string text) => s_foreign.Where(p => text.Contains(p)).ToList();

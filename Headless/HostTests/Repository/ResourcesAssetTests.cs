@@ -23,8 +23,7 @@ public sealed class ResourcesAssetTests
         {
             string id = file.EndsWith(".shader") ? "4800000" : file.EndsWith(".compute") ? "7200000" : null;
             if (id != null)
-                Assert.That(asset, Does.Contain("{fileID: " + id + ", guid: " + GuidOf("Shaders/" + file) + ", type: 3}"),
-                    file);
+                Assert.That(asset, Does.Contain("{fileID: " + id + ", guid: " + GuidOf("Shaders/" + file) + ", type: 3}"), file);
         }
     }
 }

@@ -138,8 +138,7 @@ public sealed class SampleSceneTests
 
         Assert.That(got, Has.Count.EqualTo(3));
         Assert.That(got.Distinct().Count(), Is.EqualTo(1));
-        Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"),
-            Has.Length.EqualTo(1));
+        Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"), Has.Length.EqualTo(1));
     }
 
     [Test]

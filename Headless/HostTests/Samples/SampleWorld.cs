@@ -38,8 +38,7 @@ sealed class SampleWorld : IDisposable
     }
 
     /// <summary>On a GameObject of its own, which goes with the world; what it shows is set before it is enabled.</summary>
-    public T Add<T>(Action<T> set = null)
-        where T : MonoBehaviour
+    public T Add<T>(Action<T> set = null) where T : MonoBehaviour
     {
         var holder = new GameObject(typeof(T).Name);
         m_objects.Add(holder);
@@ -71,8 +70,7 @@ sealed class SampleWorld : IDisposable
     public void Settle() => Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 &&
         Count<PointCloudNode>() == Group.Stats.CachedNodes);
 
-    public int Count<T>()
-        where T : unmanaged, IComponentData
+    public int Count<T>() where T : unmanaged, IComponentData
     {
         using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(World.EntityManager);
         return query.CalculateEntityCount();

@@ -61,8 +61,7 @@ static class Direct3DCompiler
         return said.Select(s => Regex.Replace(s, "^ok", "").Trim()).ToArray();
     }
 
-    static string Profile(ShaderStage stage) =>
-        (stage.Stage == "vert" ? "vs" : stage.Stage == "frag" ? "ps" : "cs") + Profiles;
+    static string Profile(ShaderStage stage) => (stage.Stage == "vert" ? "vs" : stage.Stage == "frag" ? "ps" : "cs") + Profiles;
 
     static string Text(ShaderStage stage)
     {

@@ -185,8 +185,7 @@ public sealed unsafe class AccessSafetyTests
             Refused("WriteToReadOnlyJob.Values has been declared as [ReadOnly] in the job, but you are writing to it"));
         new PointerToReadOnlyJob { Values = m_values }.Run();
         Assert.That(() => LoggedExceptions.ThrowFirst(), Refused("declared as [ReadOnly]"));
-        Assert.That(() => new ReadOnlyListJob { List = m_list }.Schedule().CompleteAndThrow(),
-            Refused("declared as [ReadOnly]"));
+        Assert.That(() => new ReadOnlyListJob { List = m_list }.Schedule().CompleteAndThrow(), Refused("declared as [ReadOnly]"));
         Assert.That(m_values[0], Is.Zero);
     }
 

@@ -129,14 +129,12 @@ public sealed class EntityTests
         var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.DestroyEntity(gone);
         var bare = Entities.CreateEntity();
-        Assert.That(() => Entities.GetComponentData<Health>(gone),
-            Throws.ArgumentException.With.Message.Contains("must exist"));
+        Assert.That(() => Entities.GetComponentData<Health>(gone), Throws.ArgumentException.With.Message.Contains("must exist"));
         Assert.That(() => Entities.GetComponentData<Health>(bare),
             Throws.ArgumentException.With.Message.Contains("has not been added"));
         Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
         Entities.AddComponent<Burning>(bare);
-        Assert.That(() => Entities.GetComponentData<Burning>(bare),
-            Throws.ArgumentException.With.Message.Contains("zero sized"));
+        Assert.That(() => Entities.GetComponentData<Burning>(bare), Throws.ArgumentException.With.Message.Contains("zero sized"));
         Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
         Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
         var manager = Entities;
@@ -250,8 +248,7 @@ public sealed class EntityTests
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A));
             Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("Warning").And.Some.Contains("group was not created"));
             logged.Clear();
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group),
-                typeof(B), typeof(F), typeof(C));
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(B), typeof(F), typeof(C));
             m_world.Update();
             Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("precedence"));
             logged.Clear();

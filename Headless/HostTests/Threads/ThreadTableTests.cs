@@ -16,8 +16,7 @@ public sealed class ThreadTableTests
     [Test]
     public void Table_ThatIsRead_HasItsLinesAndRemembersWhatWasAskedFor()
     {
-        ThreadTable table =
-            ThreadTable.Read(new StringReader(ThreadRow.Header + "\nM:A.B\tany\tpure\nM:A.C\tmain\textern\n"));
+        ThreadTable table = ThreadTable.Read(new StringReader(ThreadRow.Header + "\nM:A.B\tany\tpure\nM:A.C\tmain\textern\n"));
 
         Assert.That(table.Find("M:A.C").Threads, Is.EqualTo("main"));
         Assert.That(table.Find("M:A.D"), Is.Null);

@@ -13,8 +13,7 @@ public sealed class ThreadVerifierTests
         string file = typeof(ThreadVerifierTests).Assembly.Location;
         var resolver = new DefaultAssemblyResolver();
         resolver.AddSearchDirectory(Path.GetDirectoryName(file));
-        m_module = ModuleDefinition.ReadModule(file,
-            new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
+        m_module = ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
         m_verifier = new ThreadVerifier(new[] { m_module }, ThreadTable.Load(Checkout.Repository.UsedThreads), "6000.0");
     }
 

@@ -14,8 +14,7 @@ public sealed class RunTimeNumbersTests
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 
-        Assert.That(builds.Package.Where(m => !s_forPeopleAlone.Contains(m.Assembly.Name.Name)).SelectMany(Statistics),
-            Is.Empty);
+        Assert.That(builds.Package.Where(m => !s_forPeopleAlone.Contains(m.Assembly.Name.Name)).SelectMany(Statistics), Is.Empty);
     }
 
     [TestCase(nameof(Planted.Digits), 1)]

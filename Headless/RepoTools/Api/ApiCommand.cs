@@ -13,8 +13,7 @@ public static class ApiCommand
             throw new ToolException($"no full list in {repository.FullApi}: set FASTPOINTS_DATA to the "
                 + "folder that has unity-api");
         if (!File.Exists(repository.UsedApi) && check)
-            return new ToolResult("nothing committed",
-                new[] { "Headless/Api/used.tsv is not there (RepoTools api writes it)" });
+            return new ToolResult("nothing committed", new[] { "Headless/Api/used.tsv is not there (RepoTools api writes it)" });
 
         UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi) : UnityApi.LoadUsed(repository.UsedApi);
         List<string> problems = Check(repository, api);

@@ -10,8 +10,7 @@ public sealed record ApiRow(
 {
     private const string HdrpGeneration = "6000.4";
 
-    public const string Header =
-        "#id\tassembly\tkind\ttype\tflags\tdetail\tconstraints\tobsolete\tin\tvaried";
+    public const string Header = "#id\tassembly\tkind\ttype\tflags\tdetail\tconstraints\tobsolete\tin\tvaried";
 
     public bool IsType => Id.StartsWith("T:", StringComparison.Ordinal);
 

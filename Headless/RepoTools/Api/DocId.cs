@@ -101,8 +101,7 @@ public static class DocId
     }
 
     /// <summary>A signature's text with each <c>`n</c> and <c>``n</c> replaced by the arguments' texts.</summary>
-    public static string Substitute(string signature, IReadOnlyList<string> typeArguments,
-        IReadOnlyList<string> methodArguments)
+    public static string Substitute(string signature, IReadOnlyList<string> typeArguments, IReadOnlyList<string> methodArguments)
     {
         var text = new StringBuilder();
         for (int i = 0; i < signature.Length; i++)

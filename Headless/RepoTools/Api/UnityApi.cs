@@ -12,8 +12,7 @@ public sealed class UnityApi
     private readonly Dictionary<string, ApiRow> m_rows = new Dictionary<string, ApiRow>(StringComparer.Ordinal);
     private readonly Dictionary<string, List<ApiRow>> m_membersOfType =
         new Dictionary<string, List<ApiRow>>(StringComparer.Ordinal);
-    private readonly SortedDictionary<string, ApiRow> m_touched =
-        new SortedDictionary<string, ApiRow>(StringComparer.Ordinal);
+    private readonly SortedDictionary<string, ApiRow> m_touched = new SortedDictionary<string, ApiRow>(StringComparer.Ordinal);
 
     private UnityApi(string name)
     {

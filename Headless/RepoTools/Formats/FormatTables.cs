@@ -32,8 +32,7 @@ public static class FormatTables
         return problems;
     }
 
-    private static string Show((int Offset, int Bytes, string Field) row) =>
-        $"{row.Field} at {row.Offset}, {row.Bytes} bytes";
+    private static string Show((int Offset, int Bytes, string Field) row) => $"{row.Field} at {row.Offset}, {row.Bytes} bytes";
 
     private static Dictionary<string, List<(int Offset, int Bytes, string Field)>> Parse(string markdown)
     {
@@ -48,8 +47,7 @@ public static class FormatTables
                 current = null;
             Match row = Regex.Match(line, @"^\| *(\d+) *\| *(\d+) *\| *(?:`(\w+)`)?[^|]*\|");
             if (row.Success)
-                current?.Add((int.Parse(row.Groups[1].Value, null), int.Parse(row.Groups[2].Value, null),
-                    row.Groups[3].Value));
+                current?.Add((int.Parse(row.Groups[1].Value, null), int.Parse(row.Groups[2].Value, null), row.Groups[3].Value));
         }
         return tables;
     }

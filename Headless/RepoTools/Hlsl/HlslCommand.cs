@@ -31,9 +31,7 @@ public static class HlslCommand
             Directory.CreateDirectory(folder);
             File.WriteAllText(file, text);
         }
-        IEnumerable<string> there = Directory.Exists(folder)
-            ? Directory.GetFiles(folder, "*.hlsl")
-            : Enumerable.Empty<string>();
+        IEnumerable<string> there = Directory.Exists(folder) ? Directory.GetFiles(folder, "*.hlsl") : Enumerable.Empty<string>();
         foreach (string file in there.Where(f => !wanted.ContainsKey(Path.GetFileName(f))))
         {
             if (check)

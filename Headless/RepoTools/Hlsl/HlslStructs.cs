@@ -53,8 +53,7 @@ public static class HlslStructs
                 return "float";
         }
         string name = type.Namespace == "Unity.Mathematics" ? type.Name : "";
-        bool isVector = name.Length > 1 && name[^1] is '2' or '3' or '4'
-            && (name[..^1] is "int" or "uint" or "float");
+        bool isVector = name.Length > 1 && name[^1] is '2' or '3' or '4' && (name[..^1] is "int" or "uint" or "float");
         if (isVector)
             return name;
         throw new ToolException($"{owner.FullName}.{field.Name}: no {type.FullName} in HLSL; " +

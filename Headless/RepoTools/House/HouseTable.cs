@@ -64,8 +64,7 @@ public sealed class HouseTable
         string[] cells = line.Split('\t').Select(c => c.Trim()).ToArray();
         if (cells.Length != 6)
             throw new ToolException($"house.tsv: {cells.Length} columns in '{line}'");
-        return new HouseRow(cells[0], cells[1], Number(cells[2], line), Number(cells[3], line),
-            Number(cells[4], line), cells[5]);
+        return new HouseRow(cells[0], cells[1], Number(cells[2], line), Number(cells[3], line), Number(cells[4], line), cells[5]);
     }
 
     private static long? Number(string cell, string line)
@@ -86,6 +85,5 @@ public sealed record HouseRow(string Measure, string Where, long? Each, long? Li
         ? path.StartsWith(Where, StringComparison.Ordinal) || path + "/" == Where
         : path == Where || path.EndsWith("/" + Where, StringComparison.Ordinal);
 
-    public string Text() =>
-        string.Create(CultureInfo.InvariantCulture, $"{Measure}\t{Where}\t{Each}\t{Limit}\t{Goal}\t{Why}");
+    public string Text() => string.Create(CultureInfo.InvariantCulture, $"{Measure}\t{Where}\t{Each}\t{Limit}\t{Goal}\t{Why}");
 }

@@ -32,9 +32,7 @@ internal sealed class GenericScope
         switch (type)
         {
             case GenericParameter parameter:
-                IReadOnlyList<TypeReference> arguments = parameter.Type == GenericParameterType.Method
-                    ? m_ofMethod
-                    : m_ofType;
+                IReadOnlyList<TypeReference> arguments = parameter.Type == GenericParameterType.Method ? m_ofMethod : m_ofType;
                 return parameter.Position < arguments.Count ? arguments[parameter.Position] : parameter;
             case GenericInstanceType instance:
                 var concrete = new GenericInstanceType(instance.ElementType);

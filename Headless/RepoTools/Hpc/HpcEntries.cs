@@ -6,8 +6,7 @@ public static class HpcEntries
     private const string BurstCompile = "Unity.Burst.BurstCompileAttribute";
 
     /// <summary>Structs that implement one of Unity's job interfaces, with or without [BurstCompile].</summary>
-    public static IEnumerable<TypeDefinition> Jobs(ModuleDefinition module) =>
-        module.GetTypes().Where(IsJob);
+    public static IEnumerable<TypeDefinition> Jobs(ModuleDefinition module) => module.GetTypes().Where(IsJob);
 
     internal static bool IsJob(TypeDefinition type) => type.IsValueType && JobInterfaces(type).Any();
 

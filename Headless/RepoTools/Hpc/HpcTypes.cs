@@ -13,9 +13,7 @@ internal static class HpcTypes
 
     internal static bool IsException(TypeReference type)
     {
-        for (TypeDefinition? at = Resolution.Of(type);
-            at != null;
-            at = at.BaseType == null ? null : Resolution.Of(at.BaseType))
+        for (TypeDefinition? at = Resolution.Of(type); at != null; at = at.BaseType == null ? null : Resolution.Of(at.BaseType))
         {
             if (at.FullName == "System.Exception")
                 return true;

@@ -332,8 +332,7 @@ internal sealed class HpcWalk
         _ => false,
     };
 
-    private static bool IsConstant(Instruction? instruction) =>
-        instruction?.OpCode.Code is >= Code.Ldc_I4_M1 and <= Code.Ldc_I4;
+    private static bool IsConstant(Instruction? instruction) => instruction?.OpCode.Code is >= Code.Ldc_I4_M1 and <= Code.Ldc_I4;
 
     private static MethodReference? NextCall(Instruction instruction)
     {

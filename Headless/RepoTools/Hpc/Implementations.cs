@@ -15,8 +15,7 @@ internal static class Implementations
                 && SameParameters(m, called, type, scope));
     }
 
-    private static bool SameParameters(MethodDefinition target, MethodReference called,
-        TypeReference type, GenericScope scope)
+    private static bool SameParameters(MethodDefinition target, MethodReference called, TypeReference type, GenericScope scope)
     {
         GenericScope ofInterface = scope.Of(called);
         GenericScope ofTarget = GenericScope.OfMember(type, Array.Empty<TypeReference>());

@@ -8,8 +8,7 @@ public static class AssemblyRules
     private static readonly string[] s_forPlayers = { "Runtime/", "Samples~/" };
 
     /// <summary>Parts of a file that only an editor compiles; they hold no directive of their own in this package.</summary>
-    private static readonly Regex s_editorPart =
-        new Regex(@"#if UNITY_EDITOR\b.*?#(else|elif|endif)", RegexOptions.Singleline);
+    private static readonly Regex s_editorPart = new Regex(@"#if UNITY_EDITOR\b.*?#(else|elif|endif)", RegexOptions.Singleline);
     private static readonly Regex s_comment = new Regex(@"//[^\n]*");
 
     public static IEnumerable<string> Check(PackageFiles files)

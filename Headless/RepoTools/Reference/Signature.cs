@@ -76,8 +76,7 @@ public static class Signature
         return type.DeclaringType == null || type.IsGenericParameter ? name : $"{Plain(type.DeclaringType)}.{name}";
     }
 
-    private static string Modifier(MethodDefinition method) =>
-        method.IsStatic ? "static " : method.IsAbstract ? "abstract " : "";
+    private static string Modifier(MethodDefinition method) => method.IsStatic ? "static " : method.IsAbstract ? "abstract " : "";
 
     private static string Parameter(ParameterDefinition parameter)
     {

@@ -48,8 +48,7 @@ public sealed class Summaries
             DelegateDeclarationSyntax d => (d.Identifier.ValueText, d.Arity),
             _ => (((BaseTypeDeclarationSyntax)type).Identifier.ValueText, 0),
         };
-        string space = string.Join(".", type.Ancestors().OfType<BaseNamespaceDeclarationSyntax>().Reverse()
-            .Select(n => n.Name));
+        string space = string.Join(".", type.Ancestors().OfType<BaseNamespaceDeclarationSyntax>().Reverse().Select(n => n.Name));
         return (space.Length == 0 ? "" : space + ".") + name + (arity == 0 ? "" : "`" + arity);
     }
 

@@ -53,8 +53,7 @@ internal static class ThreadRoots
         }
     }
 
-    private static IEnumerable<ThreadRoot> AtCall(CodeIndex code, ValueOrigins origins,
-        MethodDefinition method, Instruction at)
+    private static IEnumerable<ThreadRoot> AtCall(CodeIndex code, ValueOrigins origins, MethodDefinition method, Instruction at)
     {
         var called = (MethodReference)at.Operand;
         string place = CodePlace.Of(method, at);
@@ -90,8 +89,7 @@ internal static class ThreadRoots
         // Unity makes them while it loads, with the constructor without parameters, on whatever thread does that.
         bool isLoaded = (type.IsSerializable && !type.Name.StartsWith('<'))
             || TypeRelations.AllOf(type).Any(t => t.FullName == "UnityEngine.Object");
-        bool isCalledBack = type.Interfaces.Any(i =>
-            i.InterfaceType.FullName == "UnityEngine.ISerializationCallbackReceiver");
+        bool isCalledBack = type.Interfaces.Any(i => i.InterfaceType.FullName == "UnityEngine.ISerializationCallbackReceiver");
         foreach (MethodDefinition method in type.Methods.Where(m => m.HasBody))
         {
             if (method.Name == "Finalize" && method.IsVirtual && method.Parameters.Count == 0)

@@ -153,8 +153,7 @@ internal sealed class ValueOrigins(CodeIndex code)
             foreach (Site write in writes)
                 All(write.Method, null, Il.Flow(write.Method).Producers(write.At, 0));
             if (writes.Count == 0 || Il.IsLent(definition!))
-                Any(GenericScope.OfMember(field.DeclaringType, Array.Empty<TypeReference>()).Concrete(field.FieldType),
-                    method);
+                Any(GenericScope.OfMember(field.DeclaringType, Array.Empty<TypeReference>()).Concrete(field.FieldType), method);
         }
 
         private void Result(MethodDefinition method, Value? self, Instruction at, MethodReference called)
@@ -163,8 +162,7 @@ internal sealed class ValueOrigins(CodeIndex code)
             bool isWhole = false;
             if (definition is { HasThis: true })
             {
-                IReadOnlyList<Value> receivers = Sub(method, self, at, Il.Flow(method).Argument(at, 0))
-                    ?? Array.Empty<Value>();
+                IReadOnlyList<Value> receivers = Sub(method, self, at, Il.Flow(method).Argument(at, 0)) ?? Array.Empty<Value>();
                 bool isVirtual = at.OpCode.Code == Code.Callvirt && definition.IsVirtual;
                 isWhole = receivers.Count > 0;
                 foreach (Value receiver in receivers)

@@ -16,8 +16,7 @@ static class Baking
         baker.Bake(authoring);
         foreach (var field in SerializedFields.Of(typeof(T)))
             if (field.GetValue(authoring) is Object used && !baker.Dependencies.Contains(used))
-                throw new InvalidOperationException(baker.GetType().Name + " reads " + field.Name
-                    + " and does not depend on it");
+                throw new InvalidOperationException(baker.GetType().Name + " reads " + field.Name + " and does not depend on it");
         return baker.Primary;
     }
 }

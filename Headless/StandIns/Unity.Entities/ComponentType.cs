@@ -34,8 +34,7 @@ public struct ComponentType : IEquatable<ComponentType>, IComparable<ComponentTy
 
     public int CompareTo(ComponentType other) => TypeIndex.Value.CompareTo(other.TypeIndex.Value);
 
-    public bool Equals(ComponentType other) =>
-        TypeIndex.Value == other.TypeIndex.Value && AccessModeType == other.AccessModeType;
+    public bool Equals(ComponentType other) => TypeIndex.Value == other.TypeIndex.Value && AccessModeType == other.AccessModeType;
 
     public override bool Equals(object obj) => obj is ComponentType other && Equals(other);
 

@@ -47,8 +47,7 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
         return entities;
     }
 
-    public NativeArray<T> ToComponentDataArray<T>(AllocatorManager.AllocatorHandle allocator)
-        where T : unmanaged, IComponentData
+    public NativeArray<T> ToComponentDataArray<T>(AllocatorManager.AllocatorHandle allocator) where T : unmanaged, IComponentData
     {
         var values = new NativeArray<T>(CalculateEntityCount(), allocator.ToAllocator);
         int next = 0, type = TypeRegistry.Of<T>.Index.Value;

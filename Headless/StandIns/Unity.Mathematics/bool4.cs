@@ -8,12 +8,10 @@ public struct bool4 : IEquatable<bool4>
     [MarshalAs(UnmanagedType.U1)] public bool w;
 
     [MethodImpl(Inlining.Always)]
-    public bool4(bool x, bool y, bool z, bool w) =>
-        (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    public bool4(bool x, bool y, bool z, bool w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
 
     [MethodImpl(Inlining.Always)]
-    public static bool4 operator &(bool4 lhs, bool4 rhs) =>
-        new bool4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
+    public static bool4 operator &(bool4 lhs, bool4 rhs) => new bool4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
 
     [MethodImpl(Inlining.Always)] public bool Equals(bool4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
 

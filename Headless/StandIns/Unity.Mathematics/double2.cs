@@ -16,59 +16,41 @@ public struct double2 : IEquatable<double2>, IFormattable
     [MethodImpl(Inlining.Always)] public static implicit operator double2(float v) => new double2(v);
     [MethodImpl(Inlining.Always)] public static implicit operator double2(uint v) => new double2(v);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator +(double lhs, double2 rhs) =>
-        new double2(lhs + rhs.x, lhs + rhs.y);
+    public static double2 operator +(double lhs, double2 rhs) => new double2(lhs + rhs.x, lhs + rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator +(double2 lhs, double rhs) =>
-        new double2(lhs.x + rhs, lhs.y + rhs);
+    public static double2 operator +(double2 lhs, double rhs) => new double2(lhs.x + rhs, lhs.y + rhs);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator +(double2 lhs, double2 rhs) =>
-        new double2(lhs.x + rhs.x, lhs.y + rhs.y);
+    public static double2 operator +(double2 lhs, double2 rhs) => new double2(lhs.x + rhs.x, lhs.y + rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator /(double2 lhs, double rhs) =>
-        new double2(lhs.x / rhs, lhs.y / rhs);
+    public static double2 operator /(double2 lhs, double rhs) => new double2(lhs.x / rhs, lhs.y / rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator >(double2 lhs, double rhs) =>
-        new bool2(lhs.x > rhs, lhs.y > rhs);
+    public static bool2 operator >(double2 lhs, double rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator >=(double lhs, double2 rhs) =>
-        new bool2(lhs >= rhs.x, lhs >= rhs.y);
+    public static bool2 operator >=(double lhs, double2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator >=(double2 lhs, double rhs) =>
-        new bool2(lhs.x >= rhs, lhs.y >= rhs);
+    public static bool2 operator >=(double2 lhs, double rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator >=(double2 lhs, double2 rhs) =>
-        new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
+    public static bool2 operator >=(double2 lhs, double2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator <(double2 lhs, double rhs) =>
-        new bool2(lhs.x < rhs, lhs.y < rhs);
+    public static bool2 operator <(double2 lhs, double rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator <=(double lhs, double2 rhs) =>
-        new bool2(lhs <= rhs.x, lhs <= rhs.y);
+    public static bool2 operator <=(double lhs, double2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator <=(double2 lhs, double rhs) =>
-        new bool2(lhs.x <= rhs, lhs.y <= rhs);
+    public static bool2 operator <=(double2 lhs, double rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool2 operator <=(double2 lhs, double2 rhs) =>
-        new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
+    public static bool2 operator <=(double2 lhs, double2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator *(double lhs, double2 rhs) =>
-        new double2(lhs * rhs.x, lhs * rhs.y);
+    public static double2 operator *(double lhs, double2 rhs) => new double2(lhs * rhs.x, lhs * rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator *(double2 lhs, double rhs) =>
-        new double2(lhs.x * rhs, lhs.y * rhs);
+    public static double2 operator *(double2 lhs, double rhs) => new double2(lhs.x * rhs, lhs.y * rhs);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator *(double2 lhs, double2 rhs) =>
-        new double2(lhs.x * rhs.x, lhs.y * rhs.y);
+    public static double2 operator *(double2 lhs, double2 rhs) => new double2(lhs.x * rhs.x, lhs.y * rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator -(double lhs, double2 rhs) =>
-        new double2(lhs - rhs.x, lhs - rhs.y);
+    public static double2 operator -(double lhs, double2 rhs) => new double2(lhs - rhs.x, lhs - rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator -(double2 lhs, double rhs) =>
-        new double2(lhs.x - rhs, lhs.y - rhs);
+    public static double2 operator -(double2 lhs, double rhs) => new double2(lhs.x - rhs, lhs.y - rhs);
     [MethodImpl(Inlining.Always)]
-    public static double2 operator -(double2 lhs, double2 rhs) =>
-        new double2(lhs.x - rhs.x, lhs.y - rhs.y);
+    public static double2 operator -(double2 lhs, double2 rhs) => new double2(lhs.x - rhs.x, lhs.y - rhs.y);
 
     [MethodImpl(Inlining.Always)] public bool Equals(double2 rhs) => x == rhs.x && y == rhs.y;
 

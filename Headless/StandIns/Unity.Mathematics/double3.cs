@@ -22,95 +22,65 @@ public struct double3 : IEquatable<double3>, IFormattable
     [MethodImpl(Inlining.Always)] public static implicit operator double3(float3 v) => new double3(v);
     [MethodImpl(Inlining.Always)] public static implicit operator double3(int3 v) => new double3(v);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator +(double lhs, double3 rhs) =>
-        new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    public static double3 operator +(double lhs, double3 rhs) => new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator +(double3 lhs, double rhs) =>
-        new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    public static double3 operator +(double3 lhs, double rhs) => new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator +(double3 lhs, double3 rhs) =>
-        new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    public static double3 operator +(double3 lhs, double3 rhs) => new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator /(double lhs, double3 rhs) =>
-        new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+    public static double3 operator /(double lhs, double3 rhs) => new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator /(double3 lhs, double rhs) =>
-        new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+    public static double3 operator /(double3 lhs, double rhs) => new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator /(double3 lhs, double3 rhs) =>
-        new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+    public static double3 operator /(double3 lhs, double3 rhs) => new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(double lhs, double3 rhs) =>
-        new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+    public static bool3 operator ==(double lhs, double3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(double3 lhs, double rhs) =>
-        new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+    public static bool3 operator ==(double3 lhs, double rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(double3 lhs, double3 rhs) =>
-        new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+    public static bool3 operator ==(double3 lhs, double3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(double lhs, double3 rhs) =>
-        new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+    public static bool3 operator >(double lhs, double3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(double3 lhs, double rhs) =>
-        new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    public static bool3 operator >(double3 lhs, double rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(double3 lhs, double3 rhs) =>
-        new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+    public static bool3 operator >(double3 lhs, double3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(double lhs, double3 rhs) =>
-        new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+    public static bool3 operator >=(double lhs, double3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(double3 lhs, double rhs) =>
-        new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+    public static bool3 operator >=(double3 lhs, double rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(double3 lhs, double3 rhs) =>
-        new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+    public static bool3 operator >=(double3 lhs, double3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(double lhs, double3 rhs) =>
-        new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+    public static bool3 operator !=(double lhs, double3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(double3 lhs, double rhs) =>
-        new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+    public static bool3 operator !=(double3 lhs, double rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(double3 lhs, double3 rhs) =>
-        new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+    public static bool3 operator !=(double3 lhs, double3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(double lhs, double3 rhs) =>
-        new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+    public static bool3 operator <(double lhs, double3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(double3 lhs, double rhs) =>
-        new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    public static bool3 operator <(double3 lhs, double rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(double3 lhs, double3 rhs) =>
-        new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+    public static bool3 operator <(double3 lhs, double3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(double lhs, double3 rhs) =>
-        new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+    public static bool3 operator <=(double lhs, double3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(double3 lhs, double rhs) =>
-        new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+    public static bool3 operator <=(double3 lhs, double rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(double3 lhs, double3 rhs) =>
-        new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+    public static bool3 operator <=(double3 lhs, double3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator *(double lhs, double3 rhs) =>
-        new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+    public static double3 operator *(double lhs, double3 rhs) => new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator *(double3 lhs, double rhs) =>
-        new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    public static double3 operator *(double3 lhs, double rhs) => new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator *(double3 lhs, double3 rhs) =>
-        new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+    public static double3 operator *(double3 lhs, double3 rhs) => new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator -(double lhs, double3 rhs) =>
-        new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+    public static double3 operator -(double lhs, double3 rhs) => new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator -(double3 lhs, double rhs) =>
-        new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+    public static double3 operator -(double3 lhs, double rhs) => new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
     [MethodImpl(Inlining.Always)]
-    public static double3 operator -(double3 lhs, double3 rhs) =>
-        new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+    public static double3 operator -(double3 lhs, double3 rhs) => new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
     [MethodImpl(Inlining.Always)] public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
 
     public unsafe double this[int index]

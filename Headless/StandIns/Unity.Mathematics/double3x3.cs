@@ -12,8 +12,7 @@ public struct double3x3 : IEquatable<double3x3>, IFormattable
         0.0, 0.0, 1.0);
 
     [MethodImpl(Inlining.Always)]
-    public double3x3(double3 c0, double3 c1, double3 c2) =>
-        (this.c0, this.c1, this.c2) = (c0, c1, c2);
+    public double3x3(double3 c0, double3 c1, double3 c2) => (this.c0, this.c1, this.c2) = (c0, c1, c2);
     [MethodImpl(Inlining.Always)]
     public double3x3(
         double m00, double m01, double m02,
@@ -22,8 +21,7 @@ public struct double3x3 : IEquatable<double3x3>, IFormattable
         (c0, c1, c2) = (new double3(m00, m10, m20), new double3(m01, m11, m21), new double3(m02, m12, m22));
 
     [MethodImpl(Inlining.Always)]
-    public static double3x3 operator *(double3x3 lhs, double rhs) =>
-        new double3x3(lhs.c0 * rhs, lhs.c1 * rhs, lhs.c2 * rhs);
+    public static double3x3 operator *(double3x3 lhs, double rhs) => new double3x3(lhs.c0 * rhs, lhs.c1 * rhs, lhs.c2 * rhs);
 
     public unsafe ref double3 this[int index]
     {

@@ -8,8 +8,7 @@ public struct double4 : IEquatable<double4>, IFormattable
     public double w;
 
     [MethodImpl(Inlining.Always)]
-    public double4(double x, double y, double z, double w) =>
-        (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    public double4(double x, double y, double z, double w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
     [MethodImpl(Inlining.Always)] public double4(double3 xyz, double w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
     [MethodImpl(Inlining.Always)] internal double4(float4 v) => (x, y, z, w) = (v.x, v.y, v.z, v.w);
 
@@ -18,8 +17,7 @@ public struct double4 : IEquatable<double4>, IFormattable
     public static double4 operator +(double4 lhs, double4 rhs) =>
         new double4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
     [MethodImpl(Inlining.Always)]
-    public static double4 operator *(double4 lhs, double rhs) =>
-        new double4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
+    public static double4 operator *(double4 lhs, double rhs) => new double4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
     [MethodImpl(Inlining.Always)]
     public static double4 operator -(double4 lhs, double4 rhs) =>
         new double4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);

@@ -14,35 +14,25 @@ public struct float2 : IEquatable<float2>, IFormattable
     [MethodImpl(Inlining.Always)] public static implicit operator float2(float v) => new float2(v);
     [MethodImpl(Inlining.Always)] public static implicit operator float2(uint v) => new float2(v);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator +(float lhs, float2 rhs) =>
-        new float2(lhs + rhs.x, lhs + rhs.y);
+    public static float2 operator +(float lhs, float2 rhs) => new float2(lhs + rhs.x, lhs + rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator +(float2 lhs, float rhs) =>
-        new float2(lhs.x + rhs, lhs.y + rhs);
+    public static float2 operator +(float2 lhs, float rhs) => new float2(lhs.x + rhs, lhs.y + rhs);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator +(float2 lhs, float2 rhs) =>
-        new float2(lhs.x + rhs.x, lhs.y + rhs.y);
+    public static float2 operator +(float2 lhs, float2 rhs) => new float2(lhs.x + rhs.x, lhs.y + rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator /(float2 lhs, float rhs) =>
-        new float2(lhs.x / rhs, lhs.y / rhs);
+    public static float2 operator /(float2 lhs, float rhs) => new float2(lhs.x / rhs, lhs.y / rhs);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator *(float lhs, float2 rhs) =>
-        new float2(lhs * rhs.x, lhs * rhs.y);
+    public static float2 operator *(float lhs, float2 rhs) => new float2(lhs * rhs.x, lhs * rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator *(float2 lhs, float rhs) =>
-        new float2(lhs.x * rhs, lhs.y * rhs);
+    public static float2 operator *(float2 lhs, float rhs) => new float2(lhs.x * rhs, lhs.y * rhs);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator *(float2 lhs, float2 rhs) =>
-        new float2(lhs.x * rhs.x, lhs.y * rhs.y);
+    public static float2 operator *(float2 lhs, float2 rhs) => new float2(lhs.x * rhs.x, lhs.y * rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator -(float lhs, float2 rhs) =>
-        new float2(lhs - rhs.x, lhs - rhs.y);
+    public static float2 operator -(float lhs, float2 rhs) => new float2(lhs - rhs.x, lhs - rhs.y);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator -(float2 lhs, float rhs) =>
-        new float2(lhs.x - rhs, lhs.y - rhs);
+    public static float2 operator -(float2 lhs, float rhs) => new float2(lhs.x - rhs, lhs.y - rhs);
     [MethodImpl(Inlining.Always)]
-    public static float2 operator -(float2 lhs, float2 rhs) =>
-        new float2(lhs.x - rhs.x, lhs.y - rhs.y);
+    public static float2 operator -(float2 lhs, float2 rhs) => new float2(lhs.x - rhs.x, lhs.y - rhs.y);
     [MethodImpl(Inlining.Always)] public static float2 operator -(float2 val) => new float2(-val.x, -val.y);
 
     [MethodImpl(Inlining.Always)] public bool Equals(float2 rhs) => x == rhs.x && y == rhs.y;

@@ -20,53 +20,37 @@ public struct float3 : IEquatable<float3>, IFormattable
     [MethodImpl(Inlining.Always)] public static implicit operator float3(float v) => new float3(v);
     [MethodImpl(Inlining.Always)] public static implicit operator float3(uint v) => new float3(v);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator +(float lhs, float3 rhs) =>
-        new float3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    public static float3 operator +(float lhs, float3 rhs) => new float3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator +(float3 lhs, float rhs) =>
-        new float3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    public static float3 operator +(float3 lhs, float rhs) => new float3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator +(float3 lhs, float3 rhs) =>
-        new float3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    public static float3 operator +(float3 lhs, float3 rhs) => new float3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator /(float lhs, float3 rhs) =>
-        new float3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+    public static float3 operator /(float lhs, float3 rhs) => new float3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator /(float3 lhs, float rhs) =>
-        new float3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+    public static float3 operator /(float3 lhs, float rhs) => new float3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator /(float3 lhs, float3 rhs) =>
-        new float3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+    public static float3 operator /(float3 lhs, float3 rhs) => new float3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(float3 lhs, float rhs) =>
-        new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    public static bool3 operator >(float3 lhs, float rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(float3 lhs, float rhs) =>
-        new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+    public static bool3 operator >=(float3 lhs, float rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(float3 lhs, float rhs) =>
-        new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    public static bool3 operator <(float3 lhs, float rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(float3 lhs, float rhs) =>
-        new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+    public static bool3 operator <=(float3 lhs, float rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator *(float lhs, float3 rhs) =>
-        new float3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+    public static float3 operator *(float lhs, float3 rhs) => new float3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator *(float3 lhs, float rhs) =>
-        new float3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    public static float3 operator *(float3 lhs, float rhs) => new float3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator *(float3 lhs, float3 rhs) =>
-        new float3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+    public static float3 operator *(float3 lhs, float3 rhs) => new float3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator -(float lhs, float3 rhs) =>
-        new float3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+    public static float3 operator -(float lhs, float3 rhs) => new float3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator -(float3 lhs, float rhs) =>
-        new float3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+    public static float3 operator -(float3 lhs, float rhs) => new float3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
     [MethodImpl(Inlining.Always)]
-    public static float3 operator -(float3 lhs, float3 rhs) =>
-        new float3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+    public static float3 operator -(float3 lhs, float3 rhs) => new float3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
     [MethodImpl(Inlining.Always)] public static float3 operator -(float3 val) => new float3(-val.x, -val.y, -val.z);
 
     public unsafe float this[int index]

@@ -8,11 +8,9 @@ public struct float4 : IEquatable<float4>, IFormattable
     public float w;
 
     [MethodImpl(Inlining.Always)]
-    public float4(float x, float y, float z, float w) =>
-        (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    public float4(float x, float y, float z, float w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
     [MethodImpl(Inlining.Always)]
-    internal float4(double4 v) =>
-        (x, y, z, w) = ((float)v.x, (float)v.y, (float)v.z, (float)v.w);
+    internal float4(double4 v) => (x, y, z, w) = ((float)v.x, (float)v.y, (float)v.z, (float)v.w);
     [MethodImpl(Inlining.Always)] internal float4(float3 xyz, float w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
 
     [MethodImpl(Inlining.Always)] public static explicit operator float4(double4 v) => new float4(v);

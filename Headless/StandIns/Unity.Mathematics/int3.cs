@@ -17,50 +17,35 @@ public struct int3 : IEquatable<int3>, IFormattable
     [MethodImpl(Inlining.Always)] public static explicit operator int3(float3 v) => new int3(v);
     [MethodImpl(Inlining.Always)] public static implicit operator int3(int v) => new int3(v);
     [MethodImpl(Inlining.Always)]
-    public static int3 operator +(int lhs, int3 rhs) =>
-        new int3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    public static int3 operator +(int lhs, int3 rhs) => new int3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static int3 operator +(int3 lhs, int rhs) =>
-        new int3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    public static int3 operator +(int3 lhs, int rhs) => new int3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
     [MethodImpl(Inlining.Always)]
-    public static int3 operator +(int3 lhs, int3 rhs) =>
-        new int3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    public static int3 operator +(int3 lhs, int3 rhs) => new int3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(int lhs, int3 rhs) =>
-        new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+    public static bool3 operator ==(int lhs, int3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(int3 lhs, int rhs) =>
-        new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+    public static bool3 operator ==(int3 lhs, int rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(int3 lhs, int3 rhs) =>
-        new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+    public static bool3 operator ==(int3 lhs, int3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(int3 lhs, int rhs) =>
-        new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    public static bool3 operator >(int3 lhs, int rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(int3 lhs, int rhs) =>
-        new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+    public static bool3 operator >=(int3 lhs, int rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(int lhs, int3 rhs) =>
-        new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+    public static bool3 operator !=(int lhs, int3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(int3 lhs, int rhs) =>
-        new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+    public static bool3 operator !=(int3 lhs, int rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(int3 lhs, int3 rhs) =>
-        new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+    public static bool3 operator !=(int3 lhs, int3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(int3 lhs, int rhs) =>
-        new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    public static bool3 operator <(int3 lhs, int rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
     [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(int3 lhs, int rhs) =>
-        new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+    public static bool3 operator <=(int3 lhs, int rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
     [MethodImpl(Inlining.Always)]
-    public static int3 operator %(int3 lhs, int rhs) =>
-        new int3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
+    public static int3 operator %(int3 lhs, int rhs) => new int3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
     [MethodImpl(Inlining.Always)]
-    public static int3 operator *(int3 lhs, int rhs) =>
-        new int3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    public static int3 operator *(int3 lhs, int rhs) => new int3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
     [MethodImpl(Inlining.Always)] public static int3 operator >>(int3 x, int n) => new int3(x.x >> n, x.y >> n, x.z >> n);
 
     public unsafe int this[int index]

@@ -9,16 +9,13 @@ public static partial class math
     [MethodImpl(Inlining.Always)] public static uint min(uint x, uint y) => x < y ? x : y;
     [MethodImpl(Inlining.Always)] public static ulong min(ulong x, ulong y) => x < y ? x : y;
     [MethodImpl(Inlining.Always)]
-    public static double3 min(double3 x, double3 y) =>
-        new double3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
+    public static double3 min(double3 x, double3 y) => new double3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
     [MethodImpl(Inlining.Always)] public static float2 min(float2 x, float2 y) => new float2(min(x.x, y.x), min(x.y, y.y));
     [MethodImpl(Inlining.Always)]
-    public static float3 min(float3 x, float3 y) =>
-        new float3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
+    public static float3 min(float3 x, float3 y) => new float3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
     [MethodImpl(Inlining.Always)] public static int2 min(int2 x, int2 y) => new int2(min(x.x, y.x), min(x.y, y.y));
     [MethodImpl(Inlining.Always)]
-    public static int3 min(int3 x, int3 y) =>
-        new int3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
+    public static int3 min(int3 x, int3 y) => new int3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
 
     [MethodImpl(Inlining.Always)] public static double max(double x, double y) => double.IsNaN(y) || x > y ? x : y;
     [MethodImpl(Inlining.Always)] public static int max(int x, int y) => x > y ? x : y;
@@ -27,23 +24,19 @@ public static partial class math
     [MethodImpl(Inlining.Always)] public static uint max(uint x, uint y) => x > y ? x : y;
     [MethodImpl(Inlining.Always)] public static ulong max(ulong x, ulong y) => x > y ? x : y;
     [MethodImpl(Inlining.Always)]
-    public static double3 max(double3 x, double3 y) =>
-        new double3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
+    public static double3 max(double3 x, double3 y) => new double3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
     [MethodImpl(Inlining.Always)] public static float2 max(float2 x, float2 y) => new float2(max(x.x, y.x), max(x.y, y.y));
     [MethodImpl(Inlining.Always)]
-    public static float3 max(float3 x, float3 y) =>
-        new float3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
+    public static float3 max(float3 x, float3 y) => new float3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
     [MethodImpl(Inlining.Always)] public static int2 max(int2 x, int2 y) => new int2(max(x.x, y.x), max(x.y, y.y));
     [MethodImpl(Inlining.Always)]
-    public static int3 max(int3 x, int3 y) =>
-        new int3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
+    public static int3 max(int3 x, int3 y) => new int3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
 
     [MethodImpl(Inlining.Always)]
     public static double clamp(double valueToClamp, double lowerBound, double upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
     [MethodImpl(Inlining.Always)]
-    public static int clamp(int valueToClamp, int lowerBound, int upperBound) =>
-        max(lowerBound, min(upperBound, valueToClamp));
+    public static int clamp(int valueToClamp, int lowerBound, int upperBound) => max(lowerBound, min(upperBound, valueToClamp));
     [MethodImpl(Inlining.Always)]
     public static long clamp(long valueToClamp, long lowerBound, long upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
@@ -71,18 +64,14 @@ public static partial class math
 
     [MethodImpl(Inlining.Always)] public static float saturate(float x) => clamp(x, 0.0f, 1.0f);
     [MethodImpl(Inlining.Always)]
-    public static float3 saturate(float3 x) =>
-        new float3(saturate(x.x), saturate(x.y), saturate(x.z));
+    public static float3 saturate(float3 x) => new float3(saturate(x.x), saturate(x.y), saturate(x.z));
 
     [MethodImpl(Inlining.Always)]
-    internal static float select(float falseValue, float trueValue, bool test) =>
-        test ? trueValue : falseValue;
+    internal static float select(float falseValue, float trueValue, bool test) => test ? trueValue : falseValue;
     [MethodImpl(Inlining.Always)]
-    public static uint select(uint falseValue, uint trueValue, bool test) =>
-        test ? trueValue : falseValue;
+    public static uint select(uint falseValue, uint trueValue, bool test) => test ? trueValue : falseValue;
     [MethodImpl(Inlining.Always)]
-    internal static float3 select(float3 falseValue, float3 trueValue, bool test) =>
-        test ? trueValue : falseValue;
+    internal static float3 select(float3 falseValue, float3 trueValue, bool test) => test ? trueValue : falseValue;
     [MethodImpl(Inlining.Always)]
     public static float3 select(float3 falseValue, float3 trueValue, bool3 test) =>
         new float3(
@@ -127,9 +116,7 @@ public static partial class math
     [MethodImpl(Inlining.Always)] public static bool isfinite(float x) => abs(x) < float.PositiveInfinity;
     [MethodImpl(Inlining.Always)] public static bool2 isfinite(double2 x) => new bool2(isfinite(x.x), isfinite(x.y));
     [MethodImpl(Inlining.Always)]
-    public static bool3 isfinite(double3 x) =>
-        new bool3(isfinite(x.x), isfinite(x.y), isfinite(x.z));
+    public static bool3 isfinite(double3 x) => new bool3(isfinite(x.x), isfinite(x.y), isfinite(x.z));
     [MethodImpl(Inlining.Always)]
-    public static bool3 isfinite(float3 x) =>
-        new bool3(isfinite(x.x), isfinite(x.y), isfinite(x.z));
+    public static bool3 isfinite(float3 x) => new bool3(isfinite(x.x), isfinite(x.y), isfinite(x.z));
 }

@@ -36,8 +36,7 @@ public static partial class math
     [MethodImpl(Inlining.Always)] public static double pow(double x, double y) => Math.Pow(x, y);
     [MethodImpl(Inlining.Always)] public static float pow(float x, float y) => (float)Math.Pow(x, y);
     [MethodImpl(Inlining.Always)]
-    public static float3 pow(float3 x, float3 y) =>
-        new float3(pow(x.x, y.x), pow(x.y, y.y), pow(x.z, y.z));
+    public static float3 pow(float3 x, float3 y) => new float3(pow(x.x, y.x), pow(x.y, y.y), pow(x.z, y.z));
 
     [MethodImpl(Inlining.Always)] public static double sqrt(double x) => Math.Sqrt(x);
     [MethodImpl(Inlining.Always)] public static float sqrt(float x) => MathF.Sqrt(x);

@@ -4,8 +4,7 @@ public static partial class math
 {
     [MethodImpl(Inlining.Always)] public static double3 mul(double3x3 a, double3 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z;
     [MethodImpl(Inlining.Always)]
-    public static double3x3 mul(double3x3 a, double3x3 b) =>
-        new double3x3(mul(a, b.c0), mul(a, b.c1), mul(a, b.c2));
+    public static double3x3 mul(double3x3 a, double3x3 b) => new double3x3(mul(a, b.c0), mul(a, b.c1), mul(a, b.c2));
 
     [MethodImpl(Inlining.Always)]
     public static double3x3 transpose(double3x3 v) =>
@@ -24,13 +23,9 @@ public static partial class math
         double3 r1 = cross(m.c2, m.c0);
         double3 r2 = cross(m.c0, m.c1);
         double rcpDet = 1.0 / (m.c0.x * r0.x + m.c1.x * r1.x + m.c2.x * r2.x);
-        return new double3x3(
-            r0.x, r0.y, r0.z,
-            r1.x, r1.y, r1.z,
-            r2.x, r2.y, r2.z) * rcpDet;
+        return new double3x3(r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, r2.x, r2.y, r2.z) * rcpDet;
     }
 
     [MethodImpl(Inlining.Always)]
-    public static double4 mul(double4x4 a, double4 b) =>
-        a.c0 * b.x + a.c1 * b.y + a.c2 * b.z + a.c3 * b.w;
+    public static double4 mul(double4x4 a, double4 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z + a.c3 * b.w;
 }

@@ -11,17 +11,13 @@ public struct uint3 : IEquatable<uint3>, IFormattable
 
     [MethodImpl(Inlining.Always)] public static implicit operator uint3(uint v) => new uint3(v);
     [MethodImpl(Inlining.Always)]
-    public static uint3 operator +(uint lhs, uint3 rhs) =>
-        new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    public static uint3 operator +(uint lhs, uint3 rhs) => new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static uint3 operator +(uint3 lhs, uint rhs) =>
-        new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    public static uint3 operator +(uint3 lhs, uint rhs) => new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
     [MethodImpl(Inlining.Always)]
-    public static uint3 operator +(uint3 lhs, uint3 rhs) =>
-        new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    public static uint3 operator +(uint3 lhs, uint3 rhs) => new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
     [MethodImpl(Inlining.Always)]
-    public static uint3 operator /(uint3 lhs, uint rhs) =>
-        new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+    public static uint3 operator /(uint3 lhs, uint rhs) => new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
 
     public unsafe uint this[int index]
     {

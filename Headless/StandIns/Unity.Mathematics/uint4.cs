@@ -8,21 +8,17 @@ public struct uint4 : IEquatable<uint4>, IFormattable
     public uint w;
 
     [MethodImpl(Inlining.Always)]
-    internal uint4(uint x, uint y, uint z, uint w) =>
-        (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    internal uint4(uint x, uint y, uint z, uint w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
 
     [MethodImpl(Inlining.Always)]
-    public static uint4 operator |(uint4 lhs, uint4 rhs) =>
-        new uint4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
+    public static uint4 operator |(uint4 lhs, uint4 rhs) => new uint4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
     [MethodImpl(Inlining.Always)]
-    public static bool4 operator ==(uint4 lhs, uint rhs) =>
-        new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
+    public static bool4 operator ==(uint4 lhs, uint rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
     [MethodImpl(Inlining.Always)]
     public static bool4 operator ==(uint4 lhs, uint4 rhs) =>
         new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
     [MethodImpl(Inlining.Always)]
-    public static bool4 operator !=(uint4 lhs, uint rhs) =>
-        new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
+    public static bool4 operator !=(uint4 lhs, uint rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
     [MethodImpl(Inlining.Always)]
     public static bool4 operator !=(uint4 lhs, uint4 rhs) =>
         new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);

@@ -5,8 +5,7 @@ namespace UnityEditor.AssetImporters;
 [AttributeUsage(AttributeTargets.Class, Inherited = false)]
 public class ScriptedImporterAttribute : Attribute
 {
-    public ScriptedImporterAttribute(int version, string ext)
-        : this(version, new[] { ext }, null)
+    public ScriptedImporterAttribute(int version, string ext) : this(version, new[] { ext }, null)
     {
     }
 

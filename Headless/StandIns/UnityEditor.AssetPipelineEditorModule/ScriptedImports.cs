@@ -42,8 +42,7 @@ static class ScriptedImports
         var made = Last.mainObject;
         string difference = SerializedFields.FindDifference(made, Run(importer, path).mainObject);
         if (difference != null)
-            throw new InvalidOperationException(importer.Name + " makes another " + difference
-                + " of " + path + " each time");
+            throw new InvalidOperationException(importer.Name + " makes another " + difference + " of " + path + " each time");
         if (before == null || before.GetType() != made.GetType())
             AssetDatabase.Assets[path] = made;
         else

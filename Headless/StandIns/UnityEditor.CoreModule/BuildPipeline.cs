@@ -13,8 +13,7 @@ public class BuildPipeline
 {
     public static bool isBuildingPlayer { get; internal set; }
 
-    public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) =>
-        throw EditorOnly.NotHere(nameof(BuildPlayer));
+    public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) => throw EditorOnly.NotHere(nameof(BuildPlayer));
 }
 
 public class EditorUserBuildSettings : UnityEngine.Object

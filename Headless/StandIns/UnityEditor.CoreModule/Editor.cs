@@ -91,8 +91,7 @@ public sealed class MenuItem : Attribute
     public bool validate;
     public int priority;
 
-    public MenuItem(string itemName)
-        : this(itemName, false, 1000)
+    public MenuItem(string itemName) : this(itemName, false, 1000)
     {
     }
 

@@ -32,8 +32,7 @@ static class ImporterTable
     static Type[] Claiming(string extension) =>
         s_importers.Where(i => Has(i.Extensions, extension)).Select(i => i.Importer).ToArray();
 
-    static bool Has(string[] extensions, string extension) =>
-        extensions.Contains(extension, StringComparer.OrdinalIgnoreCase);
+    static bool Has(string[] extensions, string extension) => extensions.Contains(extension, StringComparer.OrdinalIgnoreCase);
 
     static string ExtensionOf(string path) => Path.GetExtension(path).TrimStart('.');
 }

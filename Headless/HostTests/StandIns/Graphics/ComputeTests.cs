@@ -171,8 +171,7 @@ public sealed class ComputeTests : GraphicsFixture
         using var forHost =
             new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, 4, 4);
         shader.SetBuffer(0, Id("_Numbers"), forHost);
-        Assert.That(() =>
-            shader.Dispatch(0, 1, 1, 1), Throws.InvalidOperationException.With.Message.Contains("host's to write"));
+        Assert.That(() => shader.Dispatch(0, 1, 1, 1), Throws.InvalidOperationException.With.Message.Contains("host's to write"));
         using var wrongTarget = new GraphicsBuffer(GraphicsBuffer.Target.CopySource, 4, 4);
         shader.SetBuffer(0, Id("_Numbers"), wrongTarget);
         Assert.That(() => shader.Dispatch(0, 1, 1, 1), Throws.InvalidOperationException.With.Message.Contains("Structured"));

@@ -22,8 +22,7 @@ public sealed class DrawTests : GraphicsFixture
     public void Make()
     {
         m_material = new Material(m_shader);
-        m_target =
-            new RenderTexture(Side, Side, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat) { name = "target" };
+        m_target = new RenderTexture(Side, Side, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat) { name = "target" };
         m_squares = Structured(2, 32);
         m_commands = new CommandBuffer { name = "draws" };
     }
@@ -306,8 +305,7 @@ public sealed class DrawTests : GraphicsFixture
     [Test]
     public void FindPass_KnowsNames()
     {
-        Assert.That((m_material.passCount, m_material.FindPass("blended"), m_material.FindPass("none")),
-            Is.EqualTo((4, 1, -1)));
+        Assert.That((m_material.passCount, m_material.FindPass("blended"), m_material.FindPass("none")), Is.EqualTo((4, 1, -1)));
         Assert.That(m_material.GetFloat(Id("_ZTest")), Is.EqualTo(4));
     }
 }

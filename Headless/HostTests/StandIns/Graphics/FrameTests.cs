@@ -78,8 +78,7 @@ public sealed class FrameTests : GraphicsFixture
             m_block.Clear();
             m_block.SetBuffer(m_squares, m_pool);
             m_block.SetVector(m_tint, new Vector4(i, 1, 1, 1));
-            m_commands.DrawProceduralIndirect(Matrix4x4.identity, m_material, 0, MeshTopology.Triangles, m_arguments, 0,
-                m_block);
+            m_commands.DrawProceduralIndirect(Matrix4x4.identity, m_material, 0, MeshTopology.Triangles, m_arguments, 0, m_block);
         }
     }
 

@@ -38,8 +38,7 @@ public sealed class GraphicsBufferTests : GraphicsFixture
         Assert.That(Read(copy), Is.EqualTo(new uint[] { 1, 2, 3, 4 }));
         Assert.That(Read(source), Is.EqualTo(new uint[] { 1, 2, 3, 9 }));
         Assert.That(() => commands.CopyBuffer(buffer, copy), Throws.ArgumentException.With.Message.Contains("CopySource"));
-        Assert.That(() =>
-            commands.CopyBuffer(source, buffer), Throws.ArgumentException.With.Message.Contains("CopyDestination"));
+        Assert.That(() => commands.CopyBuffer(source, buffer), Throws.ArgumentException.With.Message.Contains("CopyDestination"));
     }
 
     [Test]

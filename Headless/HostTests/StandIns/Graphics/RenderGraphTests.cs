@@ -42,8 +42,7 @@ public sealed class RenderGraphTests
     public void Texture_OutsideOfAPassThatUsesIt_Throws()
     {
         TextureHandle texture = Texture(), other = Texture();
-        Assert.That(() => (RTHandle)texture,
-            Throws.InvalidOperationException.With.Message.Contains("while a pass is executed"));
+        Assert.That(() => (RTHandle)texture, Throws.InvalidOperationException.With.Message.Contains("while a pass is executed"));
         Run(_ => Assert.That((RTHandle)texture, Is.Not.Null), true, texture);
         Assert.That(() => Run(_ => { RTHandle __ = other; }, true, texture),
             Throws.InvalidOperationException.With.Message.Contains("did not say"));

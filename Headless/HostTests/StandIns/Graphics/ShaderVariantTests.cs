@@ -12,8 +12,7 @@ public sealed class ShaderVariantTests
     // More would take minutes: then keywords want to become uniforms.
     private const long MostVariants = 256;
 
-    private static IEnumerable<string> Shaders() =>
-        ShaderSources.In("Packages").Concat(ShaderSources.In("Headless/HostTests"));
+    private static IEnumerable<string> Shaders() => ShaderSources.In("Packages").Concat(ShaderSources.In("Headless/HostTests"));
 
     [TestCaseSource(nameof(Shaders))]
     public void Variants_OfAShader_AreValid(string shader)

@@ -60,10 +60,8 @@ public sealed class SerializationTests
         public int Public;
         public readonly int Fixed = 1;
         public static int Shared;
-        [SerializeField]
-        int m_marked;
-        [NonSerialized]
-        public int Left;
+        [SerializeField] int m_marked;
+        [NonSerialized] public int Left;
         int m_private;
 
         public int Property { get; set; }

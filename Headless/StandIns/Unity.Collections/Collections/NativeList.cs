@@ -9,8 +9,7 @@ namespace Unity.Collections
     [DebuggerDisplay("Length = {Length}, Capacity = {Capacity}")]
     public unsafe struct NativeList<T> : IDisposable, IEnumerable<T> where T : unmanaged
     {
-        [NativeDisableUnsafePtrRestriction]
-        internal ListData<T>* m_List;
+        [NativeDisableUnsafePtrRestriction] internal ListData<T>* m_List;
         internal AtomicSafetyHandle m_Safety;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         static readonly int s_name = AtomicSafetyHandle.NewStaticSafetyId<NativeList<T>>();

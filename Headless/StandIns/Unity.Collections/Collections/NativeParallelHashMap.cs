@@ -7,8 +7,7 @@ namespace Unity.Collections;
 public unsafe struct NativeParallelHashMap<TKey, TValue> : IDisposable
     where TKey : unmanaged, IEquatable<TKey> where TValue : unmanaged
 {
-    [NativeDisableUnsafePtrRestriction]
-    internal HashTable<TKey, TValue>* m_Table;
+    [NativeDisableUnsafePtrRestriction] internal HashTable<TKey, TValue>* m_Table;
     internal AtomicSafetyHandle m_Safety;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     static readonly int s_name = AtomicSafetyHandle.NewStaticSafetyId<NativeParallelHashMap<TKey, TValue>>();

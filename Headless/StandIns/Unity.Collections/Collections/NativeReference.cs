@@ -6,8 +6,7 @@ namespace Unity.Collections
     [NativeContainer]
     public unsafe struct NativeReference<T> : IDisposable where T : unmanaged
     {
-        [NativeDisableUnsafePtrRestriction]
-        internal T* m_Data;
+        [NativeDisableUnsafePtrRestriction] internal T* m_Data;
         internal AtomicSafetyHandle m_Safety;
         internal AllocatorManager.AllocatorHandle m_AllocatorLabel;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS

@@ -6,8 +6,7 @@ public class UpdateInGroupAttribute : Attribute
     public bool OrderFirst;
     public bool OrderLast;
 
-    public UpdateInGroupAttribute(Type groupType) => GroupType = groupType
-        ?? throw new ArgumentNullException(nameof(groupType));
+    public UpdateInGroupAttribute(Type groupType) => GroupType = groupType ?? throw new ArgumentNullException(nameof(groupType));
 
     public Type GroupType { get; }
 }

@@ -28,8 +28,7 @@ public abstract class ComponentSystemBase
     {
     }
 
-    public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) =>
-        EntityManager.CreateEntityQuery(componentTypes);
+    public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) => EntityManager.CreateEntityQuery(componentTypes);
 
     internal void Create(World world)
     {

@@ -18,8 +18,7 @@ static class SystemOrder
         systems.Clear();
         while (left.Count > 0)
         {
-            int next = left.FindIndex(s =>
-                !left.Exists(other => other != s && MustPrecede(other.GetType(), s.GetType(), group)));
+            int next = left.FindIndex(s => !left.Exists(other => other != s && MustPrecede(other.GetType(), s.GetType(), group)));
             if (next < 0)
                 throw new InvalidOperationException("The systems of " + group.Name + " wait for one another: " +
                     string.Join(", ", left.ConvertAll(s => s.GetType().Name)));

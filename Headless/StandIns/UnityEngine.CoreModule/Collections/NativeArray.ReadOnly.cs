@@ -10,8 +10,7 @@ public unsafe partial struct NativeArray<T>
     [DebuggerDisplay("Length = {Length}")]
     public struct ReadOnly : IEnumerable<T>
     {
-        [NativeDisableUnsafePtrRestriction]
-        internal void* m_Buffer;
+        [NativeDisableUnsafePtrRestriction] internal void* m_Buffer;
         internal int m_Length;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         internal AtomicSafetyHandle m_Safety;

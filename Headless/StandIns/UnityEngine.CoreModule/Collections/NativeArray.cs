@@ -10,8 +10,7 @@ namespace Unity.Collections;
 [DebuggerDisplay("Length = {Length}")]
 public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<NativeArray<T>> where T : struct
 {
-    [NativeDisableUnsafePtrRestriction]
-    internal void* m_Buffer;
+    [NativeDisableUnsafePtrRestriction] internal void* m_Buffer;
     internal int m_Length;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     internal int m_MinIndex;
@@ -230,9 +229,7 @@ public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEqua
         array.m_AllocatorLabel = allocator;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         array.m_MaxIndex = length - 1;
-        array.m_Safety = allocator == Allocator.Temp
-            ? AtomicSafetyHandle.GetTempMemoryHandle()
-            : AtomicSafetyHandle.Create();
+        array.m_Safety = allocator == Allocator.Temp ? AtomicSafetyHandle.GetTempMemoryHandle() : AtomicSafetyHandle.Create();
         array.m_Safety.m_Name = s_name;
 #endif
     }

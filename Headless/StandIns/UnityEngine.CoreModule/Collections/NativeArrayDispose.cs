@@ -4,8 +4,7 @@ namespace StandIns.Jobs;
 [NativeContainer]
 unsafe struct NativeArrayDispose
 {
-    [NativeDisableUnsafePtrRestriction]
-    internal void* m_Buffer;
+    [NativeDisableUnsafePtrRestriction] internal void* m_Buffer;
     internal Allocator m_AllocatorLabel;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     internal AtomicSafetyHandle m_Safety;

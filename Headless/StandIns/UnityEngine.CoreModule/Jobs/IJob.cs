@@ -18,8 +18,7 @@ public static unsafe class IJobExtensions
     public static JobHandle ScheduleByRef<T>(this ref T jobData, JobHandle dependsOn = default) where T : struct, IJob =>
         JobScheduler.Schedule<T, Kind<T>>(ref jobData, 1, 1, false, dependsOn);
 
-    public static void Run<T>(this T jobData) where T : struct, IJob =>
-        JobScheduler.Run<T, Kind<T>>(ref jobData, 1, false);
+    public static void Run<T>(this T jobData) where T : struct, IJob => JobScheduler.Run<T, Kind<T>>(ref jobData, 1, false);
 
     public static void RunByRef<T>(this ref T jobData) where T : struct, IJob =>
         JobScheduler.Run<T, Kind<T>>(ref jobData, 1, false);

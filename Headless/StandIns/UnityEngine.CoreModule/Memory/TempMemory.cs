@@ -8,10 +8,8 @@ namespace StandIns.Memory;
 /// </summary>
 static unsafe class TempMemory
 {
-    [ThreadStatic]
-    static List<IntPtr> t_blocks;
-    [ThreadStatic]
-    static List<(IntPtr Node, int Version)> t_containers;
+    [ThreadStatic] static List<IntPtr> t_blocks;
+    [ThreadStatic] static List<(IntPtr Node, int Version)> t_containers;
 
     /// <summary>What is alive on this thread now, to free what comes after it.</summary>
     internal struct Mark

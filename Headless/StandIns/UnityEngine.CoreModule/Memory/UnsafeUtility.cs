@@ -98,8 +98,7 @@ public static unsafe class UnsafeUtility
     public static int AlignOf<T>() where T : struct => SystemUnsafe.SizeOf<AlignOfHelper<T>>() - SystemUnsafe.SizeOf<T>();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static T ReadArrayElement<T>(void* source, int index) =>
-        SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(source), index);
+    public static T ReadArrayElement<T>(void* source, int index) => SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(source), index);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void WriteArrayElement<T>(void* destination, int index, T value) =>

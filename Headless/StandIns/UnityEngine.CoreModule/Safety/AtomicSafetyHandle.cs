@@ -14,8 +14,7 @@ public unsafe struct AtomicSafetyHandle
     internal const int Secondary = 8;
     internal const int Temp = 16;
 
-    [NativeDisableUnsafePtrRestriction]
-    internal SafetyNode* m_Node;
+    [NativeDisableUnsafePtrRestriction] internal SafetyNode* m_Node;
     internal int m_Version;
     internal int m_Flags;
     // Of the container's type; in a job's copy of the field.
@@ -46,8 +45,7 @@ public unsafe struct AtomicSafetyHandle
 
     public static bool IsDefaultValue(in AtomicSafetyHandle handle) => handle.m_Node == null;
 
-    internal readonly int CurrentVersion =>
-        (m_Flags & Secondary) != 0 ? m_Node->SecondaryVersion : m_Node->Version;
+    internal readonly int CurrentVersion => (m_Flags & Secondary) != 0 ? m_Node->SecondaryVersion : m_Node->Version;
 
     /// <summary>Makes this the handle of a view: writes that may move the memory end it.</summary>
     public static void UseSecondaryVersion(ref AtomicSafetyHandle handle)
@@ -135,8 +133,6 @@ public unsafe struct AtomicSafetyHandle
             return (m_Flags & forbiddenFlag) == 0;
         if (m_Version != CurrentVersion)
             return false;
-        return (m_Flags & OfJob) != 0
-            ? (m_Flags & forbiddenFlag) == 0
-            : (m_Node->InFlight & forbiddenInFlight) == 0;
+        return (m_Flags & OfJob) != 0 ? (m_Flags & forbiddenFlag) == 0 : (m_Node->InFlight & forbiddenInFlight) == 0;
     }
 }

@@ -57,8 +57,7 @@ static unsafe class JobChecks
                 Container = field.Name,
                 ContainerType = field.Type.Name,
             });
-            if (field.Writes && handle.m_Node->BumpOnScheduledWrite != 0
-                && (handle.m_Flags & AtomicSafetyHandle.Secondary) == 0)
+            if (field.Writes && handle.m_Node->BumpOnScheduledWrite != 0 && (handle.m_Flags & AtomicSafetyHandle.Secondary) == 0)
                 handle.m_Node->SecondaryVersion++;
             handle.m_Flags |= AtomicSafetyHandle.OfJob | (field.IsReadOnly ? AtomicSafetyHandle.NoWrite : 0)
                 | (field.IsWriteOnly ? AtomicSafetyHandle.NoRead : 0);

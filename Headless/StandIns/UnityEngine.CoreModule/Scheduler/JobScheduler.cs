@@ -5,15 +5,11 @@ namespace StandIns.Scheduling;
 static unsafe class JobScheduler
 {
     // A job that became ready when this worker finished another, and that nobody else has to be woken for.
-    [ThreadStatic]
-    static JobNode t_next;
+    [ThreadStatic] static JobNode t_next;
 
-    [ThreadStatic]
-    static JobNode[] t_finishStack;
-    [ThreadStatic]
-    static int t_finishCount;
-    [ThreadStatic]
-    static bool t_finishing;
+    [ThreadStatic] static JobNode[] t_finishStack;
+    [ThreadStatic] static int t_finishCount;
+    [ThreadStatic] static bool t_finishing;
 
     // Scheduled, and not yet flushed: no worker sees them.
     static readonly List<JobNode> s_held = new List<JobNode>();
@@ -63,8 +59,7 @@ static unsafe class JobScheduler
     }
 
     /// <summary>Executes at once, on the calling thread. What the job throws is logged, as with any other.</summary>
-    internal static void Run<T, TKind>(ref T data, int length, bool parallel)
-        where T : struct where TKind : struct, IJobKind<T>
+    internal static void Run<T, TKind>(ref T data, int length, bool parallel) where T : struct where TKind : struct, IJobKind<T>
     {
         CheckLength(length);
         T copy = data;

@@ -3,12 +3,9 @@ namespace StandIns.Scheduling;
 /// <summary>What a thread is to the job system.</summary>
 static class JobThread
 {
-    [ThreadStatic]
-    static int t_index;
-    [ThreadStatic]
-    static bool t_isWorker;
-    [ThreadStatic]
-    static int t_executing;
+    [ThreadStatic] static int t_index;
+    [ThreadStatic] static bool t_isWorker;
+    [ThreadStatic] static int t_executing;
 
     /// <summary>0 on the main thread, workers from 1.</summary>
     internal static int Index => t_index;

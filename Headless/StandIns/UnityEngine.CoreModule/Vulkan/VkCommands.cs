@@ -180,28 +180,24 @@ static unsafe partial class Vk
         VkClearAttachment* pAttachments, uint rectCount, VkClearRect* pRects);
 
     [DllImport(Library)]
-    internal static extern void vkCmdBindPipeline(IntPtr commandBuffer, VkPipelineBindPoint pipelineBindPoint,
-        ulong pipeline);
+    internal static extern void vkCmdBindPipeline(IntPtr commandBuffer, VkPipelineBindPoint pipelineBindPoint, ulong pipeline);
 
     [DllImport(Library)]
     internal static extern void vkCmdSetViewport(IntPtr commandBuffer, uint firstViewport, uint viewportCount,
         VkViewport* pViewports);
 
     [DllImport(Library)]
-    internal static extern void vkCmdSetScissor(IntPtr commandBuffer, uint firstScissor, uint scissorCount,
-        VkRect2D* pScissors);
+    internal static extern void vkCmdSetScissor(IntPtr commandBuffer, uint firstScissor, uint scissorCount, VkRect2D* pScissors);
 
     [DllImport(Library)]
     internal static extern void vkCmdDraw(IntPtr commandBuffer, uint vertexCount, uint instanceCount, uint firstVertex,
         uint firstInstance);
 
     [DllImport(Library)]
-    internal static extern void vkCmdDrawIndirect(IntPtr commandBuffer, ulong buffer, ulong offset, uint drawCount,
-        uint stride);
+    internal static extern void vkCmdDrawIndirect(IntPtr commandBuffer, ulong buffer, ulong offset, uint drawCount, uint stride);
 
     [DllImport(Library)]
-    internal static extern void vkCmdDispatch(IntPtr commandBuffer, uint groupCountX, uint groupCountY,
-        uint groupCountZ);
+    internal static extern void vkCmdDispatch(IntPtr commandBuffer, uint groupCountX, uint groupCountY, uint groupCountZ);
 
     [DllImport(Library)]
     internal static extern void vkCmdDispatchIndirect(IntPtr commandBuffer, ulong buffer, ulong offset);
@@ -211,8 +207,7 @@ static unsafe partial class Vk
         uint regionCount, VkBufferCopy* pRegions);
 
     [DllImport(Library)]
-    internal static extern void vkCmdFillBuffer(IntPtr commandBuffer, ulong dstBuffer, ulong dstOffset, ulong size,
-        uint data);
+    internal static extern void vkCmdFillBuffer(IntPtr commandBuffer, ulong dstBuffer, ulong dstOffset, ulong size, uint data);
 
     [DllImport(Library)]
     internal static extern void vkCmdClearColorImage(IntPtr commandBuffer, ulong image, VkImageLayout imageLayout,

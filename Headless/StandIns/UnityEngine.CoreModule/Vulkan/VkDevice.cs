@@ -67,8 +67,7 @@ unsafe struct VkDeviceCreateInfo
 static unsafe partial class Vk
 {
     [DllImport(Library)]
-    internal static extern void vkGetPhysicalDeviceFeatures2(IntPtr physicalDevice,
-        VkPhysicalDeviceFeatures2* pFeatures);
+    internal static extern void vkGetPhysicalDeviceFeatures2(IntPtr physicalDevice, VkPhysicalDeviceFeatures2* pFeatures);
 
     [DllImport(Library)]
     internal static extern VkResult vkEnumerateDeviceExtensionProperties(IntPtr physicalDevice, byte* pLayerName,

@@ -151,8 +151,7 @@ unsafe struct VkSamplerCreateInfo
 static unsafe partial class Vk
 {
     [DllImport(Library)]
-    internal static extern VkResult vkCreateImage(IntPtr device, VkImageCreateInfo* pCreateInfo, void* pAllocator,
-        ulong* pImage);
+    internal static extern VkResult vkCreateImage(IntPtr device, VkImageCreateInfo* pCreateInfo, void* pAllocator, ulong* pImage);
 
     [DllImport(Library)]
     internal static extern void vkDestroyImage(IntPtr device, ulong image, void* pAllocator);

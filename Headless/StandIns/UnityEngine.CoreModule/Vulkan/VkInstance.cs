@@ -103,12 +103,10 @@ unsafe struct VkQueueFamilyProperties
 static unsafe partial class Vk
 {
     [DllImport(Library)]
-    internal static extern VkResult vkCreateInstance(VkInstanceCreateInfo* pCreateInfo, void* pAllocator,
-        IntPtr* pInstance);
+    internal static extern VkResult vkCreateInstance(VkInstanceCreateInfo* pCreateInfo, void* pAllocator, IntPtr* pInstance);
 
     [DllImport(Library)]
-    internal static extern VkResult vkEnumerateInstanceLayerProperties(uint* pPropertyCount,
-        VkLayerProperties* pProperties);
+    internal static extern VkResult vkEnumerateInstanceLayerProperties(uint* pPropertyCount, VkLayerProperties* pProperties);
 
     [DllImport(Library)]
     internal static extern VkResult vkEnumeratePhysicalDevices(IntPtr instance, uint* pPhysicalDeviceCount,
@@ -119,8 +117,7 @@ static unsafe partial class Vk
         VkFormatProperties* pFormatProperties);
 
     [DllImport(Library)]
-    internal static extern void vkGetPhysicalDeviceProperties(IntPtr physicalDevice,
-        VkPhysicalDeviceProperties* pProperties);
+    internal static extern void vkGetPhysicalDeviceProperties(IntPtr physicalDevice, VkPhysicalDeviceProperties* pProperties);
 
     [DllImport(Library)]
     internal static extern void vkGetPhysicalDeviceQueueFamilyProperties(IntPtr physicalDevice,

@@ -71,8 +71,7 @@ static unsafe partial class Vk
     internal static extern void vkFreeMemory(IntPtr device, ulong memory, void* pAllocator);
 
     [DllImport(Library)]
-    internal static extern VkResult vkMapMemory(IntPtr device, ulong memory, ulong offset, ulong size, uint flags,
-        void** ppData);
+    internal static extern VkResult vkMapMemory(IntPtr device, ulong memory, ulong offset, ulong size, uint flags, void** ppData);
 
     [DllImport(Library)]
     internal static extern VkResult vkCreateBuffer(IntPtr device, VkBufferCreateInfo* pCreateInfo, void* pAllocator,

@@ -34,8 +34,7 @@ struct PropertyValue
     internal static PropertyValue Of(int[] values)
     {
         if (values.Length > 4)
-            throw new System.ArgumentException("More than four whole numbers under one name are not supported",
-                nameof(values));
+            throw new System.ArgumentException("More than four whole numbers under one name are not supported", nameof(values));
         PropertyValue value = default;
         value.Kind = PropertyKind.Ints;
         for (int i = 0; i < values.Length; i++)
@@ -47,8 +46,7 @@ struct PropertyValue
 
     internal static PropertyValue Of(in Matrix4x4 value) => new PropertyValue { Kind = PropertyKind.Matrix, Matrix = value };
 
-    internal static PropertyValue Of(GraphicsBuffer value) =>
-        new PropertyValue { Kind = PropertyKind.Buffer, Reference = value };
+    internal static PropertyValue Of(GraphicsBuffer value) => new PropertyValue { Kind = PropertyKind.Buffer, Reference = value };
 
     internal static PropertyValue Of(Texture value, bool isDepth = false) =>
         new PropertyValue { Kind = PropertyKind.Texture, Reference = value, IsDepth = isDepth };

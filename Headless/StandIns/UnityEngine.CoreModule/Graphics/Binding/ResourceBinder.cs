@@ -9,8 +9,7 @@ sealed unsafe class ResourceBinder(GpuDevice device)
     /// <summary>
     /// Makes the textures of a scope that are not there yet; within a pass that cannot be done, so it ends.
     /// </summary>
-    internal static void MakeTextures(GpuRecording recording, RenderTargets targets, ShaderLayout layout,
-        in PropertyScope scope)
+    internal static void MakeTextures(GpuRecording recording, RenderTargets targets, ShaderLayout layout, in PropertyScope scope)
     {
         foreach (ShaderResource resource in layout.Resources)
             if ((resource.Kind == VkDescriptorType.SampledImage || resource.Kind == VkDescriptorType.StorageImage)
@@ -75,8 +74,7 @@ sealed unsafe class ResourceBinder(GpuDevice device)
         return new VkDescriptorBufferInfo { buffer = buffer.Handle, offset = offset, range = bytes };
     }
 
-    static VkDescriptorBufferInfo Storage(GpuRecording recording, string shader, ShaderResource resource,
-        in PropertyScope scope)
+    static VkDescriptorBufferInfo Storage(GpuRecording recording, string shader, ShaderResource resource, in PropertyScope scope)
     {
         if (!scope.TryGet(resource.NameId, out PropertyValue value) || !(value.Reference is GraphicsBuffer buffer))
             throw new InvalidOperationException($"{shader}: no buffer is set as {resource.Name}");

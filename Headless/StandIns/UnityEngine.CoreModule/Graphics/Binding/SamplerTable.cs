@@ -9,8 +9,7 @@ sealed unsafe class SamplerTable(GpuDevice device)
     const string Prefix = "sampler";
 
     readonly GpuDevice m_device = device;
-    readonly Dictionary<(FilterMode, TextureWrapMode), ulong> m_samplers =
-        new Dictionary<(FilterMode, TextureWrapMode), ulong>();
+    readonly Dictionary<(FilterMode, TextureWrapMode), ulong> m_samplers = new Dictionary<(FilterMode, TextureWrapMode), ulong>();
     // By the name of the sampler: of the texture, or -1.
     readonly Dictionary<int, int> m_textureOf = new Dictionary<int, int>();
 

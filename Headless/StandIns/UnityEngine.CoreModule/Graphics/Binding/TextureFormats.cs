@@ -9,8 +9,7 @@ static class TextureFormats
         {
             case RenderTextureFormat.ARGB32:
             case RenderTextureFormat.Default:
-                return readWrite == RenderTextureReadWrite.sRGB ? GraphicsFormat.R8G8B8A8_SRGB
-                    : GraphicsFormat.R8G8B8A8_UNorm;
+                return readWrite == RenderTextureReadWrite.sRGB ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm;
             case RenderTextureFormat.ARGBHalf:
             case RenderTextureFormat.DefaultHDR:
                 return GraphicsFormat.R16G16B16A16_SFloat;

@@ -98,8 +98,7 @@ sealed unsafe partial class CommandReplay
                     m_temporaries.Resolve(m_buffer.Targets[command.Data]), command.C != 0);
                 break;
             case CommandKind.GetTemporary:
-                RenderTexture temporary =
-                    m_temporaries.Get(command.A, m_buffer.Descriptors[command.Data], (FilterMode)command.B);
+                RenderTexture temporary = m_temporaries.Get(command.A, m_buffer.Descriptors[command.Data], (FilterMode)command.B);
                 PropertySheet.Global.Set(command.A, temporary);
                 break;
             case CommandKind.ReleaseTemporary:
@@ -141,8 +140,7 @@ sealed unsafe partial class CommandReplay
                 m_fences.Add(command.A);
                 break;
             case CommandKind.ReadBuffer:
-                ReadbackTable.Add((GraphicsBuffer)command.X, command.B, command.A,
-                    (Action<AsyncGPUReadbackRequest>)command.Y);
+                ReadbackTable.Add((GraphicsBuffer)command.X, command.B, command.A, (Action<AsyncGPUReadbackRequest>)command.Y);
                 break;
             case CommandKind.ReadTexture:
                 ReadbackTable.Add((Texture)command.X, (Action<AsyncGPUReadbackRequest>)command.Y);

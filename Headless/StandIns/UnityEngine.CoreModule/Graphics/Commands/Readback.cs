@@ -14,8 +14,7 @@ static unsafe class Readback
 
     internal static GpuBuffer Copy(GpuDevice device, GpuImage source, int texelBytes)
     {
-        GpuBuffer copy =
-            Create(device, (ulong)source.Width * (ulong)source.Height * (ulong)source.Slices * (ulong)texelBytes);
+        GpuBuffer copy = Create(device, (ulong)source.Width * (ulong)source.Height * (ulong)source.Slices * (ulong)texelBytes);
         GpuRecording recording = device.Queue.Open();
         recording.Barrier();
         var region = new VkBufferImageCopy

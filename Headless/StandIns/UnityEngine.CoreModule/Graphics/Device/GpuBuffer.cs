@@ -45,8 +45,7 @@ sealed unsafe class GpuBuffer
             Vk.vkDestroyBuffer(device.Handle, handle, null);
             return null;
         }
-        Vk.Check(Vk.vkBindBufferMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset),
-            "vkBindBufferMemory");
+        Vk.Check(Vk.vkBindBufferMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset), "vkBindBufferMemory");
         return new GpuBuffer(handle, bytes, allocation);
     }
 

@@ -63,8 +63,7 @@ sealed unsafe class GpuImage
             Vk.vkDestroyImage(device.Handle, handle, null);
             return null;
         }
-        Vk.Check(Vk.vkBindImageMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset),
-            "vkBindImageMemory");
+        Vk.Check(Vk.vkBindImageMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset), "vkBindImageMemory");
         var image = new GpuImage(device, handle, allocation, create, isArray);
         image.MakeGeneral(device.Queue.Open());
         image.FillUndefined(device.Queue.Open());

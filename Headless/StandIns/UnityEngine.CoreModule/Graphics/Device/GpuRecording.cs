@@ -59,8 +59,7 @@ sealed unsafe class GpuRecording
     /// What comes after sees what came before. One barrier for everything, between all dispatches, copies and passes: not the
     /// quickest way, but never wrong.
     /// </summary>
-    internal void Barrier() =>
-        Barrier(VkPipelineStageFlags2.AllCommands, VkAccessFlags2.MemoryRead | VkAccessFlags2.MemoryWrite);
+    internal void Barrier() => Barrier(VkPipelineStageFlags2.AllCommands, VkAccessFlags2.MemoryRead | VkAccessFlags2.MemoryWrite);
 
     internal void Copy(GpuBuffer source, ulong sourceOffset, GpuBuffer destination, ulong destinationOffset, ulong bytes)
     {

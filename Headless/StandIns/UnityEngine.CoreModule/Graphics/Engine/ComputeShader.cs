@@ -55,8 +55,7 @@ public sealed class ComputeShader : Object
 
     public void SetMatrixArray(int nameID, Matrix4x4[] values) => Constants.Set(nameID, values);
 
-    public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) =>
-        Kernel(kernelIndex).Sheet.Set(nameID, buffer);
+    public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) => Kernel(kernelIndex).Sheet.Set(nameID, buffer);
 
     public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) =>
         SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);

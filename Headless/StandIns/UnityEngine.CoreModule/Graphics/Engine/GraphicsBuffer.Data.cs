@@ -50,8 +50,7 @@ public sealed unsafe partial class GraphicsBuffer
         GpuBuffer copy = Readback.Copy(device, ForDevice(), (ulong)computeBufferStartIndex * (ulong)size, bytes);
         device.Queue.Await(copy.LastUse);
         GCHandle pin = GCHandle.Alloc(data, GCHandleType.Pinned);
-        UnsafeUtility.MemCpy((byte*)pin.AddrOfPinnedObject() + (long)managedBufferStartIndex * size, copy.Mapped,
-            (long)bytes);
+        UnsafeUtility.MemCpy((byte*)pin.AddrOfPinnedObject() + (long)managedBufferStartIndex * size, copy.Mapped, (long)bytes);
         pin.Free();
         copy.Destroy(device);
     }

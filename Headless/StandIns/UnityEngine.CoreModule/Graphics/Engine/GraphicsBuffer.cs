@@ -9,8 +9,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 {
     GpuBuffer m_buffer;
 
-    public GraphicsBuffer(Target target, int count, int stride)
-        : this(target, UsageFlags.None, count, stride)
+    public GraphicsBuffer(Target target, int count, int stride) : this(target, UsageFlags.None, count, stride)
     {
     }
 

@@ -12,8 +12,7 @@ public class Material : Object
         name = shader.name;
     }
 
-    public Material(Material source)
-        : this(source.shader)
+    public Material(Material source) : this(source.shader)
     {
         Sheet.CopyFrom(source.Sheet);
         Keywords.CopyFrom(source.Keywords);

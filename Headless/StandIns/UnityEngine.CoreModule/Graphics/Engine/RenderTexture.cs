@@ -20,8 +20,7 @@ public class RenderTexture : Texture
         wrapMode = TextureWrapMode.Clamp;
     }
 
-    public RenderTexture(int width, int height, int depth)
-        : this(width, height, depth, RenderTextureFormat.Default)
+    public RenderTexture(int width, int height, int depth) : this(width, height, depth, RenderTextureFormat.Default)
     {
     }
 

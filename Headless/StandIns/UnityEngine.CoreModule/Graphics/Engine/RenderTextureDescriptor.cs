@@ -2,13 +2,11 @@ namespace UnityEngine;
 
 public struct RenderTextureDescriptor
 {
-    public RenderTextureDescriptor(int width, int height)
-        : this(width, height, RenderTextureFormat.Default, 0)
+    public RenderTextureDescriptor(int width, int height) : this(width, height, RenderTextureFormat.Default, 0)
     {
     }
 
-    public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat)
-        : this(width, height, colorFormat, 0)
+    public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat) : this(width, height, colorFormat, 0)
     {
     }
 

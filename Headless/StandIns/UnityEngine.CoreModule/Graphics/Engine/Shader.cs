@@ -17,8 +17,7 @@ public sealed class Shader : Object
 
     public static int PropertyToID(string name) => PropertyNames.IdOf(name);
 
-    public static void SetGlobalVector(int nameID, Vector4 value) =>
-        PropertySheet.Global.Set(nameID, PropertyValue.Of(value));
+    public static void SetGlobalVector(int nameID, Vector4 value) => PropertySheet.Global.Set(nameID, PropertyValue.Of(value));
 
     public static void SetGlobalBuffer(int nameID, GraphicsBuffer value) => PropertySheet.Global.Set(nameID, value);
 }

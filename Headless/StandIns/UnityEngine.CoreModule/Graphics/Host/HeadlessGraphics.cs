@@ -19,8 +19,7 @@ public static class HeadlessGraphics
         {
             if (GpuDevice.TryGet(out string reason) == null)
                 return reason;
-            return ShaderCompiler.IsThere ? ""
-                : "there is no glslangValidator (Debian, Ubuntu: apt-get install glslang-tools)";
+            return ShaderCompiler.IsThere ? "" : "there is no glslangValidator (Debian, Ubuntu: apt-get install glslang-tools)";
         }
     }
 

@@ -36,8 +36,7 @@ public partial class CommandBuffer
     public void EnableShaderKeyword(string keyword) =>
         Add(new RecordedCommand { Kind = CommandKind.SetKeyword, X = keyword, A = 1 });
 
-    public void DisableShaderKeyword(string keyword) =>
-        Add(new RecordedCommand { Kind = CommandKind.SetKeyword, X = keyword });
+    public void DisableShaderKeyword(string keyword) => Add(new RecordedCommand { Kind = CommandKind.SetKeyword, X = keyword });
 
     // A is the name, B how many bytes, Data where they are; X the compute shader whose constants they are, or null.
     unsafe void AddArray(ComputeShader shader, int nameID, System.ReadOnlySpan<float> values)

@@ -82,6 +82,5 @@ public partial class CommandBuffer
         });
     }
 
-    public void ReleaseTemporaryRT(int nameID) =>
-        Add(new RecordedCommand { Kind = CommandKind.ReleaseTemporary, A = nameID });
+    public void ReleaseTemporaryRT(int nameID) => Add(new RecordedCommand { Kind = CommandKind.ReleaseTemporary, A = nameID });
 }

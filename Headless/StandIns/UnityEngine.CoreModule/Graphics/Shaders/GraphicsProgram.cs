@@ -28,8 +28,7 @@ sealed unsafe class GraphicsProgram(GpuDevice device, string name, SpirvModule v
         VkPipelineShaderStageCreateInfo* stages = stackalloc VkPipelineShaderStageCreateInfo[2];
         stages[0] = Stage(VkShaderStageFlags.Vertex, m_vertex, strings.Text(m_vertexEntry));
         stages[1] = Stage(VkShaderStageFlags.Fragment, m_fragment, strings.Text(m_fragmentEntry));
-        var vertices =
-            new VkPipelineVertexInputStateCreateInfo { sType = VkStructureType.PipelineVertexInputStateCreateInfo };
+        var vertices = new VkPipelineVertexInputStateCreateInfo { sType = VkStructureType.PipelineVertexInputStateCreateInfo };
         var assembly = new VkPipelineInputAssemblyStateCreateInfo
         {
             sType = VkStructureType.PipelineInputAssemblyStateCreateInfo,

@@ -16,8 +16,7 @@ sealed class ShaderPass
     readonly string m_fragment;
     readonly Dictionary<long, GraphicsProgram> m_programs = new Dictionary<long, GraphicsProgram>();
 
-    internal ShaderPass(ShaderLabSource shader, string name, Dictionary<string, string> tags, RenderState state,
-        string program)
+    internal ShaderPass(ShaderLabSource shader, string name, Dictionary<string, string> tags, RenderState state, string program)
     {
         Shader = shader;
         Name = name;

@@ -54,8 +54,7 @@ static class SpirvImageFormats
                 readTypes.Add(type);
         bool isChanged = false;
         for (int at = HeaderWords; at < words.Length; at += (int)(words[at] >> 16))
-            if (Op(words, at) == OpTypeImage && s_assumed.Contains(words[at + FormatWord])
-                && !readTypes.Contains(words[at + 1]))
+            if (Op(words, at) == OpTypeImage && s_assumed.Contains(words[at + FormatWord]) && !readTypes.Contains(words[at + 1]))
             {
                 words[at + FormatWord] = 0;
                 isChanged = true;

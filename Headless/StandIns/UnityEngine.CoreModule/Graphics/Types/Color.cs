@@ -15,8 +15,7 @@ public struct Color : IEquatable<Color>, IFormattable
         this.a = a;
     }
 
-    public Color(float r, float g, float b)
-        : this(r, g, b, 1)
+    public Color(float r, float g, float b) : this(r, g, b, 1)
     {
     }
 

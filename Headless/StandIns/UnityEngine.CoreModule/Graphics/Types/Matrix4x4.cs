@@ -70,8 +70,7 @@ public unsafe partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
 
     public static bool operator !=(Matrix4x4 lhs, Matrix4x4 rhs) => !(lhs == rhs);
 
-    public static Matrix4x4 Scale(Vector3 vector) =>
-        new Matrix4x4 { m00 = vector.x, m11 = vector.y, m22 = vector.z, m33 = 1 };
+    public static Matrix4x4 Scale(Vector3 vector) => new Matrix4x4 { m00 = vector.x, m11 = vector.y, m22 = vector.z, m33 = 1 };
 
     public static Matrix4x4 Translate(Vector3 vector)
     {

@@ -22,7 +22,6 @@ public struct Ray(Vector3 origin, Vector3 direction) : IFormattable
     public readonly string ToString(string format, IFormatProvider formatProvider)
     {
         formatProvider ??= CultureInfo.InvariantCulture;
-        return "Origin: " + m_origin.ToString(format, formatProvider) + ", Dir: "
-            + m_direction.ToString(format, formatProvider);
+        return "Origin: " + m_origin.ToString(format, formatProvider) + ", Dir: " + m_direction.ToString(format, formatProvider);
     }
 }

@@ -13,8 +13,7 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
         this.z = z;
     }
 
-    public Vector3(float x, float y)
-        : this(x, y, 0)
+    public Vector3(float x, float y) : this(x, y, 0)
     {
     }
 

@@ -15,13 +15,11 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
         this.w = w;
     }
 
-    public Vector4(float x, float y)
-        : this(x, y, 0, 0)
+    public Vector4(float x, float y) : this(x, y, 0, 0)
     {
     }
 
-    public Vector4(float x, float y, float z)
-        : this(x, y, z, 0)
+    public Vector4(float x, float y, float z) : this(x, y, z, 0)
     {
     }
 
