@@ -1,7 +1,6 @@
 namespace FastPoints.Cli;
 
-/// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process
-/// returns.</summary>
+/// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process returns.</summary>
 public sealed class Failure
 {
     public required string Code { get; init; }

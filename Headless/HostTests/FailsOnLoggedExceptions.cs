@@ -14,9 +14,7 @@ sealed class FailsOnLoggedExceptionsAttribute : Attribute, ITestAction
 {
     public ActionTargets Targets => ActionTargets.Test;
 
-    public void BeforeTest(ITest test)
-    {
-    }
+    public void BeforeTest(ITest test) { }
 
     public void AfterTest(ITest test) => LoggedExceptions.ThrowFirst();
 }

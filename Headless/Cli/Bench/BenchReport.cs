@@ -1,7 +1,6 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier
-/// run.</summary>
+/// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier run.</summary>
 public static class BenchReport
 {
     /// <summary>Times of a chart that are farther apart than this get a logarithmic axis.</summary>

@@ -82,8 +82,7 @@ public static class PerformanceResults
         };
     }
 
-    /// <summary>Reads a run, or the <c>--json</c> summary of one, which has a median of each workload and no
-    /// samples.</summary>
+    /// <summary>Reads a run, or the <c>--json</c> summary of one, which has a median of each workload and no samples.</summary>
     public static PerformanceRun Read(string path)
     {
         try

@@ -16,8 +16,7 @@ public sealed class SampleComparison
     /// <summary>Median of now over the earlier median.</summary>
     public double Ratio { get; }
 
-    /// <summary>The least and the greatest ratio that the scatter allows; NaN where there are too few samples to
-    /// say.</summary>
+    /// <summary>The least and the greatest ratio that the scatter allows; NaN where there are too few samples to say.</summary>
     public double Low { get; }
     public double High { get; }
 

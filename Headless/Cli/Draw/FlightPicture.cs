@@ -9,9 +9,7 @@ public abstract class FlightPicture : IDisposable
     public abstract RgbaImage Draw(in Camera camera);
 
     /// <summary>Once a frame, drawn or not.</summary>
-    public virtual void EndFrame()
-    {
-    }
+    public virtual void EndFrame() { }
 
     public abstract void Dispose();
 }

@@ -2,8 +2,7 @@ using StandIns.Scheduling;
 
 namespace FastPoints.Cli.Preview;
 
-/// <summary>How long single runs of jobs took, all of them or by kind: nothing else of a frame gets a worker
-/// meanwhile.</summary>
+/// <summary>How long single runs of jobs took, all of them or by kind: nothing else of a frame gets a worker meanwhile.</summary>
 public sealed class SliceLengths
 {
     /// <summary>Kinds that the summary names.</summary>

@@ -4,8 +4,7 @@ using Unity.PerformanceTesting;
 
 namespace FastPoints.HostTests.Benchmarks;
 
-/// <summary>The driver that Unity's test runner calls, called here: it and the command line say the same of a
-/// workload.</summary>
+/// <summary>The driver that Unity's test runner calls, called here: it and the command line say the same of a workload.</summary>
 public sealed class WorkloadTestsTests
 {
     [TearDown]

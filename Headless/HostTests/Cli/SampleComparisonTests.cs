@@ -46,8 +46,7 @@ public sealed class SampleComparisonTests
         Assert.That(comparison.IsBeyondNoise, Is.False);
     }
 
-    /// <summary>The limits hold what they promise: of runs that differ by chance alone, about one in twenty is
-    /// marked.</summary>
+    /// <summary>The limits hold what they promise: of runs that differ by chance alone, about one in twenty is marked.</summary>
     [Test]
     public void Of_RunsThatDifferByChance_MarksAboutOneInTwenty()
     {

@@ -17,8 +17,7 @@ public sealed class PackageConformanceTests(string generation)
         Assert.That(Problems(UnityApi.LoadUsed(Checkout.Repository.UsedApi)), Is.Empty);
     }
 
-    /// <summary>Constants, enum values and default arguments leave no name in the IL, so the stand-ins must be
-    /// right.</summary>
+    /// <summary>Constants, enum values and default arguments leave no name in the IL, so the stand-ins must be right.</summary>
     [Test]
     public void StandIns_PublicFace_IsUnitys()
     {

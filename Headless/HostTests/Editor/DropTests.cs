@@ -62,9 +62,7 @@ public sealed class DropTests
             .Single(h => h is DragAndDrop.SceneDropHandler)), Throws.Exception, "a handler is there once");
     }
 
-    /// <summary>
-    /// The windows ask: the handler that was added last, and the one before where it does not want the drop.
-    /// </summary>
+    /// <summary>The windows ask: the handler that was added last, and the one before where it does not want the drop.</summary>
     [Test]
     public void Drop_AnotherPackagesHandlerIsAskedFirst_OursWhereItWantsNothing()
     {

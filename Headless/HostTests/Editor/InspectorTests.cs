@@ -211,8 +211,6 @@ public sealed class InspectorTests
 
     sealed class CarelessInspector : UnityEditor.AssetImporters.ScriptedImporterEditor
     {
-        public override void OnInspectorGUI()
-        {
-        }
+        public override void OnInspectorGUI() { }
     }
 }

@@ -247,8 +247,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         Assert.That(Enumerable.Range(0, 320 * 180).Select(i => some[i % 320, i / 320]).Distinct(), Is.SubsetOf(wanted));
     }
 
-    /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in
-    /// view.</summary>
+    /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in view.</summary>
     [Test]
     public void Draw_CameraBesideAPoint_IsThatOfTheSoftwareRasterizer()
     {

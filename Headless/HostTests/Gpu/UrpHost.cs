@@ -12,9 +12,7 @@ sealed class UrpHost : PipelineHost
     /// <summary>What the camera that was drawn last had in its graph.</summary>
     public int PassCount { get; private set; }
 
-    sealed class Renderer : ScriptableRenderer
-    {
-    }
+    sealed class Renderer : ScriptableRenderer { }
 
     public UrpHost()
     {

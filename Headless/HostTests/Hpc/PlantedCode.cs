@@ -8,13 +8,9 @@ namespace Unity.Burst.CompilerServices
     /// <summary>Burst has it behind a define, so the stand-in has not.</summary>
     internal static class Loop
     {
-        internal static void ExpectVectorized()
-        {
-        }
+        internal static void ExpectVectorized() { }
 
-        internal static void ExpectNotVectorized()
-        {
-        }
+        internal static void ExpectNotVectorized() { }
     }
 }
 
@@ -50,10 +46,7 @@ namespace FastPoints.HostTests.Hpc
         }
 
         [Flags]
-        internal enum Parts
-        {
-            First = 1,
-        }
+        internal enum Parts { First = 1 }
 
         internal static class Tables
         {

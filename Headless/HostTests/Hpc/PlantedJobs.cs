@@ -4,8 +4,7 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Hpc;
 
-/// <summary>Jobs that are never run: what Burst rejects, a fault each, and beside it what looks like it and is
-/// fine.</summary>
+/// <summary>Jobs that are never run: what Burst rejects, a fault each, and beside it what looks like it and is fine.</summary>
 internal static class PlantedJobs
 {
     internal interface IShape
@@ -170,9 +169,7 @@ internal static class PlantedJobs
     {
         public List<int> Names;
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     [Planted("field Values is a managed array")]
@@ -181,9 +178,7 @@ internal static class PlantedJobs
     {
         public int[] Values;
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     [Planted("through an object")]
@@ -344,9 +339,7 @@ internal static class PlantedJobs
     {
         public T Value;
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     [Planted("Helpers.Inner")]
@@ -360,9 +353,7 @@ internal static class PlantedJobs
 
     internal struct UncompiledJob : IJob
     {
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     [Planted]

@@ -43,13 +43,9 @@ internal static class PlantedLayouts
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal struct Sizeless
-    {
-    }
+    internal struct Sizeless { }
 
-    internal struct Empty
-    {
-    }
+    internal struct Empty { }
 
     internal struct MarshalledAsPointer
     {

@@ -34,10 +34,7 @@ internal static unsafe class PlantedSignatures
         public (int First, int Count) Range;
     }
 
-    internal enum Kind : byte
-    {
-        First,
-    }
+    internal enum Kind : byte { First }
 
     private static class Native
     {

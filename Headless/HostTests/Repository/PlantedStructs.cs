@@ -3,20 +3,12 @@ using System.Runtime.InteropServices;
 namespace FastPoints.HostTests.Repository;
 
 [AttributeUsage(AttributeTargets.Struct)]
-internal sealed class GenerateHlslAttribute : Attribute
-{
-}
+internal sealed class GenerateHlslAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Struct)]
-internal sealed class DiskFormatAttribute : Attribute
-{
-}
+internal sealed class DiskFormatAttribute : Attribute { }
 
-internal enum PlantedShape : uint
-{
-    Square,
-    Disc,
-}
+internal enum PlantedShape : uint { Square, Disc }
 
 [GenerateHlsl]
 [StructLayout(LayoutKind.Sequential)]

@@ -54,9 +54,7 @@ public sealed class TestRulesTests
     abstract class Planted
     {
         [SetUp]
-        public void Begin()
-        {
-        }
+        public void Begin() { }
 
         [UnityTest]
         public IEnumerator Reloading()
@@ -65,28 +63,18 @@ public sealed class TestRulesTests
         }
 
         [Test]
-        public void Quick()
-        {
-        }
+        public void Quick() { }
 
         [Test, Category("Long")]
-        public void LongAlone()
-        {
-        }
+        public void LongAlone() { }
 
         [Test, Explicit]
-        public void ExplicitAlone()
-        {
-        }
+        public void ExplicitAlone() { }
 
         [Test, Category("Large"), Category("Smoke"), Explicit]
-        public void ExplicitSmoke()
-        {
-        }
+        public void ExplicitSmoke() { }
 
         [TestCase(1, Category = "Long", Explicit = true)]
-        public void LongCase(int value)
-        {
-        }
+        public void LongCase(int value) { }
     }
 }

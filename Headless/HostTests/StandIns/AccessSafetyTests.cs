@@ -126,9 +126,7 @@ public sealed unsafe class AccessSafetyTests
     {
         public NativeList<int> List;
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     struct ReadOnlyListJob : IJob

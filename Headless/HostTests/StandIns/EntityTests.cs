@@ -8,9 +8,7 @@ public sealed class EntityTests
         public int Value;
     }
 
-    struct Burning : IComponentData, IEnableableComponent
-    {
-    }
+    struct Burning : IComponentData, IEnableableComponent { }
 
     struct Grave : ICleanupComponentData
     {
@@ -159,31 +157,21 @@ public sealed class EntityTests
     }
 
     [UpdateInGroup(typeof(PresentationSystemGroup))]
-    sealed class Group : ComponentSystemGroup
-    {
-    }
+    sealed class Group : ComponentSystemGroup { }
 
     [UpdateInGroup(typeof(Group), OrderLast = true)]
-    sealed class A : Noting
-    {
-    }
+    sealed class A : Noting { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateAfter(typeof(C))]
-    sealed class B : Noting
-    {
-    }
+    sealed class B : Noting { }
 
     [UpdateInGroup(typeof(Group))]
-    sealed class C : Noting
-    {
-    }
+    sealed class C : Noting { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateBefore(typeof(C))]
-    sealed class D : Noting
-    {
-    }
+    sealed class D : Noting { }
 
     [Test]
     public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
@@ -234,9 +222,7 @@ public sealed class EntityTests
 
     [UpdateInGroup(typeof(Group), OrderFirst = true)]
     [UpdateAfter(typeof(C))]
-    sealed class F : Noting
-    {
-    }
+    sealed class F : Noting { }
 
     [Test]
     public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()

@@ -75,9 +75,7 @@ public sealed class JobDependencyTests
 
     struct NothingJob : IJob
     {
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     [TestCase(1)]

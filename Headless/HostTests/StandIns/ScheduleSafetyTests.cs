@@ -93,9 +93,7 @@ public sealed unsafe class ScheduleSafetyTests
     {
         public int* Pointer;
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     struct AllowedPointerJob : IJob
@@ -109,9 +107,7 @@ public sealed unsafe class ScheduleSafetyTests
     {
         public int[] Values;
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     struct NestedManagedFieldJob : IJob
@@ -124,18 +120,14 @@ public sealed unsafe class ScheduleSafetyTests
             public string Name;
         }
 
-        public void Execute()
-        {
-        }
+        public void Execute() { }
     }
 
     struct ParallelListJob : IJobFor
     {
         public NativeList<int> List;
 
-        public void Execute(int index)
-        {
-        }
+        public void Execute(int index) { }
     }
 
     struct SchedulingJob : IJob

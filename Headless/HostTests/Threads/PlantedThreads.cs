@@ -324,9 +324,7 @@ namespace FastPoints.HostTests.Threads
         [Planted("serialization of ")]
         internal sealed class ByTheSerializer : ISerializationCallbackReceiver
         {
-            public void OnBeforeSerialize()
-            {
-            }
+            public void OnBeforeSerialize() { }
 
             public void OnAfterDeserialize() => Ask();
         }

@@ -16,8 +16,7 @@ public static class DocId
     /// <summary>M: of a method, as it is declared.</summary>
     public static string OfMethod(MethodReference method) => OfMethod(DefinitionName(method.DeclaringType), method);
 
-    /// <summary>M: of a method of that name and those parameters on another type, as for one that a base type
-    /// declares.</summary>
+    /// <summary>M: of a method of that name and those parameters on another type, as for one that a base type declares.</summary>
     public static string OfMethod(string declaringType, MethodReference method)
     {
         var id = new StringBuilder("M:").Append(declaringType).Append('.').Append(method.Name.Replace('.', '#'));
@@ -29,8 +28,7 @@ public static class DocId
         return id.ToString();
     }
 
-    /// <summary>P: of the property whose accessor this is (get_ or set_), E: of the event (add_ or remove_); else
-    /// null.</summary>
+    /// <summary>P: of the property whose accessor this is (get_ or set_), E: of the event (add_ or remove_); else null.</summary>
     public static string? OfAccessor(string declaringType, MethodReference method)
     {
         int underscore = method.Name.IndexOf('_');

@@ -1,8 +1,6 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>
-/// The words that the manual's glossary says not to use: the third column of its tables of word, meaning, not.
-/// </summary>
+/// <summary>The words that the manual's glossary says not to use: the third column of its tables of word, meaning, not.</summary>
 public sealed class Glossary
 {
     public const string Path = "Packages/com.fastpoints.dots/Documentation~/glossary.md";

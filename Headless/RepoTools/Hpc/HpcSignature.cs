@@ -38,8 +38,7 @@ internal static class HpcSignature
         return ThroughExtern(method.ReturnType, method.MethodReturnType);
     }
 
-    /// <summary>How a parameter, a return value or a field is marshalled where Burst does not; null where it is
-    /// fine.</summary>
+    /// <summary>How a parameter, a return value or a field is marshalled where Burst does not; null where it is fine.</summary>
     internal static string? Marshalling(IMarshalInfoProvider member, TypeReference type) =>
         !member.HasMarshalInfo || IsByte(member, type) ? null : As(member);
 

@@ -6,8 +6,7 @@ internal static class HpcTypes
     /// <summary>Why a value of that type cannot be; null where it can.</summary>
     internal static string? Objection(TypeReference type) => Objection(type, new HashSet<string>());
 
-    /// <summary>An array of numbers or of such arrays, which Burst reads (and only reads) from a static readonly
-    /// field.</summary>
+    /// <summary>An array of numbers or of such arrays, which Burst reads (and only reads) from a static readonly field.</summary>
     internal static bool IsTable(TypeReference type) => type is ArrayType { IsVector: true } array
         && (array.ElementType.IsValueType ? Objection(array.ElementType) == null : IsTable(array.ElementType));
 

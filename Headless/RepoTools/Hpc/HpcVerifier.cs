@@ -22,8 +22,7 @@ public sealed class HpcVerifier
     /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
     public int WalkedCount { get; private set; }
 
-    /// <summary>One line for each thing that Burst would reject in what those types start: entry, calls, place,
-    /// why.</summary>
+    /// <summary>One line for each thing that Burst would reject in what those types start: entry, calls, place, why.</summary>
     public IReadOnlyCollection<string> Verify(Func<TypeDefinition, bool> isAsked)
     {
         m_problems.Clear();

@@ -53,8 +53,7 @@ internal sealed class HpcWalk
         }
     }
 
-    /// <summary>On the way to a throw a message is made, of literals and boxed numbers; nothing else is
-    /// special.</summary>
+    /// <summary>On the way to a throw a message is made, of literals and boxed numbers; nothing else is special.</summary>
     private void CheckThrowing(Instruction instruction)
     {
         switch (instruction.OpCode.Code)

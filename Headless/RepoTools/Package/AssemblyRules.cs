@@ -1,7 +1,6 @@
 namespace FastPoints.RepoTools.Package;
 
-/// <summary>Scripts and their assemblies (US-0038 of the validation suite), and that no player's code names the
-/// editor.</summary>
+/// <summary>Scripts and their assemblies (US-0038 of the validation suite), and that no player's code names the editor.</summary>
 public static class AssemblyRules
 {
     /// <summary>Where assemblies lie that are meant for players.</summary>

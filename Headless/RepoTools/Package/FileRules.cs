@@ -9,8 +9,7 @@ public static class FileRules
     private static readonly string[] s_required =
         { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
 
-    /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are
-    /// for.</summary>
+    /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are for.</summary>
     private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
 
     private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };

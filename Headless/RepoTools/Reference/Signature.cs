@@ -41,8 +41,7 @@ public static class Signature
     public static string Of(FieldDefinition field) =>
         (field.HasConstant ? "const " : field.IsStatic ? "static " : "") + $"{Name(field.FieldType)} {field.Name}";
 
-    /// <summary>Whether a static method is how one gets a type: it returns one, or work that the type is
-    /// for.</summary>
+    /// <summary>Whether a static method is how one gets a type: it returns one, or work that the type is for.</summary>
     public static bool Makes(MethodDefinition method, TypeDefinition type) =>
         method.ReturnType.FullName == type.FullName ||
         !(type.IsAbstract && type.IsSealed) && Name(method.ReturnType) == "IEnumerator<Work>";

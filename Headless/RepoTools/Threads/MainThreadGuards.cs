@@ -9,8 +9,7 @@ public sealed class MainThreadGuards(ThreadTable table)
 {
     private const string GuardAssembly = "UnityEngine.CoreModule", GuardType = "MainThread", GuardMethod = "Require";
 
-    /// <summary>Such members are for any thread while their objects are there, and guard themselves where they are
-    /// not.</summary>
+    /// <summary>Such members are for any thread while their objects are there, and guard themselves where they are not.</summary>
     private const string SoftReason = "M:UnityEngine.Object.EnsureRunningOnMainThread";
 
     private readonly ThreadTable m_table = table;

@@ -1,8 +1,6 @@
 namespace FastPoints.RepoTools.Threads;
 
-/// <summary>
-/// Methods as one knows them from the source: the compiler's own names are replaced by what they were made of.
-/// </summary>
+/// <summary>Methods as one knows them from the source: the compiler's own names are replaced by what they were made of.</summary>
 internal static class MethodNames
 {
     internal static string Of(MethodDefinition method)

@@ -13,9 +13,7 @@ public sealed class ThreadTable
     private readonly SortedDictionary<string, ThreadRow> m_touched =
         new SortedDictionary<string, ThreadRow>(StringComparer.Ordinal);
 
-    private ThreadTable()
-    {
-    }
+    private ThreadTable() { }
 
     public IEnumerable<ThreadRow> Rows => m_rows.Values;
 

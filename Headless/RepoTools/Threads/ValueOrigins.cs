@@ -105,9 +105,7 @@ internal sealed class ValueOrigins(CodeIndex code)
             }
         }
 
-        /// <summary>
-        /// A search of its own for what this one needs to know on its way; null where that is what it is for.
-        /// </summary>
+        /// <summary>A search of its own for what this one needs to know on its way; null where that is what it is for.</summary>
         private IReadOnlyList<Value>? Sub(MethodDefinition method, Value? self, Instruction at,
             IEnumerable<Instruction> producers)
         {

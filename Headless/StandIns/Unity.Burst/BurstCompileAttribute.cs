@@ -1,13 +1,10 @@
 namespace Unity.Burst;
 
-/// <summary>Marks a job struct or a static method for Burst. Here it marks only: the host's own compiler runs the
-/// code.</summary>
+/// <summary>Marks a job struct or a static method for Burst. Here it marks only: the host's own compiler runs the code.</summary>
 [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Method | AttributeTargets.Assembly)]
 public class BurstCompileAttribute : Attribute
 {
-    public BurstCompileAttribute()
-    {
-    }
+    public BurstCompileAttribute() { }
 
     public BurstCompileAttribute(FloatPrecision floatPrecision, FloatMode floatMode)
     {
@@ -16,6 +13,5 @@ public class BurstCompileAttribute : Attribute
     }
 
     public FloatMode FloatMode { get; set; }
-
     public FloatPrecision FloatPrecision { get; set; }
 }

@@ -8,9 +8,7 @@ public static class BurstCompiler
 
 public sealed class BurstCompilerOptions
 {
-    internal BurstCompilerOptions()
-    {
-    }
+    internal BurstCompilerOptions() { }
 
     public bool EnableBurstCompileSynchronously { get; set; }
 }

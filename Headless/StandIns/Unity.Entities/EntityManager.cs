@@ -26,9 +26,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     }
 
     public Entity CreateEntity() => Store.Create(Store.ArchetypeOf(default));
-
     public Entity CreateEntity(EntityArchetype archetype) => Store.Create(Of(archetype));
-
     public Entity CreateEntity(params ComponentType[] types) => CreateEntity(CreateArchetype(types));
 
     public void CreateEntity(EntityArchetype archetype, NativeArray<Entity> entities)
@@ -52,9 +50,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     }
 
     public bool Exists(Entity entity) => Store.Exists(entity);
-
     public bool HasComponent<T>(Entity entity) => Store.Has(entity, TypeRegistry.Of<T>.Index.Value);
-
     public bool AddComponent<T>(Entity entity) => Store.Add(entity, TypeRegistry.Of<T>.Index.Value);
 
     public bool AddComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
@@ -109,9 +105,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
         new EntityQuery(Store, QueryTerms.Of(requiredComponents));
 
     public bool Equals(EntityManager other) => Store == other.Store;
-
     public override bool Equals(object obj) => obj is EntityManager other && Equals(other);
-
     public override int GetHashCode() => Store.GetHashCode();
 
     static Archetype Of(EntityArchetype archetype) => archetype.Stored ??

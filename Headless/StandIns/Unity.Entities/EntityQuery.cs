@@ -67,9 +67,7 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
     public void Dispose() => m_terms = null;
 
     public bool Equals(EntityQuery other) => m_terms == other.m_terms;
-
     public override bool Equals(object compare) => compare is EntityQuery other && Equals(other);
-
     public override int GetHashCode() => m_terms == null ? 0 : m_terms.GetHashCode();
 
     EntityStore Alive => m_terms != null && !m_store.IsDisposed ? m_store

@@ -46,6 +46,5 @@ public ref struct EntityQueryBuilder
     }
 
     public EntityQuery Build(EntityManager entityManager) => new EntityQuery(entityManager.Store, m_terms);
-
     public EntityQuery Build(SystemBase systemBase) => Build(systemBase.EntityManager);
 }

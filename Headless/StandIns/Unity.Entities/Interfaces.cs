@@ -1,17 +1,9 @@
 namespace Unity.Entities;
 
-public interface IQueryTypeParameter
-{
-}
+public interface IQueryTypeParameter { }
 
-public interface IComponentData : IQueryTypeParameter
-{
-}
+public interface IComponentData : IQueryTypeParameter { }
 
-public interface ICleanupComponentData : IComponentData
-{
-}
+public interface ICleanupComponentData : IComponentData { }
 
-public interface IEnableableComponent
-{
-}
+public interface IEnableableComponent { }

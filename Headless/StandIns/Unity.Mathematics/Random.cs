@@ -40,9 +40,7 @@ public struct Random
 
     public uint NextUInt() => NextState() - 1u;
     public uint NextUInt(uint max) => (uint)((NextState() * (ulong)max) >> 32);
-
     [MethodImpl(Inlining.Always)] public float NextFloat() => math.asfloat(0x3F800000u | (NextState() >> 9)) - 1.0f;
-
     public float NextFloat(float max) => NextFloat() * max;
     public float NextFloat(float min, float max) => NextFloat() * (max - min) + min;
 
@@ -54,19 +52,14 @@ public struct Random
 
     public double NextDouble(double max) => NextDouble() * max;
     public double NextDouble(double min, double max) => NextDouble() * (max - min) + min;
-
     internal float2 NextFloat2() => new float2(NextFloat(), NextFloat());
     public float2 NextFloat2(float2 max) => NextFloat2() * max;
-
     internal double2 NextDouble2() => new double2(NextDouble(), NextDouble());
     public double2 NextDouble2(double2 min, double2 max) => NextDouble2() * (max - min) + min;
-
     public double3 NextDouble3() => new double3(NextDouble(), NextDouble(), NextDouble());
     public double3 NextDouble3(double3 max) => NextDouble3() * max;
     public double3 NextDouble3(double3 min, double3 max) => NextDouble3() * (max - min) + min;
-
     public int2 NextInt2(int2 max) => new int2(NextInt(max.x), NextInt(max.y));
-
     public int3 NextInt3(int3 max) => new int3(NextInt(max.x), NextInt(max.y), NextInt(max.z));
     public int3 NextInt3(int3 min, int3 max) => new int3(NextInt(min.x, max.x), NextInt(min.y, max.y), NextInt(min.z, max.z));
 

@@ -9,7 +9,6 @@ public struct bool3 : IEquatable<bool3>
     [MethodImpl(Inlining.Always)] public bool3(bool x, bool y, bool z) => (this.x, this.y, this.z) = (x, y, z);
 
     [MethodImpl(Inlining.Always)] public bool Equals(bool3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
     public override bool Equals(object o) => o is bool3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

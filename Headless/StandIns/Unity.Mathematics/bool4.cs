@@ -14,7 +14,6 @@ public struct bool4 : IEquatable<bool4>
     public static bool4 operator &(bool4 lhs, bool4 rhs) => new bool4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
 
     [MethodImpl(Inlining.Always)] public bool Equals(bool4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
-
     public override bool Equals(object o) => o is bool4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

@@ -2,8 +2,7 @@ namespace Unity.Mathematics;
 
 public struct double2 : IEquatable<double2>, IFormattable
 {
-    public double x;
-    public double y;
+    public double x, y;
 
     [MethodImpl(Inlining.Always)] public double2(double x, double y) => (this.x, this.y) = (x, y);
     [MethodImpl(Inlining.Always)] internal double2(int v) => x = y = v;
@@ -53,7 +52,6 @@ public struct double2 : IEquatable<double2>, IFormattable
     public static double2 operator -(double2 lhs, double2 rhs) => new double2(lhs.x - rhs.x, lhs.y - rhs.y);
 
     [MethodImpl(Inlining.Always)] public bool Equals(double2 rhs) => x == rhs.x && y == rhs.y;
-
     public override bool Equals(object o) => o is double2 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

@@ -2,9 +2,7 @@ namespace Unity.Mathematics;
 
 public struct double3 : IEquatable<double3>, IFormattable
 {
-    public double x;
-    public double y;
-    public double z;
+    public double x, y, z;
 
     [MethodImpl(Inlining.Always)] internal double3(double v) => x = y = z = v;
     [MethodImpl(Inlining.Always)] public double3(double x, double y, double z) => (this.x, this.y, this.z) = (x, y, z);
@@ -102,7 +100,6 @@ public struct double3 : IEquatable<double3>, IFormattable
     }
 
     [MethodImpl(Inlining.Always)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
     public override bool Equals(object o) => o is double3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

@@ -2,9 +2,7 @@ namespace Unity.Mathematics;
 
 public struct double3x3 : IEquatable<double3x3>, IFormattable
 {
-    public double3 c0;
-    public double3 c1;
-    public double3 c2;
+    public double3 c0, c1, c2;
 
     public static readonly double3x3 identity = new double3x3(
         1.0, 0.0, 0.0,
@@ -35,7 +33,6 @@ public struct double3x3 : IEquatable<double3x3>, IFormattable
     }
 
     public bool Equals(double3x3 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2);
-
     public override bool Equals(object o) => o is double3x3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

@@ -2,10 +2,7 @@ namespace Unity.Mathematics;
 
 public struct double4 : IEquatable<double4>, IFormattable
 {
-    public double x;
-    public double y;
-    public double z;
-    public double w;
+    public double x, y, z, w;
 
     [MethodImpl(Inlining.Always)]
     public double4(double x, double y, double z, double w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
@@ -41,7 +38,6 @@ public struct double4 : IEquatable<double4>, IFormattable
     }
 
     [MethodImpl(Inlining.Always)] public bool Equals(double4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
-
     public override bool Equals(object o) => o is double4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

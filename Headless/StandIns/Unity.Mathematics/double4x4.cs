@@ -2,10 +2,7 @@ namespace Unity.Mathematics;
 
 public struct double4x4 : IEquatable<double4x4>, IFormattable
 {
-    public double4 c0;
-    public double4 c1;
-    public double4 c2;
-    public double4 c3;
+    public double4 c0, c1, c2, c3;
 
     public static readonly double4x4 identity = new double4x4(
         new double4(1, 0, 0, 0), new double4(0, 1, 0, 0), new double4(0, 0, 1, 0), new double4(0, 0, 0, 1));
@@ -15,7 +12,6 @@ public struct double4x4 : IEquatable<double4x4>, IFormattable
     [MethodImpl(Inlining.Always)] public double4x4(float4x4 v) => (c0, c1, c2, c3) = (v.c0, v.c1, v.c2, v.c3);
 
     public bool Equals(double4x4 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2) && c3.Equals(rhs.c3);
-
     public override bool Equals(object o) => o is double4x4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

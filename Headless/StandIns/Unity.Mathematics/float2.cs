@@ -2,8 +2,7 @@ namespace Unity.Mathematics;
 
 public struct float2 : IEquatable<float2>, IFormattable
 {
-    public float x;
-    public float y;
+    public float x, y;
 
     [MethodImpl(Inlining.Always)] internal float2(int v) => x = y = v;
     [MethodImpl(Inlining.Always)] internal float2(float v) => x = y = v;
@@ -34,13 +33,9 @@ public struct float2 : IEquatable<float2>, IFormattable
     [MethodImpl(Inlining.Always)]
     public static float2 operator -(float2 lhs, float2 rhs) => new float2(lhs.x - rhs.x, lhs.y - rhs.y);
     [MethodImpl(Inlining.Always)] public static float2 operator -(float2 val) => new float2(-val.x, -val.y);
-
     [MethodImpl(Inlining.Always)] public bool Equals(float2 rhs) => x == rhs.x && y == rhs.y;
-
     public override bool Equals(object o) => o is float2 converted && Equals(converted);
-
     public override int GetHashCode() => (int)(math.asuint(x) * 0xFA3A3285u + math.asuint(y) * 0xAD55999Du + 0xDCDD5341u);
-
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider) =>

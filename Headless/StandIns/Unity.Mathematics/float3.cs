@@ -2,9 +2,7 @@ namespace Unity.Mathematics;
 
 public struct float3 : IEquatable<float3>, IFormattable
 {
-    public float x;
-    public float y;
-    public float z;
+    public float x, y, z;
 
     public static readonly float3 zero;
 
@@ -72,7 +70,6 @@ public struct float3 : IEquatable<float3>, IFormattable
     }
 
     [MethodImpl(Inlining.Always)] public bool Equals(float3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
     public override bool Equals(object o) => o is float3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

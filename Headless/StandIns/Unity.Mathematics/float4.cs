@@ -2,10 +2,7 @@ namespace Unity.Mathematics;
 
 public struct float4 : IEquatable<float4>, IFormattable
 {
-    public float x;
-    public float y;
-    public float z;
-    public float w;
+    public float x, y, z, w;
 
     [MethodImpl(Inlining.Always)]
     public float4(float x, float y, float z, float w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
@@ -14,9 +11,7 @@ public struct float4 : IEquatable<float4>, IFormattable
     [MethodImpl(Inlining.Always)] internal float4(float3 xyz, float w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
 
     [MethodImpl(Inlining.Always)] public static explicit operator float4(double4 v) => new float4(v);
-
     [MethodImpl(Inlining.Always)] public bool Equals(float4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
-
     public override bool Equals(object o) => o is float4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

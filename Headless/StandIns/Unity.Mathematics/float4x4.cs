@@ -2,10 +2,7 @@ namespace Unity.Mathematics;
 
 public struct float4x4 : IEquatable<float4x4>, IFormattable
 {
-    public float4 c0;
-    public float4 c1;
-    public float4 c2;
-    public float4 c3;
+    public float4 c0, c1, c2, c3;
 
     public static readonly float4x4 identity = new float4x4(
         new float4(1, 0, 0, 0), new float4(0, 1, 0, 0), new float4(0, 0, 1, 0), new float4(0, 0, 0, 1));
@@ -17,7 +14,6 @@ public struct float4x4 : IEquatable<float4x4>, IFormattable
         new float4(1, 0, 0, 0), new float4(0, 1, 0, 0), new float4(0, 0, 1, 0), new float4(vector, 1));
 
     public bool Equals(float4x4 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2) && c3.Equals(rhs.c3);
-
     public override bool Equals(object o) => o is float4x4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

@@ -2,9 +2,7 @@ namespace Unity.Mathematics;
 
 public struct int3 : IEquatable<int3>, IFormattable
 {
-    public int x;
-    public int y;
-    public int z;
+    public int x, y, z;
 
     [MethodImpl(Inlining.Always)] public int3(int v) => x = y = z = v;
     [MethodImpl(Inlining.Always)] public int3(int x, int y, int z) => (this.x, this.y, this.z) = (x, y, z);
@@ -67,7 +65,6 @@ public struct int3 : IEquatable<int3>, IFormattable
     }
 
     [MethodImpl(Inlining.Always)] public bool Equals(int3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
     public override bool Equals(object o) => o is int3 converted && Equals(converted);
 
     public override int GetHashCode() =>

@@ -2,10 +2,7 @@ namespace Unity.Mathematics;
 
 public struct int4 : IEquatable<int4>, IFormattable
 {
-    public int x;
-    public int y;
-    public int z;
-    public int w;
+    public int x, y, z, w;
 
     [MethodImpl(Inlining.Always)] public int4(int x, int y, int z, int w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
     [MethodImpl(Inlining.Always)] public int4(int3 xyz, int w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
@@ -18,7 +15,6 @@ public struct int4 : IEquatable<int4>, IFormattable
         new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
 
     [MethodImpl(Inlining.Always)] public bool Equals(int4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
-
     public override bool Equals(object o) => o is int4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

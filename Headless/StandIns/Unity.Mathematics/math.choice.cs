@@ -80,15 +80,12 @@ public static partial class math
 
     [MethodImpl(Inlining.Always)] public static bool any(bool2 x) => x.x || x.y;
     [MethodImpl(Inlining.Always)] public static bool any(bool3 x) => x.x || x.y || x.z;
-
     [MethodImpl(Inlining.Always)] public static bool all(bool2 x) => x.x && x.y;
     [MethodImpl(Inlining.Always)] public static bool all(bool3 x) => x.x && x.y && x.z;
     [MethodImpl(Inlining.Always)] public static bool all(bool4 x) => x.x && x.y && x.z && x.w;
-
     [MethodImpl(Inlining.Always)] public static int sign(int x) => (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0);
     [MethodImpl(Inlining.Always)] public static float sign(float x) => (x > 0.0f ? 1.0f : 0.0f) - (x < 0.0f ? 1.0f : 0.0f);
     [MethodImpl(Inlining.Always)] public static float3 sign(float3 x) => new float3(sign(x.x), sign(x.y), sign(x.z));
-
     [MethodImpl(Inlining.Always)] public static double abs(double x) => asdouble(asulong(x) & 0x7FFFFFFFFFFFFFFFul);
     [MethodImpl(Inlining.Always)] public static int abs(int x) => max(-x, x);
     [MethodImpl(Inlining.Always)] public static long abs(long x) => max(-x, x);
@@ -97,21 +94,17 @@ public static partial class math
     [MethodImpl(Inlining.Always)] public static double3 abs(double3 x) => new double3(abs(x.x), abs(x.y), abs(x.z));
     [MethodImpl(Inlining.Always)] public static float3 abs(float3 x) => new float3(abs(x.x), abs(x.y), abs(x.z));
     [MethodImpl(Inlining.Always)] public static int3 abs(int3 x) => new int3(abs(x.x), abs(x.y), abs(x.z));
-
     [MethodImpl(Inlining.Always)] public static double cmin(double3 x) => min(min(x.x, x.y), x.z);
     [MethodImpl(Inlining.Always)] public static float cmin(float2 x) => min(x.x, x.y);
     [MethodImpl(Inlining.Always)] public static float cmin(float3 x) => min(min(x.x, x.y), x.z);
     [MethodImpl(Inlining.Always)] public static int cmin(int3 x) => min(min(x.x, x.y), x.z);
-
     [MethodImpl(Inlining.Always)] public static double cmax(double2 x) => max(x.x, x.y);
     [MethodImpl(Inlining.Always)] public static double cmax(double3 x) => max(max(x.x, x.y), x.z);
     [MethodImpl(Inlining.Always)] public static float cmax(float3 x) => max(max(x.x, x.y), x.z);
     [MethodImpl(Inlining.Always)] public static int cmax(int3 x) => max(max(x.x, x.y), x.z);
-
     [MethodImpl(Inlining.Always)] public static double csum(double3 x) => x.x + x.y + x.z;
     [MethodImpl(Inlining.Always)] public static float csum(float3 x) => x.x + x.y + x.z;
     [MethodImpl(Inlining.Always)] public static int csum(int3 x) => x.x + x.y + x.z;
-
     [MethodImpl(Inlining.Always)] public static bool isfinite(double x) => abs(x) < double.PositiveInfinity;
     [MethodImpl(Inlining.Always)] public static bool isfinite(float x) => abs(x) < float.PositiveInfinity;
     [MethodImpl(Inlining.Always)] public static bool2 isfinite(double2 x) => new bool2(isfinite(x.x), isfinite(x.y));

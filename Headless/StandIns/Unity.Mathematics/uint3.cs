@@ -2,9 +2,7 @@ namespace Unity.Mathematics;
 
 public struct uint3 : IEquatable<uint3>, IFormattable
 {
-    public uint x;
-    public uint y;
-    public uint z;
+    public uint x, y, z;
 
     [MethodImpl(Inlining.Always)] internal uint3(uint v) => x = y = z = v;
     [MethodImpl(Inlining.Always)] public uint3(uint x, uint y, uint z) => (this.x, this.y, this.z) = (x, y, z);
@@ -38,11 +36,8 @@ public struct uint3 : IEquatable<uint3>, IFormattable
     }
 
     [MethodImpl(Inlining.Always)] public bool Equals(uint3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
-
     public override bool Equals(object o) => o is uint3 converted && Equals(converted);
-
     public override int GetHashCode() => (int)(x * 0xCD266C89u + y * 0xF1852A33u + z * 0x77E35E77u + 0x863E3729u);
-
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider) =>

@@ -2,10 +2,7 @@ namespace Unity.Mathematics;
 
 public struct uint4 : IEquatable<uint4>, IFormattable
 {
-    public uint x;
-    public uint y;
-    public uint z;
-    public uint w;
+    public uint x, y, z, w;
 
     [MethodImpl(Inlining.Always)]
     internal uint4(uint x, uint y, uint z, uint w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
@@ -43,7 +40,6 @@ public struct uint4 : IEquatable<uint4>, IFormattable
     }
 
     [MethodImpl(Inlining.Always)] public bool Equals(uint4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
-
     public override bool Equals(object o) => o is uint4 converted && Equals(converted);
 
     public override int GetHashCode() =>

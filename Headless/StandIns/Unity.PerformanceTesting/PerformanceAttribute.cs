@@ -7,7 +7,5 @@ namespace Unity.PerformanceTesting;
 [AttributeUsage(AttributeTargets.Method)]
 public class PerformanceAttribute : CategoryAttribute
 {
-    public PerformanceAttribute() : base("Performance")
-    {
-    }
+    public PerformanceAttribute() : base("Performance") { }
 }

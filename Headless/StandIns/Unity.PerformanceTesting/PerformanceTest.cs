@@ -13,6 +13,5 @@ public class PerformanceTest
     public static PerformanceTest Active { get; set; }
 
     public static SampleGroup GetSampleGroup(string name) => Active.SampleGroups.Find(g => g.Name == name);
-
     public static void AddSampleGroup(SampleGroup sampleGroup) => Active.SampleGroups.Add(sampleGroup);
 }

@@ -1,10 +1,7 @@
 namespace UnityEngine.Rendering;
 
 [Flags]
-public enum ClearFlag
-{
-    None = 0,
-}
+public enum ClearFlag { None = 0 }
 
 public static class CoreUtils
 {

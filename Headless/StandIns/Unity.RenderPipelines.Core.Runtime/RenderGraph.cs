@@ -1,13 +1,7 @@
 namespace UnityEngine.Rendering.RenderGraphModule;
 
 [Flags]
-public enum AccessFlags
-{
-    None = 0,
-    Read = 1,
-    Write = 2,
-    ReadWrite = 3,
-}
+public enum AccessFlags { None = 0, Read = 1, Write = 2, ReadWrite = 3 }
 
 /// <summary>Stands for a texture while the function of a pass that uses it runs, and at no other time.</summary>
 public struct TextureHandle
@@ -16,7 +10,6 @@ public struct TextureHandle
     internal int Index;
 
     public static implicit operator RenderTargetIdentifier(TextureHandle texture) => RenderGraph.TextureOf(texture);
-
     public static implicit operator RTHandle(TextureHandle texture) => RenderGraph.TextureOf(texture);
 }
 
@@ -31,7 +24,6 @@ public delegate void BaseRenderFunc<PassData, ContextType>(PassData data, Contex
 public interface IBaseRenderGraphBuilder : IDisposable
 {
     void UseTexture(in TextureHandle input, AccessFlags flags = AccessFlags.Read);
-
     void AllowPassCulling(bool value);
 }
 

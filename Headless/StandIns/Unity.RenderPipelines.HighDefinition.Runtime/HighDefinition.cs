@@ -1,16 +1,12 @@
 namespace UnityEngine.Rendering.HighDefinition;
 
-public enum CustomPassInjectionPoint
-{
-    AfterOpaqueAndSky = 6,
-}
+public enum CustomPassInjectionPoint { AfterOpaqueAndSky = 6 }
 
 public class HDCamera
 {
     public Camera camera;
 
     public int actualWidth => camera.pixelWidth;
-
     public int actualHeight => camera.pixelHeight;
 }
 
@@ -34,10 +30,7 @@ public abstract class CustomPass
 {
     public string name { get; set; }
 
-    protected virtual void Execute(CustomPassContext ctx)
-    {
-    }
-
+    protected virtual void Execute(CustomPassContext ctx) { }
     internal void Run(in CustomPassContext context) => Execute(context);
 }
 
@@ -52,6 +45,4 @@ public class CustomPassVolume : MonoBehaviour
         Global.RemoveAll(p => p == customPassInstance) > 0;
 }
 
-public class HDRenderPipelineAsset : RenderPipelineAsset
-{
-}
+public class HDRenderPipelineAsset : RenderPipelineAsset { }

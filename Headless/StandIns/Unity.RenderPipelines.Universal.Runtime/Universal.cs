@@ -2,18 +2,13 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal;
 
-public enum RenderPassEvent
-{
-    AfterRenderingOpaques = 300,
-}
+public enum RenderPassEvent { AfterRenderingOpaques = 300 }
 
 public abstract class ScriptableRenderPass : IRenderGraphRecorder
 {
     public RenderPassEvent renderPassEvent { get; set; }
 
-    public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
-    {
-    }
+    public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) { }
 }
 
 /// <summary>Keeps what was enqueued until a camera has been drawn with it: a camera that cannot be culled leaves its passes
@@ -42,19 +37,14 @@ public static class CameraExtensions
     }
 }
 
-public abstract class UniversalResourceDataBase : ContextItem
-{
-}
+public abstract class UniversalResourceDataBase : ContextItem { }
 
 public class UniversalResourceData : UniversalResourceDataBase
 {
     public TextureHandle activeColorTexture { get; internal set; }
-
     public TextureHandle activeDepthTexture { get; internal set; }
 
-    public override void Reset()
-    {
-    }
+    public override void Reset() { }
 }
 
 public class UniversalCameraData : ContextItem
@@ -66,20 +56,12 @@ public class UniversalCameraData : ContextItem
         ? camera.GetStereoProjectionMatrix((Camera.StereoscopicEye)viewIndex) : camera.projectionMatrix;
 
     public bool IsRenderTargetProjectionMatrixFlipped(RTHandle color, RTHandle depth = null) => true;
-
     public override void Reset() => camera = null;
 }
 
-public enum RendererType
-{
-    Custom = 0,
-    UniversalRenderer = 1,
-    _2DRenderer = 2,
-}
+public enum RendererType { Custom = 0, UniversalRenderer = 1, _2DRenderer = 2 }
 
-public abstract class ScriptableRendererData : ScriptableObject
-{
-}
+public abstract class ScriptableRendererData : ScriptableObject { }
 
 /// <summary>What makes assets takes an editor.</summary>
 public class UniversalRenderPipelineAsset : RenderPipelineAsset

@@ -1,8 +1,4 @@
 namespace UnityEditor;
 
 [Flags]
-public enum ImportAssetOptions
-{
-    Default = 0,
-    ForceUpdate = 1,
-}
+public enum ImportAssetOptions { Default = 0, ForceUpdate = 1 }

@@ -5,9 +5,7 @@ namespace UnityEditor.AssetImporters;
 [AttributeUsage(AttributeTargets.Class, Inherited = false)]
 public class ScriptedImporterAttribute : Attribute
 {
-    public ScriptedImporterAttribute(int version, string ext) : this(version, new[] { ext }, null)
-    {
-    }
+    public ScriptedImporterAttribute(int version, string ext) : this(version, new[] { ext }, null) { }
 
     public ScriptedImporterAttribute(int version, string[] exts, string[] overrideExts)
     {
@@ -18,7 +16,6 @@ public class ScriptedImporterAttribute : Attribute
     public bool AllowCaching;
 
     public string[] fileExtensions { get; }
-
     public string[] overrideFileExtensions { get; }
 }
 
@@ -35,7 +32,6 @@ public abstract class AssetImporterEditor : Editor
     bool m_hasApplied;
 
     public virtual bool showImportedObject => true;
-
     protected virtual bool needsApplyRevert => true;
 
     public virtual void OnEnable() => m_isEnabled = true;
@@ -60,6 +56,4 @@ public abstract class AssetImporterEditor : Editor
     protected void ApplyRevertGUI() => m_hasApplied = true;
 }
 
-public class ScriptedImporterEditor : AssetImporterEditor
-{
-}
+public class ScriptedImporterEditor : AssetImporterEditor { }

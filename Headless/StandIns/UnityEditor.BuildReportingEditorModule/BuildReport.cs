@@ -1,12 +1,6 @@
 namespace UnityEditor.Build.Reporting;
 
-public enum BuildResult
-{
-    Unknown = 0,
-    Succeeded = 1,
-    Failed = 2,
-    Cancelled = 3,
-}
+public enum BuildResult { Unknown = 0, Succeeded = 1, Failed = 2, Cancelled = 3 }
 
 public struct BuildSummary
 {

@@ -12,14 +12,10 @@ public class AssetImporter : Object
     public void SaveAndReimport() => AssetDatabase.ImportAsset(Path);
 }
 
-public class AssetPostprocessor
-{
-}
+public class AssetPostprocessor { }
 
 /// <summary>A file that no importer knows.</summary>
-public class DefaultAsset : Object
-{
-}
+public class DefaultAsset : Object { }
 
 /// <summary>Assets by path: as a test puts them there, or as importers make them of the files of a project.</summary>
 public sealed class AssetDatabase
@@ -93,7 +89,6 @@ public sealed class AssetDatabase
         throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
 
     public static void CreateAsset(Object asset, string path) => throw EditorOnly.NotHere(nameof(CreateAsset));
-
     public static void SaveAssets() => throw EditorOnly.NotHere(nameof(SaveAssets));
 
     /// <returns>Its number.</returns>
@@ -127,9 +122,7 @@ public sealed class AssetDatabase
             .ToArray();
 
     public static Type GetImporterOverride(string path) => Overrides.TryGetValue(path, out var type) ? type : null;
-
     public static Type GetDefaultImporter(string path) => ImporterTable.Default(path) ?? typeof(AssetImporter);
-
     public static Type GetImporterType(string assetPath) => GetImporterOverride(assetPath) ?? GetDefaultImporter(assetPath);
 
     /// <summary>Imports the asset with it at once.</summary>
@@ -151,9 +144,7 @@ public sealed class AssetDatabase
         }
     }
 
-    /// <summary>
-    /// Importers may run in processes of their own, several at once: while one runs here, this is such a one.
-    /// </summary>
+    /// <summary>Importers may run in processes of their own, several at once: while one runs here, this is such a one.</summary>
     public static bool IsAssetImportWorkerProcess() => s_importing != null;
 
     /// <summary>There is no project any more.</summary>

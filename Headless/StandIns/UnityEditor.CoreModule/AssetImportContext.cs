@@ -13,7 +13,6 @@ public class AssetImportContext
     }
 
     public string assetPath { get; }
-
     public Object mainObject { get; private set; }
 
     /// <summary>An identifier is one object's; names are the importer's.</summary>
@@ -23,6 +22,5 @@ public class AssetImportContext
         : throw new System.InvalidOperationException("the main object was not added to the asset");
 
     public void LogImportError(string msg, Object obj = null) => Errors.Add(msg);
-
     public void LogImportWarning(string msg, Object obj = null) => Warnings.Add(msg);
 }

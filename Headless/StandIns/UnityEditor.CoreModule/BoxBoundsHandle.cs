@@ -5,9 +5,7 @@ public abstract class PrimitiveBoundsHandle
 {
     public Vector3 center { get; set; }
 
-    public void DrawHandle()
-    {
-    }
+    public void DrawHandle() { }
 }
 
 public class BoxBoundsHandle : PrimitiveBoundsHandle

@@ -3,9 +3,7 @@ namespace UnityEditor
     public struct BuildPlayerOptions
     {
         public string[] scenes { get; set; }
-
         public string locationPathName { get; set; }
-
         public BuildTarget target { get; set; }
     }
 }
@@ -17,9 +15,7 @@ namespace UnityEditor.Build
         int callbackOrder { get; }
     }
 
-    public class BuildFailedException(string message) : Exception(message)
-    {
-    }
+    public class BuildFailedException(string message) : Exception(message) { }
 
     /// <summary>Keeps what would be added.</summary>
     public sealed class BuildPlayerContext

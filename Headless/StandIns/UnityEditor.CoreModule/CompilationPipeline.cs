@@ -1,11 +1,6 @@
 namespace UnityEditor.Compilation;
 
-public enum AssembliesType
-{
-    Editor = 0,
-    Player = 1,
-    PlayerWithoutTestAssemblies = 2,
-}
+public enum AssembliesType { Editor = 0, Player = 1, PlayerWithoutTestAssemblies = 2 }
 
 public class Assembly
 {
@@ -16,7 +11,6 @@ public class Assembly
     }
 
     public string name { get; }
-
     public string[] sourceFiles { get; }
 }
 

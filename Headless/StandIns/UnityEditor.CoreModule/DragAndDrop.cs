@@ -1,14 +1,6 @@
 namespace UnityEditor;
 
-public enum DragAndDropVisualMode
-{
-    None = 0,
-    Copy = 1,
-    Link = 2,
-    Generic = 4,
-    Move = 16,
-    Rejected = 32,
-}
+public enum DragAndDropVisualMode { None = 0, Copy = 1, Link = 2, Generic = 4, Move = 16, Rejected = 32 }
 
 [Flags]
 public enum HierarchyDropFlags
@@ -42,25 +34,15 @@ public class DragAndDrop
         Transform parentForDraggedObjects, bool perform);
 
     public static string[] paths { get; set; } = new string[0];
-
     public static Object[] objectReferences { get; set; } = new Object[0];
 
     public static void PrepareStartDrag() => (paths, objectReferences) = (new string[0], new Object[0]);
-
-    public static void AcceptDrag()
-    {
-    }
-
+    public static void AcceptDrag() { }
     public static void AddDropHandler(ProjectBrowserDropHandler handler) => Add(handler);
-
     public static void AddDropHandler(SceneDropHandler handler) => Add(handler);
-
     public static void AddDropHandler(HierarchyDropHandler handler) => Add(handler);
-
     public static void AddDropHandlerV2(ProjectBrowserDropHandlerV2 handler) => Add(handler);
-
     public static void AddDropHandlerV2(SceneDropHandler handler) => Add(handler);
-
     public static void AddDropHandlerV2(HierarchyDropHandlerV2 handler) => Add(handler);
 
     /// <summary>None: Unity's own handler is asked next.</summary>

@@ -5,35 +5,22 @@ namespace UnityEditor;
 [AttributeUsage(AttributeTargets.Class)]
 public class CustomEditor : Attribute
 {
-    public CustomEditor(Type inspectedType)
-    {
-    }
-
-    public CustomEditor(Type inspectedType, bool editorForChildClasses)
-    {
-    }
+    public CustomEditor(Type inspectedType) { }
+    public CustomEditor(Type inspectedType, bool editorForChildClasses) { }
 }
 
 [AttributeUsage(AttributeTargets.Class)]
-public sealed class CanEditMultipleObjects : Attribute
-{
-}
+public sealed class CanEditMultipleObjects : Attribute { }
 
 public class Editor : ScriptableObject
 {
     public Object target { get; set; }
-
     public Object[] targets => new[] { target };
-
     public SerializedObject serializedObject => new SerializedObject(target);
 
     public virtual bool RequiresConstantRepaint() => false;
-
     public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null;
-
-    public virtual void OnInspectorGUI()
-    {
-    }
+    public virtual void OnInspectorGUI() { }
 
     public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
     {
@@ -67,10 +54,7 @@ public class SerializedObject(Object obj)
 {
     readonly Object m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
 
-    public void Update()
-    {
-    }
-
+    public void Update() { }
     public bool ApplyModifiedProperties() => false;
 
     /// <returns>Null where Unity keeps no such field.</returns>
@@ -80,9 +64,7 @@ public class SerializedObject(Object obj)
             : null;
 }
 
-public class SerializedProperty
-{
-}
+public class SerializedProperty { }
 
 [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
 public sealed class MenuItem : Attribute
@@ -91,9 +73,7 @@ public sealed class MenuItem : Attribute
     public bool validate;
     public int priority;
 
-    public MenuItem(string itemName) : this(itemName, false, 1000)
-    {
-    }
+    public MenuItem(string itemName) : this(itemName, false, 1000) { }
 
     public MenuItem(string itemName, bool isValidateFunction, int priority)
     {
@@ -106,11 +86,7 @@ public sealed class MenuItem : Attribute
 [AttributeUsage(AttributeTargets.Class)]
 public class FilePathAttribute : Attribute
 {
-    public enum Location
-    {
-        PreferencesFolder = 0,
-        ProjectFolder = 1,
-    }
+    public enum Location { PreferencesFolder = 0, ProjectFolder = 1 }
 
     /// <summary>In the project; there are no other preferences here.</summary>
     internal readonly string RelativePath;
@@ -189,24 +165,15 @@ static class SettingsFile
         SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));
 }
 
-public enum SettingsScope
-{
-    User = 0,
-    Project = 1,
-}
+public enum SettingsScope { User = 0, Project = 1 }
 
 [AttributeUsage(AttributeTargets.Method)]
-public sealed class SettingsProviderAttribute : Attribute
-{
-}
+public sealed class SettingsProviderAttribute : Attribute { }
 
 public class SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
 {
     public string settingsPath { get; } = path;
-
     public SettingsScope scope { get; } = scopes;
-
     public IEnumerable<string> keywords { get; set; } = keywords;
-
     public Action<string> guiHandler { get; set; }
 }

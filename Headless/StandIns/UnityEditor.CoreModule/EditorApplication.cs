@@ -3,9 +3,7 @@ using StandIns.Scene;
 namespace UnityEditor;
 
 [AttributeUsage(AttributeTargets.Class)]
-public class InitializeOnLoadAttribute : Attribute
-{
-}
+public class InitializeOnLoadAttribute : Attribute { }
 
 public sealed class EditorApplication
 {
@@ -26,7 +24,6 @@ public sealed class EditorApplication
     public static event Action quitting;
 
     public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
-
     internal static void Quit() => quitting?.Invoke();
 }
 

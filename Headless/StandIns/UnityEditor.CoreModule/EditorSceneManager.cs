@@ -3,24 +3,14 @@ using UnityEngine.SceneManagement;
 
 namespace UnityEditor
 {
-    public class SceneAsset : UnityEngine.Object
-    {
-    }
+    public class SceneAsset : UnityEngine.Object { }
 }
 
 namespace UnityEditor.SceneManagement
 {
-    public enum NewSceneSetup
-    {
-        EmptyScene = 0,
-        DefaultGameObjects = 1,
-    }
+    public enum NewSceneSetup { EmptyScene = 0, DefaultGameObjects = 1 }
 
-    public enum NewSceneMode
-    {
-        Single = 0,
-        Additive = 1,
-    }
+    public enum NewSceneMode { Single = 0, Additive = 1 }
 
     /// <summary>There is one scene, and previews of others; a new one brings its camera.</summary>
     public sealed class EditorSceneManager : SceneManager

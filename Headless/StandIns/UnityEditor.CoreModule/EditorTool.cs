@@ -1,20 +1,14 @@
 namespace UnityEditor.EditorTools;
 
-public abstract class ToolAttribute : Attribute
-{
-}
+public abstract class ToolAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Class)]
 public sealed class EditorToolAttribute : ToolAttribute
 {
-    public EditorToolAttribute(string displayName, Type componentToolTarget = null)
-    {
-    }
+    public EditorToolAttribute(string displayName, Type componentToolTarget = null) { }
 }
 
-/// <summary>
-/// One is active: before scripts are loaded anew it is told that it will not be, and afterwards that it is.
-/// </summary>
+/// <summary>One is active: before scripts are loaded anew it is told that it will not be, and afterwards that it is.</summary>
 public abstract class EditorTool : ScriptableObject
 {
     internal bool IsActive { get; private set; }
@@ -34,15 +28,7 @@ public abstract class EditorTool : ScriptableObject
         IsActive = false;
     }
 
-    public virtual void OnActivated()
-    {
-    }
-
-    public virtual void OnWillBeDeactivated()
-    {
-    }
-
-    public virtual void OnToolGUI(EditorWindow window)
-    {
-    }
+    public virtual void OnActivated() { }
+    public virtual void OnWillBeDeactivated() { }
+    public virtual void OnToolGUI(EditorWindow window) { }
 }

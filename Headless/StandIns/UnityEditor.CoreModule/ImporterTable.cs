@@ -33,6 +33,5 @@ static class ImporterTable
         s_importers.Where(i => Has(i.Extensions, extension)).Select(i => i.Importer).ToArray();
 
     static bool Has(string[] extensions, string extension) => extensions.Contains(extension, StringComparer.OrdinalIgnoreCase);
-
     static string ExtensionOf(string path) => Path.GetExtension(path).TrimStart('.');
 }

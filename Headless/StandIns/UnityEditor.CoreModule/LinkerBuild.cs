@@ -5,9 +5,7 @@ namespace UnityEditor.UnityLinker
 {
     public sealed class UnityLinkerBuildPipelineData
     {
-        public UnityLinkerBuildPipelineData(BuildTarget target, string inputDirectory)
-        {
-        }
+        public UnityLinkerBuildPipelineData(BuildTarget target, string inputDirectory) { }
     }
 }
 

@@ -5,31 +5,10 @@ namespace UnityEditor;
 public static class Progress
 {
     [Flags]
-    public enum Options
-    {
-        None = 0,
-        Sticky = 1,
-        Indefinite = 2,
-        Synchronous = 4,
-        Managed = 8,
-        Unmanaged = 16,
-    }
+    public enum Options { None = 0, Sticky = 1, Indefinite = 2, Synchronous = 4, Managed = 8, Unmanaged = 16 }
 
-    public enum Status
-    {
-        Running = 0,
-        Succeeded = 1,
-        Failed = 2,
-        Canceled = 3,
-        Paused = 4,
-    }
-
-    public enum TimeDisplayMode
-    {
-        NoTimeShown = 0,
-        ShowRunningTime = 1,
-        ShowRemainingTime = 2,
-    }
+    public enum Status { Running = 0, Succeeded = 1, Failed = 2, Canceled = 3, Paused = 4 }
+    public enum TimeDisplayMode { NoTimeShown = 0, ShowRunningTime = 1, ShowRemainingTime = 2 }
 
     internal sealed class Entry
     {
@@ -72,7 +51,6 @@ public static class Progress
     }
 
     public static bool Pause(int id) => Pause(Entries[id], true);
-
     public static bool Resume(int id) => Pause(Entries[id], false);
 
     /// <summary>Before scripts are reloaded Unity cancels what it manages, as its window's button would.</summary>
@@ -95,15 +73,8 @@ public static class Progress
         return true;
     }
 
-    public static void SetTimeDisplayMode(int id, TimeDisplayMode displayMode)
-    {
-    }
-
-    public static void SetRemainingTime(int id, long seconds)
-    {
-    }
-
+    public static void SetTimeDisplayMode(int id, TimeDisplayMode displayMode) { }
+    public static void SetRemainingTime(int id, long seconds) { }
     public static void RegisterCancelCallback(int id, Func<bool> callback) => Entries[id].Cancel = callback;
-
     public static void RegisterPauseCallback(int id, Func<bool, bool> callback) => Entries[id].Pause = callback;
 }

@@ -2,13 +2,9 @@ using StandIns.Scene;
 
 namespace UnityEditor;
 
-public class EditorWindow : ScriptableObject
-{
-}
+public class EditorWindow : ScriptableObject { }
 
-public class SearchableEditorWindow : EditorWindow
-{
-}
+public class SearchableEditorWindow : EditorWindow { }
 
 /// <summary>A host gives it its camera.</summary>
 public class SceneView : SearchableEditorWindow
@@ -28,9 +24,7 @@ public sealed class HandleUtility
     public static int nearestControl { get; set; }
 
     public static void AddDefaultControl(int controlId) => nearestControl = controlId;
-
     public static Ray GUIPointToWorldRay(Vector2 position) => PointedAlong;
-
     public static float GetHandleSize(Vector3 position) => 1;
 }
 
@@ -38,25 +32,11 @@ public sealed class Handles
 {
     public static Matrix4x4 matrix { get; set; } = Matrix4x4.identity;
 
-    public static void DrawLine(Vector3 p1, Vector3 p2)
-    {
-    }
-
-    public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius)
-    {
-    }
-
-    public static void Label(Vector3 position, string text)
-    {
-    }
-
-    public static void BeginGUI()
-    {
-    }
-
-    public static void EndGUI()
-    {
-    }
+    public static void DrawLine(Vector3 p1, Vector3 p2) { }
+    public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius) { }
+    public static void Label(Vector3 position, string text) { }
+    public static void BeginGUI() { }
+    public static void EndGUI() { }
 }
 
 /// <summary>What was made, and the fields of what was recorded.</summary>
@@ -96,7 +76,6 @@ public class Undo
     }
 
     internal static void Add(Action step) => s_steps.Push(step);
-
     internal static void Clear() => s_steps.Clear();
 }
 

@@ -9,6 +9,5 @@ public class SessionState
         s_strings.TryGetValue(key, out string value) ? value : defaultValue;
 
     public static void SetString(string key, string value) => s_strings[key] = value;
-
     public static void EraseString(string key) => s_strings.Remove(key);
 }

@@ -46,16 +46,11 @@ public static class TypeCache
             }
 
             public MethodInfo Current => m_methods[m_index];
-
             object IEnumerator.Current => Current;
 
             public bool MoveNext() => ++m_index < m_methods.Length;
-
             void IEnumerator.Reset() => m_index = -1;
-
-            public void Dispose()
-            {
-            }
+            public void Dispose() { }
         }
     }
 }

@@ -6,7 +6,6 @@ namespace UnityEngine.TestTools;
 public class EnterPlayMode(bool expectDomainReload = true) : IEditModeTestYieldInstruction
 {
     public bool ExpectDomainReload { get; } = expectDomainReload;
-
     public bool ExpectedPlaymodeState => true;
 
     public IEnumerator Perform()
@@ -21,7 +20,6 @@ public class EnterPlayMode(bool expectDomainReload = true) : IEditModeTestYieldI
 public class ExitPlayMode : IEditModeTestYieldInstruction
 {
     public bool ExpectDomainReload => false;
-
     public bool ExpectedPlaymodeState => false;
 
     public IEnumerator Perform()

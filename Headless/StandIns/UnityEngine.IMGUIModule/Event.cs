@@ -1,37 +1,20 @@
 namespace UnityEngine;
 
-public enum EventType
-{
-    MouseDown = 0,
-    MouseUp = 1,
-    KeyDown = 4,
-    Repaint = 7,
-    Layout = 8,
-    Used = 12,
-}
+public enum EventType { MouseDown = 0, MouseUp = 1, KeyDown = 4, Repaint = 7, Layout = 8, Used = 12 }
 
-public enum FocusType
-{
-    Passive = 2,
-}
+public enum FocusType { Passive = 2 }
 
 /// <summary>What a test says has happened.</summary>
 public sealed class Event
 {
     public static Event current { get; set; }
-
     public EventType type { get; set; }
-
     public int button { get; set; }
-
     public bool alt { get; set; }
-
     public KeyCode keyCode { get; set; }
-
     public Vector2 mousePosition { get; set; }
 
     public EventType GetTypeForControl(int controlID) => type;
-
     public void Use() => type = EventType.Used;
 }
 
@@ -40,7 +23,6 @@ public class GUIUtility
     internal static int LastControl;
 
     public static int hotControl { get; set; }
-
     public static string systemCopyBuffer { get; set; } = "";
 
     public static int GetControlID(FocusType focus) => ++LastControl;

@@ -2,9 +2,7 @@ namespace UnityEngine;
 
 public sealed class GUILayoutOption
 {
-    internal GUILayoutOption()
-    {
-    }
+    internal GUILayoutOption() { }
 }
 
 /// <summary>Places are given at the Layout event; who asks for more of them at the Repaint is thrown out.</summary>
@@ -62,11 +60,6 @@ public class GUILayout
         return text == Pressed;
     }
 
-    public static void BeginArea(Rect screenRect)
-    {
-    }
-
-    public static void EndArea()
-    {
-    }
+    public static void BeginArea(Rect screenRect) { }
+    public static void EndArea() { }
 }

@@ -5,7 +5,6 @@ namespace UnityEngine.TestTools;
 public interface IEditModeTestYieldInstruction
 {
     bool ExpectDomainReload { get; }
-
     bool ExpectedPlaymodeState { get; }
 
     IEnumerator Perform();

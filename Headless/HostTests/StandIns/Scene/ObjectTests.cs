@@ -158,7 +158,5 @@ public sealed class ObjectTests
     }
 
     [DisallowMultipleComponent]
-    sealed class Single : MonoBehaviour
-    {
-    }
+    sealed class Single : MonoBehaviour { }
 }

@@ -45,10 +45,7 @@ public sealed class SerializationTests
     public void Of_Fields_AreThePublicOnesAndThoseThatSaySo() =>
         Assert.That(SerializedFields.Of(typeof(Fields)).Select(f => f.Name), Is.EqualTo(new[] { "Public", "m_marked" }));
 
-    enum Large : long
-    {
-        One,
-    }
+    enum Large : long { One }
 
     struct Unmarked
     {

@@ -15,9 +15,7 @@ namespace Unity.Collections
         static readonly int s_name = AtomicSafetyHandle.NewStaticSafetyId<NativeList<T>>();
 #endif
 
-        public NativeList(AllocatorManager.AllocatorHandle allocator) : this(1, allocator)
-        {
-        }
+        public NativeList(AllocatorManager.AllocatorHandle allocator) : this(1, allocator) { }
 
         public NativeList(int initialCapacity, AllocatorManager.AllocatorHandle allocator)
         {

@@ -1,6 +1,4 @@
 namespace Unity.Entities;
 
 [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct, Inherited = false)]
-public sealed class DisableAutoCreationAttribute : Attribute
-{
-}
+public sealed class DisableAutoCreationAttribute : Attribute { }

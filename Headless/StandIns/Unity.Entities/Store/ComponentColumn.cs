@@ -14,9 +14,7 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
     public ComponentInfo Info { get; } = TypeRegistry.InfoOf(typeIndex);
 
     public void* At(int row) => m_bytes + (long)row * Info.SizeBytes;
-
     public object ObjectAt(int row) => m_objects[row];
-
     public void SetObject(int row, object value) => m_objects[row] = value;
 
     /// <summary>As Unity does with managed components that can be disposed, when they are removed.</summary>
@@ -27,7 +25,6 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
     }
 
     public bool IsEnabled(int row) => !Info.IsEnableable || m_enabled[row] != 0;
-
     public void SetEnabled(int row, bool value) => m_enabled[row] = value ? (byte)1 : (byte)0;
 
     public void Grow(int count, int capacity)

@@ -5,29 +5,14 @@ public abstract class ComponentSystemBase
     bool m_wasRunning;
 
     public bool Enabled { get; set; } = true;
-
     public World World { get; private set; }
-
     public EntityManager EntityManager => World.EntityManager;
 
     public abstract void Update();
-
-    protected virtual void OnCreate()
-    {
-    }
-
-    protected virtual void OnStartRunning()
-    {
-    }
-
-    protected virtual void OnStopRunning()
-    {
-    }
-
-    protected virtual void OnDestroy()
-    {
-    }
-
+    protected virtual void OnCreate() { }
+    protected virtual void OnStartRunning() { }
+    protected virtual void OnStopRunning() { }
+    protected virtual void OnDestroy() { }
     public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) => EntityManager.CreateEntityQuery(componentTypes);
 
     internal void Create(World world)

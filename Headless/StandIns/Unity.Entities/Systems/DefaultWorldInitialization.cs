@@ -3,9 +3,7 @@ namespace Unity.Entities;
 public static class DefaultWorldInitialization
 {
     /// <summary>The host has no world but the one that it makes itself.</summary>
-    public static void DefaultLazyEditModeInitialize()
-    {
-    }
+    public static void DefaultLazyEditModeInitialize() { }
 
     /// <summary>Makes the systems, and puts each into the group that its attribute names: into Simulation where it names
     /// none. A group that nobody has made is not made: what should be in it never runs.</summary>

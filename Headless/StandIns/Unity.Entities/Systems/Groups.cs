@@ -1,13 +1,7 @@
 namespace Unity.Entities;
 
-public class InitializationSystemGroup : ComponentSystemGroup
-{
-}
+public class InitializationSystemGroup : ComponentSystemGroup { }
 
-public class SimulationSystemGroup : ComponentSystemGroup
-{
-}
+public class SimulationSystemGroup : ComponentSystemGroup { }
 
-public class PresentationSystemGroup : ComponentSystemGroup
-{
-}
+public class PresentationSystemGroup : ComponentSystemGroup { }

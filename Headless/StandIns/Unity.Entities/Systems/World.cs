@@ -32,7 +32,6 @@ public sealed class World : IDisposable
     }
 
     public T GetOrCreateSystemManaged<T>() where T : ComponentSystemBase => (T)GetOrCreateSystemManaged(typeof(T));
-
     public ComponentSystemBase GetOrCreateSystemManaged(Type type) => GetExistingSystemManaged(type) ?? CreateSystemManaged(type);
 
     public ComponentSystemBase CreateSystemManaged(Type type)

@@ -1,11 +1,4 @@
 namespace Unity.Entities;
 
 [Flags]
-public enum WorldFlags : int
-{
-    None = 0,
-    Live = 1,
-    Editor = 3,
-    Game = 5,
-    Simulation = 9,
-}
+public enum WorldFlags : int { None = 0, Live = 1, Editor = 3, Game = 5, Simulation = 9 }

@@ -12,8 +12,4 @@ public enum Allocator
     FirstUserIndex = 64,
 }
 
-public enum NativeArrayOptions
-{
-    UninitializedMemory = 0,
-    ClearMemory = 1,
-}
+public enum NativeArrayOptions { UninitializedMemory = 0, ClearMemory = 1 }

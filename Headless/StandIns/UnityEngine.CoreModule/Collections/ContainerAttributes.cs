@@ -1,41 +1,25 @@
 namespace Unity.Collections.LowLevel.Unsafe;
 
 [AttributeUsage(AttributeTargets.Struct)]
-public sealed class NativeContainerAttribute : Attribute
-{
-}
+public sealed class NativeContainerAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Struct)]
-public sealed class NativeContainerIsReadOnlyAttribute : Attribute
-{
-}
+public sealed class NativeContainerIsReadOnlyAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Struct)]
-public sealed class NativeContainerSupportsMinMaxWriteRestrictionAttribute : Attribute
-{
-}
+public sealed class NativeContainerSupportsMinMaxWriteRestrictionAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Struct)]
-public sealed class NativeContainerSupportsDeallocateOnJobCompletionAttribute : Attribute
-{
-}
+public sealed class NativeContainerSupportsDeallocateOnJobCompletionAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Method | AttributeTargets.Property)]
-public class WriteAccessRequiredAttribute : Attribute
-{
-}
+public class WriteAccessRequiredAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Field)]
-public sealed class NativeDisableUnsafePtrRestrictionAttribute : Attribute
-{
-}
+public sealed class NativeDisableUnsafePtrRestrictionAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Field)]
-public sealed class NativeDisableContainerSafetyRestrictionAttribute : Attribute
-{
-}
+public sealed class NativeDisableContainerSafetyRestrictionAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Field)]
-public sealed class NativeSetThreadIndexAttribute : Attribute
-{
-}
+public sealed class NativeSetThreadIndexAttribute : Attribute { }

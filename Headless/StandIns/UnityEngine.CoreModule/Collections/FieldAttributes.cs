@@ -1,21 +1,13 @@
 namespace Unity.Collections;
 
 [AttributeUsage(AttributeTargets.Field | AttributeTargets.Parameter)]
-public sealed class ReadOnlyAttribute : Attribute
-{
-}
+public sealed class ReadOnlyAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Field)]
-public sealed class WriteOnlyAttribute : Attribute
-{
-}
+public sealed class WriteOnlyAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Field)]
-public sealed class DeallocateOnJobCompletionAttribute : Attribute
-{
-}
+public sealed class DeallocateOnJobCompletionAttribute : Attribute { }
 
 [AttributeUsage(AttributeTargets.Field)]
-public sealed class NativeDisableParallelForRestrictionAttribute : Attribute
-{
-}
+public sealed class NativeDisableParallelForRestrictionAttribute : Attribute { }

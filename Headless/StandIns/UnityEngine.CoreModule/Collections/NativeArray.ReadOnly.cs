@@ -62,11 +62,8 @@ public unsafe partial struct NativeArray<T>
         }
 
         public static implicit operator ReadOnlySpan<T>(in ReadOnly source) => source.AsReadOnlySpan();
-
         public Enumerator GetEnumerator() => new Enumerator(this);
-
         IEnumerator<T> IEnumerable<T>.GetEnumerator() => GetEnumerator();
-
         IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
         [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
@@ -98,16 +95,11 @@ public unsafe partial struct NativeArray<T>
             }
 
             public T Current => m_Array[m_Index];
-
             object IEnumerator.Current => Current;
 
             public bool MoveNext() => ++m_Index < m_Array.Length;
-
             public void Reset() => m_Index = -1;
-
-            public void Dispose()
-            {
-            }
+            public void Dispose() { }
         }
     }
 
@@ -123,15 +115,10 @@ public unsafe partial struct NativeArray<T>
         }
 
         public T Current => m_Array[m_Index];
-
         object IEnumerator.Current => Current;
 
         public bool MoveNext() => ++m_Index < m_Array.Length;
-
         public void Reset() => m_Index = -1;
-
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 }

@@ -134,7 +134,6 @@ public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEqua
     public void CopyFrom(NativeArray<T> array) => Copy(array, this);
 
     public void CopyTo(T[] array) => Copy(this, array);
-
     public void CopyTo(NativeArray<T> array) => Copy(this, array);
 
     public T[] ToArray()
@@ -166,7 +165,6 @@ public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEqua
     }
 
     public static implicit operator Span<T>(in NativeArray<T> source) => source.AsSpan();
-
     public static implicit operator ReadOnlySpan<T>(in NativeArray<T> source) => source.AsReadOnlySpan();
 
     public NativeArray<T> GetSubArray(int start, int length)
@@ -204,19 +202,12 @@ public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEqua
     }
 
     public Enumerator GetEnumerator() => new Enumerator(ref this);
-
     IEnumerator<T> IEnumerable<T>.GetEnumerator() => GetEnumerator();
-
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
-
     public bool Equals(NativeArray<T> other) => m_Buffer == other.m_Buffer && m_Length == other.m_Length;
-
     public override bool Equals(object obj) => obj is NativeArray<T> other && Equals(other);
-
     public override int GetHashCode() => ((int)(long)m_Buffer * 397) ^ m_Length;
-
     public static bool operator ==(NativeArray<T> left, NativeArray<T> right) => left.Equals(right);
-
     public static bool operator !=(NativeArray<T> left, NativeArray<T> right) => !left.Equals(right);
 
     static void Allocate(int length, Allocator allocator, out NativeArray<T> array)

@@ -1,11 +1,6 @@
 namespace Unity.Collections;
 
-public enum NativeLeakDetectionMode
-{
-    Disabled = 1,
-    Enabled = 2,
-    EnabledWithStackTrace = 3,
-}
+public enum NativeLeakDetectionMode { Disabled = 1, Enabled = 2, EnabledWithStackTrace = 3 }
 
 public static class NativeLeakDetection
 {

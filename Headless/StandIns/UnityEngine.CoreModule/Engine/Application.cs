@@ -16,8 +16,6 @@ public sealed class Application
     internal static string PlayerFiles;
 
     public static string persistentDataPath => PlayerFiles;
-
     public static string temporaryCachePath => PlayerFiles;
-
     public static string streamingAssetsPath => AppContext.BaseDirectory + "StreamingAssets";
 }

@@ -9,9 +9,7 @@ public class Debug
     internal static Action<LogType, string> s_sink;
 
     public static void Log(object message) => Write(LogType.Log, message);
-
     public static void LogWarning(object message) => Write(LogType.Warning, message);
-
     public static void LogError(object message) => Write(LogType.Error, message);
 
     public static void LogException(Exception exception)

@@ -3,28 +3,20 @@ namespace UnityEngine.Serialization
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true, Inherited = false)]
     public class FormerlySerializedAsAttribute : Attribute
     {
-        public FormerlySerializedAsAttribute(string oldName)
-        {
-        }
+        public FormerlySerializedAsAttribute(string oldName) { }
     }
 }
 
 namespace UnityEngine
 {
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed class SerializeField : Attribute
-    {
-    }
+    public sealed class SerializeField : Attribute { }
 
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed class HideInInspector : Attribute
-    {
-    }
+    public sealed class HideInInspector : Attribute { }
 
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
-    public abstract class PropertyAttribute : Attribute
-    {
-    }
+    public abstract class PropertyAttribute : Attribute { }
 
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
     public sealed class RangeAttribute(float min, float max) : PropertyAttribute

@@ -1,10 +1,3 @@
 namespace UnityEngine;
 
-public enum LogType
-{
-    Error = 0,
-    Assert = 1,
-    Warning = 2,
-    Log = 3,
-    Exception = 4,
-}
+public enum LogType { Error = 0, Assert = 1, Warning = 2, Log = 3, Exception = 4 }

@@ -13,9 +13,7 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Method)]
     public class RuntimeInitializeOnLoadMethodAttribute : Attribute
     {
-        public RuntimeInitializeOnLoadMethodAttribute(RuntimeInitializeLoadType loadType)
-        {
-        }
+        public RuntimeInitializeOnLoadMethodAttribute(RuntimeInitializeLoadType loadType) { }
     }
 }
 
@@ -23,7 +21,5 @@ namespace UnityEngine.Scripting
 {
     /// <summary>Has code stripping look into an assembly that nothing refers to.</summary>
     [AttributeUsage(AttributeTargets.Assembly)]
-    public class AlwaysLinkAssemblyAttribute : Attribute
-    {
-    }
+    public class AlwaysLinkAssemblyAttribute : Attribute { }
 }

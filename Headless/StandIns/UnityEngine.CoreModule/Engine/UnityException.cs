@@ -1,5 +1,3 @@
 namespace UnityEngine;
 
-public class UnityException(string message) : SystemException(message)
-{
-}
+public class UnityException(string message) : SystemException(message) { }

@@ -81,13 +81,9 @@ namespace Unity.Jobs
         }
 
         public bool Equals(JobHandle other) => m_Index == other.m_Index && m_Version == other.m_Version;
-
         public override bool Equals(object obj) => obj is JobHandle other && Equals(other);
-
         public override int GetHashCode() => (m_Index * 397) ^ m_Version;
-
         public static bool operator ==(JobHandle a, JobHandle b) => a.Equals(b);
-
         public static bool operator !=(JobHandle a, JobHandle b) => !a.Equals(b);
     }
 }

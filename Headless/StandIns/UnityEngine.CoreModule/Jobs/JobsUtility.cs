@@ -13,9 +13,7 @@ public static class JobsUtility
     }
 
     public static int JobWorkerMaximumCount => JobWorkers.MaximumCount;
-
     public static int ThreadIndex => JobThread.Index;
-
     public static int ThreadIndexCount => JobWorkers.MaximumCount + 1;
 
     public static void ResetJobWorkerCount() => JobWorkers.Count = JobWorkers.DefaultCount;

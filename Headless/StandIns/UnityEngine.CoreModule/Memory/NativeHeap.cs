@@ -29,8 +29,7 @@ static unsafe class NativeHeap
         }
     }
 
-    [DllImport("libc", EntryPoint = "mallopt")]
-    static extern int SetMallocOption(int option, int value);
+    [DllImport("libc", EntryPoint = "mallopt")] static extern int SetMallocOption(int option, int value);
 #endif
 
     internal static void* Allocate(long size, int alignment)

@@ -39,9 +39,7 @@ public static unsafe class UnsafeUtility
     }
 
     public static void FreeTracked(void* memory, Allocator allocator) => Free(memory, allocator);
-
     public static int CheckForLeaks() => AllocationLedger.CheckForLeaks();
-
     public static int ForgiveLeaks() => AllocationLedger.ForgiveLeaks();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -5,7 +5,6 @@ public readonly struct ProfilerCategory(string categoryName)
     private readonly string m_name = categoryName;
 
     public string Name => m_name;
-
     public static ProfilerCategory Memory => new ProfilerCategory("Memory");
 }
 
@@ -31,16 +30,13 @@ public struct ProfilerRecorder : IDisposable
     }
 
     public bool Valid => m_isKnown;
-
     public long CurrentValue => m_isKnown ? Allocated() - m_begin : 0;
 
     public static ProfilerRecorder StartNew(ProfilerCategory category, string statName, int capacity = 1,
         ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) =>
         new ProfilerRecorder(category.Name == ProfilerCategory.Memory.Name && statName == "GC Allocated In Frame");
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 
 #if NETSTANDARD
     private static long Allocated() => GC.GetTotalMemory(false);

@@ -43,6 +43,5 @@ sealed class ContainerType
     }
 
     internal static bool Is(Type type) => type.IsValueType && type.IsDefined(typeof(NativeContainerAttribute), false);
-
     internal static ContainerType Of(Type type) => s_types.GetOrAdd(type, t => new ContainerType(t));
 }

@@ -10,7 +10,6 @@ sealed class JobAccess
     public string ContainerType;
 
     public string Job => Record.Name;
-
     public string Verb => Writes ? "writes to" : "reads from";
 }
 

@@ -49,7 +49,6 @@ sealed class JobLayout
     }
 
     internal JobField[] Containers => m_containers.Value;
-
     internal int[] ThreadIndexOffsets => m_threadIndexOffsets.Value;
 
     internal JobField[] Deallocated =>

@@ -36,6 +36,4 @@ public class Behaviour : Component
     }
 }
 
-public class MonoBehaviour : Behaviour
-{
-}
+public class MonoBehaviour : Behaviour { }

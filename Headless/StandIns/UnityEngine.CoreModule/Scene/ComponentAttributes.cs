@@ -1,9 +1,7 @@
 namespace UnityEngine;
 
 [AttributeUsage(AttributeTargets.Class, Inherited = false)]
-public sealed class DisallowMultipleComponent : Attribute
-{
-}
+public sealed class DisallowMultipleComponent : Attribute { }
 
 [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
 public sealed class RequireComponent(Type requiredComponent) : Attribute
@@ -11,9 +9,7 @@ public sealed class RequireComponent(Type requiredComponent) : Attribute
     public Type m_Type0 = requiredComponent;
 }
 
-public sealed class ExecuteAlways : Attribute
-{
-}
+public sealed class ExecuteAlways : Attribute { }
 
 public sealed class AddComponentMenu(string menuName) : Attribute
 {

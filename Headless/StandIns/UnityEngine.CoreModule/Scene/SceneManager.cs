@@ -3,7 +3,6 @@ namespace UnityEngine.SceneManagement;
 public struct Scene
 {
     internal GameObject[] Roots;
-
     internal string Path;
 
     /// <summary>Empty for one that was never saved.</summary>

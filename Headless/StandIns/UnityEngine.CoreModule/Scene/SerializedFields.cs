@@ -52,8 +52,6 @@ static class SerializedFields
         (field.IsPublic || field.IsDefined(typeof(SerializeField), false));
 
     static bool IsMany(Type type) => type.IsArray || type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
-
     static bool IsMarked(Type type) => type.IsDefined(typeof(SerializableAttribute), false);
-
     static bool IsUnitys(Type type) => type.IsValueType && type.Namespace is nameof(UnityEngine) or "Unity.Mathematics";
 }

@@ -36,7 +36,6 @@ public class Transform : Component
     }
 
     internal Transform Parent { get; private set; }
-
     internal List<Transform> Children { get; } = new List<Transform>();
 
     /// <summary>Remembered, but the matrix stays its own.</summary>

@@ -8,7 +8,6 @@ sealed class JobNode(int index)
 {
     internal readonly int Index = index;
     internal int Version = 1;
-
     internal JobWork Work;
     internal int Length;
     internal int BatchSize;

@@ -9,9 +9,7 @@ sealed class JobRuns
     readonly int[] m_runsOfBucket = new int[4096];
 
     internal ReadOnlySpan<int> RunsOfBucket => m_runsOfBucket;
-
     internal int Count { get; private set; }
-
     internal double MaxMs { get; private set; }
 
     internal void Add(double ms)

@@ -11,7 +11,6 @@ static class JobThread
     internal static int Index => t_index;
 
     internal static bool IsWorker => t_isWorker;
-
     internal static bool IsExecuting => t_executing != 0;
 
     internal static void BecomeWorker(int index)
@@ -21,6 +20,5 @@ static class JobThread
     }
 
     internal static void Enter() => t_executing++;
-
     internal static void Leave() => t_executing--;
 }

@@ -3,8 +3,7 @@ using System.Diagnostics;
 namespace StandIns.Scheduling;
 
 /// <summary>How often jobs of each kind ran, and how long: for measurements. Off until it is begun.</summary>
-/// <remarks>On Linux in time of the processor, to which other load of the machine adds little; elsewhere by the
-/// clock.</remarks>
+/// <remarks>On Linux in time of the processor, to which other load of the machine adds little; elsewhere by the clock.</remarks>
 static class JobTimes
 {
     static readonly bool s_isLinux = RuntimeInformation.IsOSPlatform(OSPlatform.Linux) && IntPtr.Size == 8;
@@ -42,8 +41,7 @@ static class JobTimes
         }
     }
 
-    [DllImport("libc", EntryPoint = "clock_gettime")]
-    static extern int GetTime(int clock, ref ClockTime time);
+    [DllImport("libc", EntryPoint = "clock_gettime")] static extern int GetTime(int clock, ref ClockTime time);
 
     struct ClockTime
     {

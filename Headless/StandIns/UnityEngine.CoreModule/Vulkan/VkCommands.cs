@@ -1,15 +1,8 @@
 namespace StandIns.Vulkan;
 
-enum VkPipelineBindPoint : int
-{
-    Graphics = 0,
-    Compute = 1,
-}
+enum VkPipelineBindPoint : int { Graphics = 0, Compute = 1 }
 
-enum VkAttachmentLoadOp : int
-{
-    Load = 0,
-}
+enum VkAttachmentLoadOp : int { Load = 0 }
 
 unsafe struct VkMemoryBarrier2
 {
@@ -29,10 +22,8 @@ unsafe struct VkImageMemoryBarrier2
     public VkAccessFlags2 srcAccessMask;
     public VkPipelineStageFlags2 dstStageMask;
     public VkAccessFlags2 dstAccessMask;
-    public VkImageLayout oldLayout;
-    public VkImageLayout newLayout;
-    public uint srcQueueFamilyIndex;
-    public uint dstQueueFamilyIndex;
+    public VkImageLayout oldLayout, newLayout;
+    public uint srcQueueFamilyIndex, dstQueueFamilyIndex;
     public ulong image;
     public VkImageSubresourceRange subresourceRange;
 }
@@ -41,8 +32,7 @@ unsafe struct VkDependencyInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint dependencyFlags;
-    public uint memoryBarrierCount;
+    public uint dependencyFlags, memoryBarrierCount;
     public VkMemoryBarrier2* pMemoryBarriers;
     public uint bufferMemoryBarrierCount;
     public void* pBufferMemoryBarriers;
@@ -52,14 +42,12 @@ unsafe struct VkDependencyInfo
 
 unsafe struct VkOffset2D
 {
-    public int x;
-    public int y;
+    public int x, y;
 }
 
 unsafe struct VkExtent2D
 {
-    public uint width;
-    public uint height;
+    public uint width, height;
 }
 
 unsafe struct VkRect2D
@@ -70,19 +58,12 @@ unsafe struct VkRect2D
 
 unsafe struct VkOffset3D
 {
-    public int x;
-    public int y;
-    public int z;
+    public int x, y, z;
 }
 
 unsafe struct VkViewport
 {
-    public float x;
-    public float y;
-    public float width;
-    public float height;
-    public float minDepth;
-    public float maxDepth;
+    public float x, y, width, height, minDepth, maxDepth;
 }
 
 [StructLayout(LayoutKind.Explicit)]
@@ -115,8 +96,7 @@ unsafe struct VkClearAttachment
 unsafe struct VkClearRect
 {
     public VkRect2D rect;
-    public uint baseArrayLayer;
-    public uint layerCount;
+    public uint baseArrayLayer, layerCount;
 }
 
 unsafe struct VkRenderingAttachmentInfo
@@ -139,26 +119,19 @@ unsafe struct VkRenderingInfo
     public void* pNext;
     public uint flags;
     public VkRect2D renderArea;
-    public uint layerCount;
-    public uint viewMask;
-    public uint colorAttachmentCount;
-    public VkRenderingAttachmentInfo* pColorAttachments;
-    public VkRenderingAttachmentInfo* pDepthAttachment;
-    public VkRenderingAttachmentInfo* pStencilAttachment;
+    public uint layerCount, viewMask, colorAttachmentCount;
+    public VkRenderingAttachmentInfo* pColorAttachments, pDepthAttachment, pStencilAttachment;
 }
 
 unsafe struct VkBufferCopy
 {
-    public ulong srcOffset;
-    public ulong dstOffset;
-    public ulong size;
+    public ulong srcOffset, dstOffset, size;
 }
 
 unsafe struct VkBufferImageCopy
 {
     public ulong bufferOffset;
-    public uint bufferRowLength;
-    public uint bufferImageHeight;
+    public uint bufferRowLength, bufferImageHeight;
     public VkImageSubresourceLayers imageSubresource;
     public VkOffset3D imageOffset;
     public VkExtent3D imageExtent;
@@ -168,55 +141,37 @@ static unsafe partial class Vk
 {
     [DllImport(Library)]
     internal static extern void vkCmdPipelineBarrier2(IntPtr commandBuffer, VkDependencyInfo* pDependencyInfo);
-
-    [DllImport(Library)]
-    internal static extern void vkCmdBeginRendering(IntPtr commandBuffer, VkRenderingInfo* pRenderingInfo);
-
-    [DllImport(Library)]
-    internal static extern void vkCmdEndRendering(IntPtr commandBuffer);
-
+    [DllImport(Library)] internal static extern void vkCmdBeginRendering(IntPtr commandBuffer, VkRenderingInfo* pRenderingInfo);
+    [DllImport(Library)] internal static extern void vkCmdEndRendering(IntPtr commandBuffer);
     [DllImport(Library)]
     internal static extern void vkCmdClearAttachments(IntPtr commandBuffer, uint attachmentCount,
         VkClearAttachment* pAttachments, uint rectCount, VkClearRect* pRects);
-
     [DllImport(Library)]
     internal static extern void vkCmdBindPipeline(IntPtr commandBuffer, VkPipelineBindPoint pipelineBindPoint, ulong pipeline);
-
     [DllImport(Library)]
     internal static extern void vkCmdSetViewport(IntPtr commandBuffer, uint firstViewport, uint viewportCount,
         VkViewport* pViewports);
-
     [DllImport(Library)]
     internal static extern void vkCmdSetScissor(IntPtr commandBuffer, uint firstScissor, uint scissorCount, VkRect2D* pScissors);
-
     [DllImport(Library)]
     internal static extern void vkCmdDraw(IntPtr commandBuffer, uint vertexCount, uint instanceCount, uint firstVertex,
         uint firstInstance);
-
     [DllImport(Library)]
     internal static extern void vkCmdDrawIndirect(IntPtr commandBuffer, ulong buffer, ulong offset, uint drawCount, uint stride);
-
     [DllImport(Library)]
     internal static extern void vkCmdDispatch(IntPtr commandBuffer, uint groupCountX, uint groupCountY, uint groupCountZ);
-
-    [DllImport(Library)]
-    internal static extern void vkCmdDispatchIndirect(IntPtr commandBuffer, ulong buffer, ulong offset);
-
+    [DllImport(Library)] internal static extern void vkCmdDispatchIndirect(IntPtr commandBuffer, ulong buffer, ulong offset);
     [DllImport(Library)]
     internal static extern void vkCmdCopyBuffer(IntPtr commandBuffer, ulong srcBuffer, ulong dstBuffer,
         uint regionCount, VkBufferCopy* pRegions);
-
     [DllImport(Library)]
     internal static extern void vkCmdFillBuffer(IntPtr commandBuffer, ulong dstBuffer, ulong dstOffset, ulong size, uint data);
-
     [DllImport(Library)]
     internal static extern void vkCmdClearColorImage(IntPtr commandBuffer, ulong image, VkImageLayout imageLayout,
         VkClearColorValue* pColor, uint rangeCount, VkImageSubresourceRange* pRanges);
-
     [DllImport(Library)]
     internal static extern void vkCmdClearDepthStencilImage(IntPtr commandBuffer, ulong image, VkImageLayout imageLayout,
         VkClearDepthStencilValue* pDepthStencil, uint rangeCount, VkImageSubresourceRange* pRanges);
-
     [DllImport(Library)]
     internal static extern void vkCmdCopyImageToBuffer(IntPtr commandBuffer, ulong srcImage,
         VkImageLayout srcImageLayout, ulong dstBuffer, uint regionCount, VkBufferImageCopy* pRegions);

@@ -1,17 +1,10 @@
 namespace StandIns.Vulkan;
 
 [Flags]
-enum VkDebugUtilsMessageSeverityFlagsEXT : uint
-{
-    Warning = 256,
-    Error = 4096,
-}
+enum VkDebugUtilsMessageSeverityFlagsEXT : uint { Warning = 256, Error = 4096 }
 
 [Flags]
-enum VkDebugUtilsMessageTypeFlagsEXT : uint
-{
-    Validation = 2,
-}
+enum VkDebugUtilsMessageTypeFlagsEXT : uint { Validation = 2 }
 
 unsafe struct VkDebugUtilsMessengerCreateInfoEXT
 {

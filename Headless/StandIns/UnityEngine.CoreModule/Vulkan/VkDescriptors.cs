@@ -1,21 +1,9 @@
 namespace StandIns.Vulkan;
 
-enum VkDescriptorType : int
-{
-    Sampler = 0,
-    SampledImage = 2,
-    StorageImage = 3,
-    UniformBuffer = 6,
-    StorageBuffer = 7,
-}
+enum VkDescriptorType : int { Sampler = 0, SampledImage = 2, StorageImage = 3, UniformBuffer = 6, StorageBuffer = 7 }
 
 [Flags]
-enum VkShaderStageFlags : uint
-{
-    Vertex = 1,
-    Fragment = 16,
-    Compute = 32,
-}
+enum VkShaderStageFlags : uint { Vertex = 1, Fragment = 16, Compute = 32 }
 
 unsafe struct VkDescriptorSetLayoutBinding
 {
@@ -30,8 +18,7 @@ unsafe struct VkDescriptorSetLayoutCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint bindingCount;
+    public uint flags, bindingCount;
     public VkDescriptorSetLayoutBinding* pBindings;
 }
 
@@ -39,8 +26,7 @@ unsafe struct VkPipelineLayoutCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint setLayoutCount;
+    public uint flags, setLayoutCount;
     public ulong* pSetLayouts;
     public uint pushConstantRangeCount;
     public void* pPushConstantRanges;
@@ -48,15 +34,12 @@ unsafe struct VkPipelineLayoutCreateInfo
 
 unsafe struct VkDescriptorBufferInfo
 {
-    public ulong buffer;
-    public ulong offset;
-    public ulong range;
+    public ulong buffer, offset, range;
 }
 
 unsafe struct VkDescriptorImageInfo
 {
-    public ulong sampler;
-    public ulong imageView;
+    public ulong sampler, imageView;
     public VkImageLayout imageLayout;
 }
 
@@ -65,9 +48,7 @@ unsafe struct VkWriteDescriptorSet
     public VkStructureType sType;
     public void* pNext;
     public ulong dstSet;
-    public uint dstBinding;
-    public uint dstArrayElement;
-    public uint descriptorCount;
+    public uint dstBinding, dstArrayElement, descriptorCount;
     public VkDescriptorType descriptorType;
     public VkDescriptorImageInfo* pImageInfo;
     public VkDescriptorBufferInfo* pBufferInfo;
@@ -79,7 +60,6 @@ static unsafe partial class Vk
     [DllImport(Library)]
     internal static extern VkResult vkCreateDescriptorSetLayout(IntPtr device,
         VkDescriptorSetLayoutCreateInfo* pCreateInfo, void* pAllocator, ulong* pSetLayout);
-
     [DllImport(Library)]
     internal static extern VkResult vkCreatePipelineLayout(IntPtr device, VkPipelineLayoutCreateInfo* pCreateInfo,
         void* pAllocator, ulong* pPipelineLayout);

@@ -44,9 +44,7 @@ unsafe struct VkDeviceQueueCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint queueFamilyIndex;
-    public uint queueCount;
+    public uint flags, queueFamilyIndex, queueCount;
     public float* pQueuePriorities;
 }
 
@@ -54,8 +52,7 @@ unsafe struct VkDeviceCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint queueCreateInfoCount;
+    public uint flags, queueCreateInfoCount;
     public VkDeviceQueueCreateInfo* pQueueCreateInfos;
     public uint enabledLayerCount;
     public byte** ppEnabledLayerNames;
@@ -68,21 +65,14 @@ static unsafe partial class Vk
 {
     [DllImport(Library)]
     internal static extern void vkGetPhysicalDeviceFeatures2(IntPtr physicalDevice, VkPhysicalDeviceFeatures2* pFeatures);
-
     [DllImport(Library)]
     internal static extern VkResult vkEnumerateDeviceExtensionProperties(IntPtr physicalDevice, byte* pLayerName,
         uint* pPropertyCount, VkExtensionProperties* pProperties);
-
     [DllImport(Library)]
     internal static extern VkResult vkCreateDevice(IntPtr physicalDevice, VkDeviceCreateInfo* pCreateInfo,
         void* pAllocator, IntPtr* pDevice);
-
     [DllImport(Library)]
     internal static extern void vkGetDeviceQueue(IntPtr device, uint queueFamilyIndex, uint queueIndex, IntPtr* pQueue);
-
-    [DllImport(Library)]
-    internal static extern IntPtr vkGetDeviceProcAddr(IntPtr device, byte* pName);
-
-    [DllImport(Library)]
-    internal static extern VkResult vkDeviceWaitIdle(IntPtr device);
+    [DllImport(Library)] internal static extern IntPtr vkGetDeviceProcAddr(IntPtr device, byte* pName);
+    [DllImport(Library)] internal static extern VkResult vkDeviceWaitIdle(IntPtr device);
 }

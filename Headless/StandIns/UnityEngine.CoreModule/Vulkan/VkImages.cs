@@ -17,15 +17,10 @@ enum VkFormat : int
 
 struct VkFormatProperties
 {
-    public uint linearTilingFeatures;
-    public uint optimalTilingFeatures;
-    public uint bufferFeatures;
+    public uint linearTilingFeatures, optimalTilingFeatures, bufferFeatures;
 }
 
-enum VkImageType : int
-{
-    Type2d = 1,
-}
+enum VkImageType : int { Type2d = 1 }
 
 [Flags]
 enum VkImageUsageFlags : uint
@@ -39,36 +34,15 @@ enum VkImageUsageFlags : uint
 }
 
 [Flags]
-enum VkImageAspectFlags : uint
-{
-    Color = 1,
-    Depth = 2,
-}
+enum VkImageAspectFlags : uint { Color = 1, Depth = 2 }
 
-enum VkImageLayout : int
-{
-    Undefined = 0,
-    General = 1,
-}
+enum VkImageLayout : int { Undefined = 0, General = 1 }
 
-enum VkImageViewType : int
-{
-    Type2d = 1,
-    Type2dArray = 5,
-}
+enum VkImageViewType : int { Type2d = 1, Type2dArray = 5 }
 
-enum VkFilter : int
-{
-    Nearest = 0,
-    Linear = 1,
-}
+enum VkFilter : int { Nearest = 0, Linear = 1 }
 
-enum VkSamplerAddressMode : int
-{
-    Repeat = 0,
-    MirroredRepeat = 1,
-    ClampToEdge = 2,
-}
+enum VkSamplerAddressMode : int { Repeat = 0, MirroredRepeat = 1, ClampToEdge = 2 }
 
 unsafe struct VkImageCreateInfo
 {
@@ -78,40 +52,28 @@ unsafe struct VkImageCreateInfo
     public VkImageType imageType;
     public VkFormat format;
     public VkExtent3D extent;
-    public uint mipLevels;
-    public uint arrayLayers;
-    public uint samples;
-    public uint tiling;
+    public uint mipLevels, arrayLayers, samples, tiling;
     public VkImageUsageFlags usage;
-    public uint sharingMode;
-    public uint queueFamilyIndexCount;
+    public uint sharingMode, queueFamilyIndexCount;
     public uint* pQueueFamilyIndices;
     public VkImageLayout initialLayout;
 }
 
 unsafe struct VkComponentMapping
 {
-    public uint r;
-    public uint g;
-    public uint b;
-    public uint a;
+    public uint r, g, b, a;
 }
 
 unsafe struct VkImageSubresourceRange
 {
     public VkImageAspectFlags aspectMask;
-    public uint baseMipLevel;
-    public uint levelCount;
-    public uint baseArrayLayer;
-    public uint layerCount;
+    public uint baseMipLevel, levelCount, baseArrayLayer, layerCount;
 }
 
 unsafe struct VkImageSubresourceLayers
 {
     public VkImageAspectFlags aspectMask;
-    public uint mipLevel;
-    public uint baseArrayLayer;
-    public uint layerCount;
+    public uint mipLevel, baseArrayLayer, layerCount;
 }
 
 unsafe struct VkImageViewCreateInfo
@@ -131,45 +93,32 @@ unsafe struct VkSamplerCreateInfo
     public VkStructureType sType;
     public void* pNext;
     public uint flags;
-    public VkFilter magFilter;
-    public VkFilter minFilter;
+    public VkFilter magFilter, minFilter;
     public uint mipmapMode;
-    public VkSamplerAddressMode addressModeU;
-    public VkSamplerAddressMode addressModeV;
-    public VkSamplerAddressMode addressModeW;
+    public VkSamplerAddressMode addressModeU, addressModeV, addressModeW;
     public float mipLodBias;
     public uint anisotropyEnable;
     public float maxAnisotropy;
     public uint compareEnable;
     public VkCompareOp compareOp;
-    public float minLod;
-    public float maxLod;
-    public uint borderColor;
-    public uint unnormalizedCoordinates;
+    public float minLod, maxLod;
+    public uint borderColor, unnormalizedCoordinates;
 }
 
 static unsafe partial class Vk
 {
     [DllImport(Library)]
     internal static extern VkResult vkCreateImage(IntPtr device, VkImageCreateInfo* pCreateInfo, void* pAllocator, ulong* pImage);
-
-    [DllImport(Library)]
-    internal static extern void vkDestroyImage(IntPtr device, ulong image, void* pAllocator);
-
+    [DllImport(Library)] internal static extern void vkDestroyImage(IntPtr device, ulong image, void* pAllocator);
     [DllImport(Library)]
     internal static extern void vkGetImageMemoryRequirements(IntPtr device, ulong image,
         VkMemoryRequirements* pMemoryRequirements);
-
     [DllImport(Library)]
     internal static extern VkResult vkBindImageMemory(IntPtr device, ulong image, ulong memory, ulong memoryOffset);
-
     [DllImport(Library)]
     internal static extern VkResult vkCreateImageView(IntPtr device, VkImageViewCreateInfo* pCreateInfo,
         void* pAllocator, ulong* pView);
-
-    [DllImport(Library)]
-    internal static extern void vkDestroyImageView(IntPtr device, ulong imageView, void* pAllocator);
-
+    [DllImport(Library)] internal static extern void vkDestroyImageView(IntPtr device, ulong imageView, void* pAllocator);
     [DllImport(Library)]
     internal static extern VkResult vkCreateSampler(IntPtr device, VkSamplerCreateInfo* pCreateInfo, void* pAllocator,
         ulong* pSampler);

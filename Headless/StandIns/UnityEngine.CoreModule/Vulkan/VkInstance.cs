@@ -16,19 +16,10 @@ enum VkResult : int
     ErrorIncompatibleDriver = -9,
 }
 
-enum VkPhysicalDeviceType : int
-{
-    IntegratedGpu = 1,
-    DiscreteGpu = 2,
-    VirtualGpu = 3,
-}
+enum VkPhysicalDeviceType : int { IntegratedGpu = 1, DiscreteGpu = 2, VirtualGpu = 3 }
 
 [Flags]
-enum VkQueueFlags : uint
-{
-    Graphics = 1,
-    Compute = 2,
-}
+enum VkQueueFlags : uint { Graphics = 1, Compute = 2 }
 
 unsafe struct VkApplicationInfo
 {
@@ -37,8 +28,7 @@ unsafe struct VkApplicationInfo
     public byte* pApplicationName;
     public uint applicationVersion;
     public byte* pEngineName;
-    public uint engineVersion;
-    public uint apiVersion;
+    public uint engineVersion, apiVersion;
 }
 
 unsafe struct VkInstanceCreateInfo
@@ -56,8 +46,7 @@ unsafe struct VkInstanceCreateInfo
 unsafe struct VkLayerProperties
 {
     public fixed byte layerName[256];
-    public uint specVersion;
-    public uint implementationVersion;
+    public uint specVersion, implementationVersion;
     public fixed byte description[256];
 }
 
@@ -87,16 +76,13 @@ unsafe struct VkPhysicalDeviceProperties
 
 unsafe struct VkExtent3D
 {
-    public uint width;
-    public uint height;
-    public uint depth;
+    public uint width, height, depth;
 }
 
 unsafe struct VkQueueFamilyProperties
 {
     public VkQueueFlags queueFlags;
-    public uint queueCount;
-    public uint timestampValidBits;
+    public uint queueCount, timestampValidBits;
     public VkExtent3D minImageTransferGranularity;
 }
 
@@ -104,25 +90,18 @@ static unsafe partial class Vk
 {
     [DllImport(Library)]
     internal static extern VkResult vkCreateInstance(VkInstanceCreateInfo* pCreateInfo, void* pAllocator, IntPtr* pInstance);
-
     [DllImport(Library)]
     internal static extern VkResult vkEnumerateInstanceLayerProperties(uint* pPropertyCount, VkLayerProperties* pProperties);
-
     [DllImport(Library)]
     internal static extern VkResult vkEnumeratePhysicalDevices(IntPtr instance, uint* pPhysicalDeviceCount,
         IntPtr* pPhysicalDevices);
-
     [DllImport(Library)]
     internal static extern void vkGetPhysicalDeviceFormatProperties(IntPtr physicalDevice, VkFormat format,
         VkFormatProperties* pFormatProperties);
-
     [DllImport(Library)]
     internal static extern void vkGetPhysicalDeviceProperties(IntPtr physicalDevice, VkPhysicalDeviceProperties* pProperties);
-
     [DllImport(Library)]
     internal static extern void vkGetPhysicalDeviceQueueFamilyProperties(IntPtr physicalDevice,
         uint* pQueueFamilyPropertyCount, VkQueueFamilyProperties* pQueueFamilyProperties);
-
-    [DllImport(Library)]
-    internal static extern IntPtr vkGetInstanceProcAddr(IntPtr instance, byte* pName);
+    [DllImport(Library)] internal static extern IntPtr vkGetInstanceProcAddr(IntPtr instance, byte* pName);
 }

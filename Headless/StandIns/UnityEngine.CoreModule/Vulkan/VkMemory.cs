@@ -12,13 +12,7 @@ enum VkBufferUsageFlags : uint
 }
 
 [Flags]
-enum VkMemoryPropertyFlags : uint
-{
-    DeviceLocal = 1,
-    HostVisible = 2,
-    HostCoherent = 4,
-    HostCached = 8,
-}
+enum VkMemoryPropertyFlags : uint { DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8 }
 
 unsafe struct VkPhysicalDeviceMemoryProperties
 {
@@ -32,8 +26,7 @@ unsafe struct VkPhysicalDeviceMemoryProperties
 
 unsafe struct VkMemoryRequirements
 {
-    public ulong size;
-    public ulong alignment;
+    public ulong size, alignment;
     public uint memoryTypeBits;
 }
 
@@ -52,8 +45,7 @@ unsafe struct VkBufferCreateInfo
     public uint flags;
     public ulong size;
     public VkBufferUsageFlags usage;
-    public uint sharingMode;
-    public uint queueFamilyIndexCount;
+    public uint sharingMode, queueFamilyIndexCount;
     public uint* pQueueFamilyIndices;
 }
 
@@ -62,28 +54,19 @@ static unsafe partial class Vk
     [DllImport(Library)]
     internal static extern void vkGetPhysicalDeviceMemoryProperties(IntPtr physicalDevice,
         VkPhysicalDeviceMemoryProperties* pMemoryProperties);
-
     [DllImport(Library)]
     internal static extern VkResult vkAllocateMemory(IntPtr device, VkMemoryAllocateInfo* pAllocateInfo,
         void* pAllocator, ulong* pMemory);
-
-    [DllImport(Library)]
-    internal static extern void vkFreeMemory(IntPtr device, ulong memory, void* pAllocator);
-
+    [DllImport(Library)] internal static extern void vkFreeMemory(IntPtr device, ulong memory, void* pAllocator);
     [DllImport(Library)]
     internal static extern VkResult vkMapMemory(IntPtr device, ulong memory, ulong offset, ulong size, uint flags, void** ppData);
-
     [DllImport(Library)]
     internal static extern VkResult vkCreateBuffer(IntPtr device, VkBufferCreateInfo* pCreateInfo, void* pAllocator,
         ulong* pBuffer);
-
-    [DllImport(Library)]
-    internal static extern void vkDestroyBuffer(IntPtr device, ulong buffer, void* pAllocator);
-
+    [DllImport(Library)] internal static extern void vkDestroyBuffer(IntPtr device, ulong buffer, void* pAllocator);
     [DllImport(Library)]
     internal static extern void vkGetBufferMemoryRequirements(IntPtr device, ulong buffer,
         VkMemoryRequirements* pMemoryRequirements);
-
     [DllImport(Library)]
     internal static extern VkResult vkBindBufferMemory(IntPtr device, ulong buffer, ulong memory, ulong memoryOffset);
 }

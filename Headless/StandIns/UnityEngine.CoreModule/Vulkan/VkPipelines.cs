@@ -1,12 +1,6 @@
 namespace StandIns.Vulkan;
 
-enum VkPrimitiveTopology : int
-{
-    PointList = 0,
-    LineList = 1,
-    LineStrip = 2,
-    TriangleList = 3,
-}
+enum VkPrimitiveTopology : int { PointList = 0, LineList = 1, LineStrip = 2, TriangleList = 3 }
 
 enum VkCompareOp : int
 {
@@ -35,34 +29,14 @@ enum VkBlendFactor : int
     SrcAlphaSaturate = 14,
 }
 
-enum VkBlendOp : int
-{
-    Add = 0,
-    Subtract = 1,
-    ReverseSubtract = 2,
-    Min = 3,
-    Max = 4,
-}
+enum VkBlendOp : int { Add = 0, Subtract = 1, ReverseSubtract = 2, Min = 3, Max = 4 }
 
 [Flags]
-enum VkCullModeFlags : uint
-{
-    None = 0,
-    Front = 1,
-    Back = 2,
-}
+enum VkCullModeFlags : uint { None = 0, Front = 1, Back = 2 }
 
-enum VkFrontFace : int
-{
-    CounterClockwise = 0,
-    Clockwise = 1,
-}
+enum VkFrontFace : int { CounterClockwise = 0, Clockwise = 1 }
 
-enum VkDynamicState : int
-{
-    Viewport = 0,
-    Scissor = 1,
-}
+enum VkDynamicState : int { Viewport = 0, Scissor = 1 }
 
 unsafe struct VkShaderModuleCreateInfo
 {
@@ -90,8 +64,7 @@ unsafe struct VkComputePipelineCreateInfo
     public void* pNext;
     public uint flags;
     public VkPipelineShaderStageCreateInfo stage;
-    public ulong layout;
-    public ulong basePipelineHandle;
+    public ulong layout, basePipelineHandle;
     public int basePipelineIndex;
 }
 
@@ -99,8 +72,7 @@ unsafe struct VkPipelineVertexInputStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint vertexBindingDescriptionCount;
+    public uint flags, vertexBindingDescriptionCount;
     public void* pVertexBindingDescriptions;
     public uint vertexAttributeDescriptionCount;
     public void* pVertexAttributeDescriptions;
@@ -119,8 +91,7 @@ unsafe struct VkPipelineViewportStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint viewportCount;
+    public uint flags, viewportCount;
     public VkViewport* pViewports;
     public uint scissorCount;
     public VkRect2D* pScissors;
@@ -130,67 +101,47 @@ unsafe struct VkPipelineRasterizationStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint depthClampEnable;
-    public uint rasterizerDiscardEnable;
-    public uint polygonMode;
+    public uint flags, depthClampEnable, rasterizerDiscardEnable, polygonMode;
     public VkCullModeFlags cullMode;
     public VkFrontFace frontFace;
     public uint depthBiasEnable;
-    public float depthBiasConstantFactor;
-    public float depthBiasClamp;
-    public float depthBiasSlopeFactor;
-    public float lineWidth;
+    public float depthBiasConstantFactor, depthBiasClamp, depthBiasSlopeFactor, lineWidth;
 }
 
 unsafe struct VkPipelineMultisampleStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint rasterizationSamples;
-    public uint sampleShadingEnable;
+    public uint flags, rasterizationSamples, sampleShadingEnable;
     public float minSampleShading;
     public uint* pSampleMask;
-    public uint alphaToCoverageEnable;
-    public uint alphaToOneEnable;
+    public uint alphaToCoverageEnable, alphaToOneEnable;
 }
 
 unsafe struct VkStencilOpState
 {
-    public uint failOp;
-    public uint passOp;
-    public uint depthFailOp;
+    public uint failOp, passOp, depthFailOp;
     public VkCompareOp compareOp;
-    public uint compareMask;
-    public uint writeMask;
-    public uint reference;
+    public uint compareMask, writeMask, reference;
 }
 
 unsafe struct VkPipelineDepthStencilStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint depthTestEnable;
-    public uint depthWriteEnable;
+    public uint flags, depthTestEnable, depthWriteEnable;
     public VkCompareOp depthCompareOp;
-    public uint depthBoundsTestEnable;
-    public uint stencilTestEnable;
-    public VkStencilOpState front;
-    public VkStencilOpState back;
-    public float minDepthBounds;
-    public float maxDepthBounds;
+    public uint depthBoundsTestEnable, stencilTestEnable;
+    public VkStencilOpState front, back;
+    public float minDepthBounds, maxDepthBounds;
 }
 
 unsafe struct VkPipelineColorBlendAttachmentState
 {
     public uint blendEnable;
-    public VkBlendFactor srcColorBlendFactor;
-    public VkBlendFactor dstColorBlendFactor;
+    public VkBlendFactor srcColorBlendFactor, dstColorBlendFactor;
     public VkBlendOp colorBlendOp;
-    public VkBlendFactor srcAlphaBlendFactor;
-    public VkBlendFactor dstAlphaBlendFactor;
+    public VkBlendFactor srcAlphaBlendFactor, dstAlphaBlendFactor;
     public VkBlendOp alphaBlendOp;
     public uint colorWriteMask;
 }
@@ -199,10 +150,7 @@ unsafe struct VkPipelineColorBlendStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint logicOpEnable;
-    public uint logicOp;
-    public uint attachmentCount;
+    public uint flags, logicOpEnable, logicOp, attachmentCount;
     public VkPipelineColorBlendAttachmentState* pAttachments;
     public fixed float blendConstants[4];
 }
@@ -211,8 +159,7 @@ unsafe struct VkPipelineDynamicStateCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint dynamicStateCount;
+    public uint flags, dynamicStateCount;
     public VkDynamicState* pDynamicStates;
 }
 
@@ -220,19 +167,16 @@ unsafe struct VkPipelineRenderingCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint viewMask;
-    public uint colorAttachmentCount;
+    public uint viewMask, colorAttachmentCount;
     public VkFormat* pColorAttachmentFormats;
-    public VkFormat depthAttachmentFormat;
-    public VkFormat stencilAttachmentFormat;
+    public VkFormat depthAttachmentFormat, stencilAttachmentFormat;
 }
 
 unsafe struct VkGraphicsPipelineCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint stageCount;
+    public uint flags, stageCount;
     public VkPipelineShaderStageCreateInfo* pStages;
     public VkPipelineVertexInputStateCreateInfo* pVertexInputState;
     public VkPipelineInputAssemblyStateCreateInfo* pInputAssemblyState;
@@ -243,8 +187,7 @@ unsafe struct VkGraphicsPipelineCreateInfo
     public VkPipelineDepthStencilStateCreateInfo* pDepthStencilState;
     public VkPipelineColorBlendStateCreateInfo* pColorBlendState;
     public VkPipelineDynamicStateCreateInfo* pDynamicState;
-    public ulong layout;
-    public ulong renderPass;
+    public ulong layout, renderPass;
     public uint subpass;
     public ulong basePipelineHandle;
     public int basePipelineIndex;
@@ -255,14 +198,10 @@ static unsafe partial class Vk
     [DllImport(Library)]
     internal static extern VkResult vkCreateShaderModule(IntPtr device, VkShaderModuleCreateInfo* pCreateInfo,
         void* pAllocator, ulong* pShaderModule);
-
-    [DllImport(Library)]
-    internal static extern void vkDestroyShaderModule(IntPtr device, ulong shaderModule, void* pAllocator);
-
+    [DllImport(Library)] internal static extern void vkDestroyShaderModule(IntPtr device, ulong shaderModule, void* pAllocator);
     [DllImport(Library)]
     internal static extern VkResult vkCreateComputePipelines(IntPtr device, ulong pipelineCache, uint createInfoCount,
         VkComputePipelineCreateInfo* pCreateInfos, void* pAllocator, ulong* pPipelines);
-
     [DllImport(Library)]
     internal static extern VkResult vkCreateGraphicsPipelines(IntPtr device, ulong pipelineCache, uint createInfoCount,
         VkGraphicsPipelineCreateInfo* pCreateInfos, void* pAllocator, ulong* pPipelines);

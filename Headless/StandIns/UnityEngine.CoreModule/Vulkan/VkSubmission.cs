@@ -1,31 +1,18 @@
 namespace StandIns.Vulkan;
 
-enum VkSemaphoreType : int
-{
-    Timeline = 1,
-}
+enum VkSemaphoreType : int { Timeline = 1 }
 
 [Flags]
-enum VkPipelineStageFlags2 : ulong
-{
-    AllCommands = 65536,
-    Host = 16384,
-}
+enum VkPipelineStageFlags2 : ulong { AllCommands = 65536, Host = 16384 }
 
 [Flags]
-enum VkAccessFlags2 : ulong
-{
-    MemoryRead = 32768,
-    MemoryWrite = 65536,
-    HostRead = 8192,
-}
+enum VkAccessFlags2 : ulong { MemoryRead = 32768, MemoryWrite = 65536, HostRead = 8192 }
 
 unsafe struct VkCommandPoolCreateInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint queueFamilyIndex;
+    public uint flags, queueFamilyIndex;
 }
 
 unsafe struct VkCommandBufferAllocateInfo
@@ -33,8 +20,7 @@ unsafe struct VkCommandBufferAllocateInfo
     public VkStructureType sType;
     public void* pNext;
     public ulong commandPool;
-    public uint level;
-    public uint commandBufferCount;
+    public uint level, commandBufferCount;
 }
 
 unsafe struct VkCommandBufferBeginInfo
@@ -64,18 +50,15 @@ unsafe struct VkSemaphoreWaitInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint semaphoreCount;
-    public ulong* pSemaphores;
-    public ulong* pValues;
+    public uint flags, semaphoreCount;
+    public ulong* pSemaphores, pValues;
 }
 
 unsafe struct VkSemaphoreSubmitInfo
 {
     public VkStructureType sType;
     public void* pNext;
-    public ulong semaphore;
-    public ulong value;
+    public ulong semaphore, value;
     public VkPipelineStageFlags2 stageMask;
     public uint deviceIndex;
 }
@@ -92,8 +75,7 @@ unsafe struct VkSubmitInfo2
 {
     public VkStructureType sType;
     public void* pNext;
-    public uint flags;
-    public uint waitSemaphoreInfoCount;
+    public uint flags, waitSemaphoreInfoCount;
     public VkSemaphoreSubmitInfo* pWaitSemaphoreInfos;
     public uint commandBufferInfoCount;
     public VkCommandBufferSubmitInfo* pCommandBufferInfos;
@@ -106,30 +88,20 @@ static unsafe partial class Vk
     [DllImport(Library)]
     internal static extern VkResult vkCreateCommandPool(IntPtr device, VkCommandPoolCreateInfo* pCreateInfo,
         void* pAllocator, ulong* pCommandPool);
-
-    [DllImport(Library)]
-    internal static extern VkResult vkResetCommandPool(IntPtr device, ulong commandPool, uint flags);
-
+    [DllImport(Library)] internal static extern VkResult vkResetCommandPool(IntPtr device, ulong commandPool, uint flags);
     [DllImport(Library)]
     internal static extern VkResult vkAllocateCommandBuffers(IntPtr device, VkCommandBufferAllocateInfo* pAllocateInfo,
         IntPtr* pCommandBuffers);
-
     [DllImport(Library)]
     internal static extern VkResult vkBeginCommandBuffer(IntPtr commandBuffer, VkCommandBufferBeginInfo* pBeginInfo);
-
-    [DllImport(Library)]
-    internal static extern VkResult vkEndCommandBuffer(IntPtr commandBuffer);
-
+    [DllImport(Library)] internal static extern VkResult vkEndCommandBuffer(IntPtr commandBuffer);
     [DllImport(Library)]
     internal static extern VkResult vkQueueSubmit2(IntPtr queue, uint submitCount, VkSubmitInfo2* pSubmits, ulong fence);
-
     [DllImport(Library)]
     internal static extern VkResult vkCreateSemaphore(IntPtr device, VkSemaphoreCreateInfo* pCreateInfo,
         void* pAllocator, ulong* pSemaphore);
-
     [DllImport(Library)]
     internal static extern VkResult vkWaitSemaphores(IntPtr device, VkSemaphoreWaitInfo* pWaitInfo, ulong timeout);
-
     [DllImport(Library)]
     internal static extern VkResult vkGetSemaphoreCounterValue(IntPtr device, ulong semaphore, ulong* pValue);
 }

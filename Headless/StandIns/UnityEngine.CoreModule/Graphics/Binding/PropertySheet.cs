@@ -25,7 +25,6 @@ sealed class PropertySheet
     }
 
     internal bool TryGet(int name, out PropertyValue value) => m_values.TryGetValue(name, out value);
-
     internal void Set(int name, in PropertyValue value) => m_values[name] = value;
 
     /// <summary>Copies an array: of floats, of four for a vector, of sixteen for a matrix.</summary>
@@ -38,7 +37,6 @@ sealed class PropertySheet
     }
 
     internal void Set(int name, Vector4[] values) => Set(name, MemoryMarshal.Cast<Vector4, float>(values));
-
     internal void Set(int name, Matrix4x4[] values) => Set(name, MemoryMarshal.Cast<Matrix4x4, float>(values));
 
     /// <summary>A name that stands for no buffer or texture is as if it had not been set.</summary>

@@ -43,9 +43,7 @@ struct PropertyValue
     }
 
     internal static PropertyValue Of(Vector4 value) => new PropertyValue { Kind = PropertyKind.Vector, Vector = value };
-
     internal static PropertyValue Of(in Matrix4x4 value) => new PropertyValue { Kind = PropertyKind.Matrix, Matrix = value };
-
     internal static PropertyValue Of(GraphicsBuffer value) => new PropertyValue { Kind = PropertyKind.Buffer, Reference = value };
 
     internal static PropertyValue Of(Texture value, bool isDepth = false) =>

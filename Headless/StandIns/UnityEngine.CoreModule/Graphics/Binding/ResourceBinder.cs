@@ -6,9 +6,7 @@ sealed unsafe class ResourceBinder(GpuDevice device)
     readonly GpuDevice m_device = device;
     readonly SamplerTable m_samplers = new SamplerTable(device);
 
-    /// <summary>
-    /// Makes the textures of a scope that are not there yet; within a pass that cannot be done, so it ends.
-    /// </summary>
+    /// <summary>Makes the textures of a scope that are not there yet; within a pass that cannot be done, so it ends.</summary>
     internal static void MakeTextures(GpuRecording recording, RenderTargets targets, ShaderLayout layout, in PropertyScope scope)
     {
         foreach (ShaderResource resource in layout.Resources)

@@ -25,7 +25,6 @@ sealed unsafe class ReadbackEntry
     }
 
     internal int Id { get; set; }
-
     internal bool IsDone { get; private set; }
 
     internal void Poll()

@@ -13,15 +13,10 @@ sealed unsafe class RenderTargets(GpuDevice device)
     bool m_isOpen;
 
     internal bool IsSet => m_colorCount > 0 || m_depth != null;
-
     internal int ColorCount => m_colorCount;
-
     internal VkFormat DepthFormat => m_depth?.Format ?? VkFormat.Undefined;
-
     int Width => (m_depth ?? m_colors[0]).Width;
-
     int Height => (m_depth ?? m_colors[0]).Height;
-
     uint Layers => m_slice >= 0 ? 1 : (uint)(m_depth ?? m_colors[0]).Slices;
 
     internal VkFormat ColorFormat(int index) => m_colors[index].Format;

@@ -32,8 +32,7 @@ sealed class TemporaryTextures
     }
 
     /// <summary>The texture that an identifier stands for; null where it stands for none.</summary>
-    /// <exception cref="InvalidOperationException">A name that stands for nothing, or a texture that was
-    /// destroyed.</exception>
+    /// <exception cref="InvalidOperationException">A name that stands for nothing, or a texture that was destroyed.</exception>
     internal Texture Resolve(in RenderTargetIdentifier target)
     {
         if (target.IsNone)

@@ -31,7 +31,6 @@ sealed unsafe class GpuImage
     }
 
     internal bool IsDepth => Format == VkFormat.D32Sfloat;
-
     internal VkImageAspectFlags Aspect => IsDepth ? VkImageAspectFlags.Depth : VkImageAspectFlags.Color;
 
     /// <summary>An image, or null where there is no memory for it.</summary>

@@ -5,18 +5,8 @@ public sealed class Camera : Behaviour
 {
     public delegate void CameraCallback(Camera cam);
 
-    public enum StereoscopicEye
-    {
-        Left = 0,
-        Right = 1,
-    }
-
-    public enum MonoOrStereoscopicEye
-    {
-        Left = 0,
-        Right = 1,
-        Mono = 2,
-    }
+    public enum StereoscopicEye { Left = 0, Right = 1 }
+    public enum MonoOrStereoscopicEye { Left = 0, Right = 1, Mono = 2 }
 
     public static CameraCallback onPreCull;
 
@@ -26,9 +16,7 @@ public sealed class Camera : Behaviour
     public static Camera main { get; internal set; }
 
     public CameraType cameraType { get; set; } = CameraType.Game;
-
     public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;
-
     public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
 
     /// <summary>A host's headset says it.</summary>
@@ -40,17 +28,13 @@ public sealed class Camera : Behaviour
     internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
 
     public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => Eyes[(int)eye].View;
-
     public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => Eyes[(int)eye].Projection;
 
     public RenderTexture targetTexture { get; set; }
-
     public int pixelWidth => targetTexture == null ? 0 : targetTexture.width;
-
     public int pixelHeight => targetTexture == null ? 0 : targetTexture.height;
 
     public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Add((evt, buffer));
-
     public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Remove((evt, buffer));
 
     /// <summary>Its target cleared, then the command buffers: what the Built-in pipeline makes of a camera in a scene without

@@ -34,27 +34,16 @@ public sealed class ComputeShader : Object
         (x, y, z) = Kernel(kernelIndex).Program(m_keywords).GroupSize;
 
     public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
-
     public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
-
     public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
-
     public void SetInt(string name, int val) => SetInt(Shader.PropertyToID(name), val);
-
     public void SetInts(int nameID, params int[] values) => Constants.Set(nameID, PropertyValue.Of(values));
-
     public void SetFloat(int nameID, float val) => Constants.Set(nameID, PropertyValue.Of(val));
-
     public void SetFloat(string name, float val) => SetFloat(Shader.PropertyToID(name), val);
-
     public void SetVector(int nameID, Vector4 val) => Constants.Set(nameID, PropertyValue.Of(val));
-
     public void SetMatrix(int nameID, Matrix4x4 val) => Constants.Set(nameID, PropertyValue.Of(val));
-
     public void SetVectorArray(int nameID, Vector4[] values) => Constants.Set(nameID, values);
-
     public void SetMatrixArray(int nameID, Matrix4x4[] values) => Constants.Set(nameID, values);
-
     public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) => Kernel(kernelIndex).Sheet.Set(nameID, buffer);
 
     public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) =>

@@ -18,11 +18,7 @@ public sealed partial class GraphicsBuffer
     }
 
     [Flags]
-    public enum UsageFlags
-    {
-        None = 0,
-        LockBufferForWrite = 1,
-    }
+    public enum UsageFlags { None = 0, LockBufferForWrite = 1 }
 
     /// <summary>What one draw of DrawProceduralIndirect reads.</summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -31,11 +27,8 @@ public sealed partial class GraphicsBuffer
         public const int size = 16;
 
         public uint vertexCountPerInstance { get; set; }
-
         public uint instanceCount { get; set; }
-
         public uint startVertex { get; set; }
-
         public uint startInstance { get; set; }
     }
 }

@@ -9,9 +9,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 {
     GpuBuffer m_buffer;
 
-    public GraphicsBuffer(Target target, int count, int stride) : this(target, UsageFlags.None, count, stride)
-    {
-    }
+    public GraphicsBuffer(Target target, int count, int stride) : this(target, UsageFlags.None, count, stride) { }
 
     /// <summary>Where there is no memory for it, an error is logged and <see cref="IsValid"/> is false.</summary>
     /// <exception cref="ArgumentException">No elements, a stride that is not a multiple of 4, more bytes than
@@ -51,15 +49,10 @@ public sealed partial class GraphicsBuffer : IDisposable
     }
 
     public int count { get; }
-
     public int stride { get; }
-
     public Target target { get; }
-
     public UsageFlags usageFlags { get; }
-
     public string name { private get; set; }
-
     internal long Bytes => (long)count * stride;
 
     /// <summary>Text for messages.</summary>

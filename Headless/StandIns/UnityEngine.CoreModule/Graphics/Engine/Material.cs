@@ -25,9 +25,7 @@ public class Material : Object
     }
 
     public int passCount => m_shader.passCount;
-
     internal PropertySheet Sheet { get; } = new PropertySheet();
-
     internal KeywordSet Keywords { get; } = new KeywordSet();
 
     /// <summary>The pass of that name, or -1.</summary>
@@ -35,21 +33,13 @@ public class Material : Object
         m_shader.Source.Passes.FindIndex(p => string.Equals(p.Name, passName, StringComparison.OrdinalIgnoreCase));
 
     public void EnableKeyword(string keyword) => Keywords.Set(keyword, true);
-
     public void DisableKeyword(string keyword) => Keywords.Set(keyword, false);
-
     public void SetFloat(int nameID, float value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
     public void SetFloat(string name, float value) => SetFloat(Shader.PropertyToID(name), value);
-
     public void SetVector(int nameID, Vector4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
     public void SetColor(int nameID, Color value) => Sheet.Set(nameID, PropertyValue.Of((Vector4)value));
-
     public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
-
     public void SetBuffer(string name, GraphicsBuffer value) => SetBuffer(Shader.PropertyToID(name), value);
-
     public void SetTexture(int nameID, Texture value) => Sheet.Set(nameID, value);
 
     public void SetTexture(int nameID, RenderTexture value, RenderTextureSubElement element) =>

@@ -6,16 +6,10 @@ public sealed class MaterialPropertyBlock
     internal PropertySheet Sheet { get; } = new PropertySheet();
 
     public void Clear() => Sheet.Clear();
-
     public void SetFloat(int nameID, float value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
     public void SetInteger(int nameID, int value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
     public void SetVector(int nameID, Vector4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
     public void SetMatrix(int nameID, Matrix4x4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
     public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, values);
-
     public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
 }

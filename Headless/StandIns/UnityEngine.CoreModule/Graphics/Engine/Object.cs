@@ -4,9 +4,7 @@ using StandIns;
 namespace UnityEngine;
 
 /// <summary>Somebody uses an object that is destroyed.</summary>
-public class MissingReferenceException(string message) : SystemException(message)
-{
-}
+public class MissingReferenceException(string message) : SystemException(message) { }
 
 /// <summary>Equal to null once it is destroyed, though the reference is not.</summary>
 public class Object
@@ -46,7 +44,6 @@ public class Object
     }
 
     internal int Id => m_id;
-
     internal bool IsDestroyed => m_isDestroyed;
 
     /// <summary>At the frame's end, in play mode; in edit mode it is refused.</summary>
@@ -76,13 +73,9 @@ public class Object
     }
 
     public static bool operator !=(Object x, Object y) => !(x == y);
-
     public static implicit operator bool(Object exists) => exists != null;
-
     public override bool Equals(object other) => other is Object o ? this == o : other is null && m_isDestroyed;
-
     public override int GetHashCode() => m_id;
-
     public override string ToString() => m_isDestroyed ? "null" : $"{m_name} ({GetType().FullName})";
 
     /// <summary>Its own fields can be read after it was destroyed; what the engine keeps of it is gone.</summary>
@@ -113,7 +106,5 @@ public class Object
             throw new InvalidOperationException("EnsureRunningOnMainThread can only be called from the main thread");
     }
 
-    internal virtual void OnDestroyed()
-    {
-    }
+    internal virtual void OnDestroyed() { }
 }

@@ -20,30 +20,20 @@ public class RenderTexture : Texture
         wrapMode = TextureWrapMode.Clamp;
     }
 
-    public RenderTexture(int width, int height, int depth) : this(width, height, depth, RenderTextureFormat.Default)
-    {
-    }
+    public RenderTexture(int width, int height, int depth) : this(width, height, depth, RenderTextureFormat.Default) { }
 
     public RenderTexture(int width, int height, int depth, RenderTextureFormat format)
-        : this(width, height, depth, format, RenderTextureReadWrite.Default)
-    {
-    }
+        : this(width, height, depth, format, RenderTextureReadWrite.Default) { }
 
     public RenderTexture(int width, int height, int depth, RenderTextureFormat format, RenderTextureReadWrite readWrite)
         : this(new RenderTextureDescriptor(width, height, TextureFormats.Of(format, readWrite),
-            TextureFormats.DepthOf(format == RenderTextureFormat.Depth ? Math.Max(depth, 32) : depth)))
-    {
-    }
+            TextureFormats.DepthOf(format == RenderTextureFormat.Depth ? Math.Max(depth, 32) : depth))) { }
 
     public RenderTexture(int width, int height, int depth, GraphicsFormat format)
-        : this(new RenderTextureDescriptor(width, height, format, depth))
-    {
-    }
+        : this(new RenderTextureDescriptor(width, height, format, depth)) { }
 
     public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
-        : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat))
-    {
-    }
+        : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat)) { }
 
     public override int width
     {
@@ -130,11 +120,8 @@ public class RenderTexture : Texture
     }
 
     internal override GraphicsFormat Format => m_descriptor.graphicsFormat;
-
     internal ref readonly RenderTextureDescriptor Descriptor => ref m_descriptor;
-
     internal GpuImage Color => m_color;
-
     internal GpuImage Depth => m_depth;
 
     internal override GpuImage ImageFor(bool isDepth)

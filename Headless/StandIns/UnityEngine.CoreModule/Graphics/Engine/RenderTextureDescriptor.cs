@@ -2,23 +2,17 @@ namespace UnityEngine;
 
 public struct RenderTextureDescriptor
 {
-    public RenderTextureDescriptor(int width, int height) : this(width, height, RenderTextureFormat.Default, 0)
-    {
-    }
+    public RenderTextureDescriptor(int width, int height) : this(width, height, RenderTextureFormat.Default, 0) { }
 
     public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat) : this(width, height, colorFormat, 0)
     {
     }
 
     public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits)
-        : this(width, height, TextureFormats.Of(colorFormat, RenderTextureReadWrite.Linear), depthBufferBits)
-    {
-    }
+        : this(width, height, TextureFormats.Of(colorFormat, RenderTextureReadWrite.Linear), depthBufferBits) { }
 
     public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, int depthBufferBits)
-        : this(width, height, colorFormat, TextureFormats.DepthOf(depthBufferBits))
-    {
-    }
+        : this(width, height, colorFormat, TextureFormats.DepthOf(depthBufferBits)) { }
 
     public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
     {
@@ -34,21 +28,13 @@ public struct RenderTextureDescriptor
     }
 
     public int width { get; set; }
-
     public int height { get; set; }
-
     public int volumeDepth { get; set; }
-
     public int msaaSamples { get; set; }
-
     public GraphicsFormat graphicsFormat { get; set; }
-
     public GraphicsFormat depthStencilFormat { get; set; }
-
     public TextureDimension dimension { get; set; }
-
     public bool enableRandomWrite { get; set; }
-
     public bool useMipMap { get; set; }
 
     public bool sRGB

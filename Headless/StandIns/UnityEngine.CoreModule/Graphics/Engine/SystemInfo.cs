@@ -4,13 +4,9 @@ namespace UnityEngine;
 public sealed class SystemInfo
 {
     public static string graphicsDeviceName => GpuDevice.TryGet(out _)?.Name ?? "Null Device";
-
     public static GraphicsDeviceType graphicsDeviceType => HasDevice ? GraphicsDeviceType.Vulkan : GraphicsDeviceType.Null;
-
     public static bool supportsComputeShaders => HasDevice;
-
     public static bool supportsGraphicsFence => HasDevice;
-
     public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
 
     /// <summary>Not by this host: its render passes have no view masks.</summary>
@@ -28,6 +24,5 @@ public sealed class SystemInfo
     };
 
     static bool HasDevice => GpuDevice.TryGet(out _) != null;
-
     static int StorageBuffers => (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
 }

@@ -12,13 +12,9 @@ public class Texture : Object
     }
 
     public virtual int width { get; set; }
-
     public virtual int height { get; set; }
-
     public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
-
     public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
-
     public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
 
     /// <summary>RenderTexture hides <see cref="graphicsFormat"/> with one that can be set.</summary>

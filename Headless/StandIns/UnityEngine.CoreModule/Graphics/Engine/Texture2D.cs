@@ -1,9 +1,6 @@
 namespace UnityEngine;
 
-public enum TextureFormat
-{
-    RGBA32 = 4,
-}
+public enum TextureFormat { RGBA32 = 4 }
 
 /// <summary>Pixels to look at; no shader sees them.</summary>
 public sealed class Texture2D : Texture
@@ -20,7 +17,5 @@ public sealed class Texture2D : Texture
     public void SetPixelData<T>(T[] data, int mipLevel, int sourceDataStartIndex = 0) where T : struct =>
         MemoryMarshal.AsBytes(data.AsSpan(sourceDataStartIndex)).Slice(0, Bytes.Length).CopyTo(Bytes);
 
-    public void Apply()
-    {
-    }
+    public void Apply() { }
 }

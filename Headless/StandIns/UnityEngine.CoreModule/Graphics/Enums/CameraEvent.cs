@@ -1,6 +1,3 @@
 namespace UnityEngine.Rendering;
 
-public enum CameraEvent
-{
-    AfterForwardOpaque = 11,
-}
+public enum CameraEvent { AfterForwardOpaque = 11 }

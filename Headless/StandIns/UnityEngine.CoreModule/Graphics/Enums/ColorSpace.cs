@@ -1,8 +1,3 @@
 namespace UnityEngine;
 
-public enum ColorSpace
-{
-    Uninitialized = -1,
-    Gamma = 0,
-    Linear = 1,
-}
+public enum ColorSpace { Uninitialized = -1, Gamma = 0, Linear = 1 }

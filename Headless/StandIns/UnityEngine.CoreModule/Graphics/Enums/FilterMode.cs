@@ -1,8 +1,3 @@
 namespace UnityEngine;
 
-public enum FilterMode
-{
-    Point = 0,
-    Bilinear = 1,
-    Trilinear = 2,
-}
+public enum FilterMode { Point = 0, Bilinear = 1, Trilinear = 2 }

@@ -1,7 +1,3 @@
 namespace UnityEngine.Rendering;
 
-public enum GraphicsFenceType
-{
-    AsyncQueueSynchronisation = 0,
-    CPUSynchronisation = 1,
-}
+public enum GraphicsFenceType { AsyncQueueSynchronisation = 0, CPUSynchronisation = 1 }

@@ -1,7 +1,4 @@
 namespace UnityEngine.Experimental.Rendering;
 
 [Flags]
-public enum GraphicsFormatUsage
-{
-    Blend = 32,
-}
+public enum GraphicsFormatUsage { Blend = 32 }

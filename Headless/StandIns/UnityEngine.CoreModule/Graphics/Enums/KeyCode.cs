@@ -1,7 +1,3 @@
 namespace UnityEngine;
 
-public enum KeyCode
-{
-    None = 0,
-    Escape = 27,
-}
+public enum KeyCode { None = 0, Escape = 27 }

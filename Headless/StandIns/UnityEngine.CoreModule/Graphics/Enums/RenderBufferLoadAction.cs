@@ -1,8 +1,3 @@
 namespace UnityEngine.Rendering;
 
-public enum RenderBufferLoadAction
-{
-    Load = 0,
-    Clear = 1,
-    DontCare = 2,
-}
+public enum RenderBufferLoadAction { Load = 0, Clear = 1, DontCare = 2 }

@@ -1,8 +1,3 @@
 namespace UnityEngine;
 
-public enum RenderTextureReadWrite
-{
-    Default = 0,
-    Linear = 1,
-    sRGB = 2,
-}
+public enum RenderTextureReadWrite { Default = 0, Linear = 1, sRGB = 2 }

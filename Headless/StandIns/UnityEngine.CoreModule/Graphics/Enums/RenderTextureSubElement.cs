@@ -1,8 +1,3 @@
 namespace UnityEngine.Rendering;
 
-public enum RenderTextureSubElement
-{
-    Color = 0,
-    Depth = 1,
-    Default = 3,
-}
+public enum RenderTextureSubElement { Color = 0, Depth = 1, Default = 3 }

@@ -1,9 +1,3 @@
 namespace UnityEngine;
 
-public enum TextureWrapMode
-{
-    Repeat = 0,
-    Clamp = 1,
-    Mirror = 2,
-    MirrorOnce = 3,
-}
+public enum TextureWrapMode { Repeat = 0, Clamp = 1, Mirror = 2, MirrorOnce = 3 }

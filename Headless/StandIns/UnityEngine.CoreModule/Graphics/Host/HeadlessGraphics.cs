@@ -23,9 +23,7 @@ public static class HeadlessGraphics
         }
     }
 
-    /// <summary>
-    /// Whether the validation layer is to watch, where it is installed. To be set before anything is drawn.
-    /// </summary>
+    /// <summary>Whether the validation layer is to watch, where it is installed. To be set before anything is drawn.</summary>
     public static bool Validate
     {
         get => GpuDevice.Exists ? GpuDevice.Current.IsValidated : GpuDevice.Validate;

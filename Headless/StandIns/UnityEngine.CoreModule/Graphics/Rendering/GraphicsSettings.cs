@@ -13,6 +13,4 @@ public sealed class GraphicsSettings : Object
     }
 }
 
-public abstract class RenderPipelineAsset : ScriptableObject
-{
-}
+public abstract class RenderPipelineAsset : ScriptableObject { }

@@ -7,6 +7,4 @@ public static class RenderPipelineManager
     internal static void Begin(Camera camera) => beginCameraRendering?.Invoke(default, camera);
 }
 
-public struct ScriptableRenderContext
-{
-}
+public struct ScriptableRenderContext { }

@@ -53,9 +53,7 @@ public struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     }
 
     internal readonly int Slice => m_slice;
-
     internal readonly bool IsNone => m_type == BuiltinRenderTextureType.None;
-
     internal readonly bool IsCameraTarget => m_type == BuiltinRenderTextureType.CameraTarget;
 
     /// <summary>The name, or -1.</summary>
@@ -65,19 +63,12 @@ public struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     internal readonly Texture Texture => m_type == BuiltinRenderTextureType.RenderTexture ? Texture.Find(m_id) : null;
 
     public static implicit operator RenderTargetIdentifier(BuiltinRenderTextureType type) => new RenderTargetIdentifier(type);
-
     public static implicit operator RenderTargetIdentifier(int nameID) => new RenderTargetIdentifier(nameID);
-
     public static implicit operator RenderTargetIdentifier(Texture tex) => new RenderTargetIdentifier(tex);
-
     public static bool operator ==(RenderTargetIdentifier lhs, RenderTargetIdentifier rhs) => lhs.Equals(rhs);
-
     public static bool operator !=(RenderTargetIdentifier lhs, RenderTargetIdentifier rhs) => !lhs.Equals(rhs);
-
     public bool Equals(RenderTargetIdentifier rhs) => m_type == rhs.m_type && m_id == rhs.m_id && m_slice == rhs.m_slice;
-
     public override bool Equals(object obj) => obj is RenderTargetIdentifier other && Equals(other);
-
     public override int GetHashCode() => HashCode.Combine(m_type, m_id, m_slice);
 
     public override string ToString() =>

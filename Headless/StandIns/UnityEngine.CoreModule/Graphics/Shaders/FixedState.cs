@@ -19,9 +19,7 @@ struct FixedState : IEquatable<FixedState>
         || AlphaOperation != VkBlendOp.Add;
 
     public readonly bool Equals(FixedState other) => Bits == other.Bits;
-
     public override readonly bool Equals(object obj) => obj is FixedState other && Equals(other);
-
     public override readonly int GetHashCode() => Bits.GetHashCode();
 
     // Cull 2 bits, test 3, write 1, factors 4 x 5, operations 2 x 3, mask 4.

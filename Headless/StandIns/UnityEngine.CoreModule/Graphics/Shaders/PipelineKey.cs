@@ -27,6 +27,5 @@ readonly struct PipelineKey : IEquatable<PipelineKey>
         && ColorCount == other.ColorCount && m_colors == other.m_colors;
 
     public override bool Equals(object obj) => obj is PipelineKey other && Equals(other);
-
     public override int GetHashCode() => HashCode.Combine(State, (int)Topology, (int)Depth, ColorCount, m_colors);
 }

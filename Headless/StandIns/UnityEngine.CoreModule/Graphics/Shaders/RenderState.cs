@@ -31,9 +31,7 @@ sealed class RenderState
     StateValue m_alphaOperation = StateValue.Of(0);
     int m_colorMask = 15;
 
-    internal RenderState()
-    {
-    }
+    internal RenderState() { }
 
     internal RenderState(RenderState other)
     {

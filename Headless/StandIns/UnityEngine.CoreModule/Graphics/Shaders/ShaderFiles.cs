@@ -8,7 +8,6 @@ namespace StandIns.Graphics;
 sealed class ShaderFiles
 {
     static readonly Regex s_include = new Regex(@"^[ \t]*#[ \t]*include[ \t]+[""<]([^"">]+)["">]", RegexOptions.Multiline);
-
     static readonly Regex s_line = new Regex(@"^[ \t]*#[ \t]*line[ \t]+(\d+)");
 
     /// <summary>The folder that Packages/ is in.</summary>

@@ -52,7 +52,6 @@ sealed class ShaderPass
     }
 
     internal ShaderStage Vertex(long variant) => Stage(variant, "vert", m_vertex);
-
     internal ShaderStage Fragment(long variant) => Stage(variant, "frag", m_fragment);
 
     bool Names(string keyword) => m_program.Contains(keyword)

@@ -80,12 +80,9 @@ static class SpirvPointSize
     }
 
     static uint Op(uint[] words, int at) => words[at] & 0xffff;
-
     static int Length(uint[] words, int at) => (int)(words[at] >> 16);
 
-    /// <summary>
-    /// An output that is 1: the variable, its type and value, and the store at the entry point's beginning.
-    /// </summary>
+    /// <summary>An output that is 1: the variable, its type and value, and the store at the entry point's beginning.</summary>
     sealed class OnePixel
     {
         readonly uint m_float;

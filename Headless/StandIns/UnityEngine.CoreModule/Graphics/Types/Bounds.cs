@@ -31,11 +31,8 @@ public struct Bounds(Vector3 center, Vector3 size) : IEquatable<Bounds>, IFormat
     }
 
     public readonly bool Equals(Bounds other) => m_center.Equals(other.m_center) && m_extents.Equals(other.m_extents);
-
     public override readonly bool Equals(object other) => other is Bounds bounds && Equals(bounds);
-
     public override readonly int GetHashCode() => HashCode.Combine(m_center, m_extents);
-
     public override readonly string ToString() => ToString("F2", null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)

@@ -31,9 +31,7 @@ public unsafe partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
     }
 
     public static Matrix4x4 zero => default;
-
     public static Matrix4x4 identity => Scale(Vector3.one);
-
     public Matrix4x4 inverse => Inverse(this);
 
     public float this[int row, int column]
@@ -69,7 +67,6 @@ public unsafe partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
             && lhs.GetColumn(3) == rhs.GetColumn(3);
 
     public static bool operator !=(Matrix4x4 lhs, Matrix4x4 rhs) => !(lhs == rhs);
-
     public static Matrix4x4 Scale(Vector3 vector) => new Matrix4x4 { m00 = vector.x, m11 = vector.y, m22 = vector.z, m33 = 1 };
 
     public static Matrix4x4 Translate(Vector3 vector)
@@ -111,9 +108,7 @@ public unsafe partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
         && GetColumn(3).Equals(other.GetColumn(3));
 
     public override readonly bool Equals(object other) => other is Matrix4x4 matrix && Equals(matrix);
-
     public override readonly int GetHashCode() => HashCode.Combine(GetColumn(0), GetColumn(1), GetColumn(2), GetColumn(3));
-
     public override readonly string ToString() => ToString("F5", null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)

@@ -30,9 +30,7 @@ public unsafe partial struct Matrix4x4
         m33 = 1,
     };
 
-    /// <summary>
-    /// By Gauss and Jordan, the largest pivot first, in double; zero where there is no inverse, as in Unity.
-    /// </summary>
+    /// <summary>By Gauss and Jordan, the largest pivot first, in double; zero where there is no inverse, as in Unity.</summary>
     public static Matrix4x4 Inverse(Matrix4x4 m)
     {
         double* rows = stackalloc double[32];

@@ -43,9 +43,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         x.Equals(other.x) && y.Equals(other.y) && z.Equals(other.z) && w.Equals(other.w);
 
     public override readonly bool Equals(object other) => other is Quaternion quaternion && Equals(quaternion);
-
     public override readonly int GetHashCode() => HashCode.Combine(x, y, z, w);
-
     public override readonly string ToString() => ToString("F5", null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)

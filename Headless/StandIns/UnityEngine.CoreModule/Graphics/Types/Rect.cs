@@ -40,9 +40,7 @@ public struct Rect(float x, float y, float width, float height) : IEquatable<Rec
         m_x.Equals(other.m_x) && m_y.Equals(other.m_y) && m_width.Equals(other.m_width) && m_height.Equals(other.m_height);
 
     public override readonly bool Equals(object other) => other is Rect rect && Equals(rect);
-
     public override readonly int GetHashCode() => HashCode.Combine(m_x, m_y, m_width, m_height);
-
     public override readonly string ToString() => ToString("F2", null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)
