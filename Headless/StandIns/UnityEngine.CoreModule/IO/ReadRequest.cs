@@ -1,136 +1,135 @@
 using Unity.IO.LowLevel.Unsafe;
 
-namespace StandIns.Io
+namespace StandIns.Io;
+
+/// <summary>One read of several stretches of a file, from the call to the last byte. Used again after Dispose, so that a
+/// read makes no garbage on the main thread, as in Unity.</summary>
+sealed unsafe class ReadRequest
 {
-    /// <summary>One read of several stretches of a file, from the call to the last byte. Used again after Dispose, so that a
-    /// read makes no garbage on the main thread, as in Unity.</summary>
-    sealed unsafe class ReadRequest
+    internal static readonly HandleTable<ReadRequest> All = new HandleTable<ReadRequest>();
+    static readonly Stack<ReadRequest> s_free = new Stack<ReadRequest>();
+
+    readonly Action m_read;
+    JobNode m_node;
+    string m_path;
+    OpenFile m_file;
+    ReadCommand* m_commands;
+    ulong* m_bytesRead;
+    int m_count;
+    int m_status = (int)ReadStatus.InProgress;
+    bool m_cancelled;
+
+    /// <summary>A read that has not begun.</summary>
+    /// <param name="path">A file to open for this read alone, or null where <paramref name="file"/> is given.</param>
+    internal static ReadRequest Take(string path, OpenFile file, ReadCommand* commands, int count)
     {
-        internal static readonly HandleTable<ReadRequest> All = new HandleTable<ReadRequest>();
-        static readonly Stack<ReadRequest> s_free = new Stack<ReadRequest>();
+        ReadRequest request = null;
+        lock (s_free)
+            if (s_free.Count > 0)
+                request = s_free.Pop();
+        request ??= new ReadRequest();
+        request.m_node = JobScheduler.BeginExternal();
+        request.m_path = path;
+        request.m_file = file;
+        request.m_status = (int)ReadStatus.InProgress;
+        request.m_cancelled = false;
+        // From now on the file stays open for this read, even if it has to wait for a job first.
+        file?.AddReader();
+        request.SetCommands(commands, count);
+        request.JobHandle = new JobHandle(request.m_node);
+        return request;
+    }
 
-        readonly Action m_read;
-        JobNode m_node;
-        string m_path;
-        OpenFile m_file;
-        ReadCommand* m_commands;
-        ulong* m_bytesRead;
-        int m_count;
-        int m_status = (int)ReadStatus.InProgress;
-        bool m_cancelled;
+    ReadRequest()
+    {
+        m_read = Read;
+    }
 
-        /// <summary>A read that has not begun.</summary>
-        /// <param name="path">A file to open for this read alone, or null where <paramref name="file"/> is given.</param>
-        internal static ReadRequest Take(string path, OpenFile file, ReadCommand* commands, int count)
+    internal JobHandle JobHandle { get; private set; }
+
+    internal int Count => m_count;
+
+    internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
+
+    internal ulong* BytesRead => m_bytesRead;
+
+    internal void Cancel() => Volatile.Write(ref m_cancelled, true);
+
+    /// <summary>The commands of a read that had to wait for a job to write them.</summary>
+    internal void SetCommands(ReadCommand* commands, int count)
+    {
+        m_commands = commands;
+        m_count = count;
+        if (count == 0)
+            return;
+        m_bytesRead = (ulong*)Memory.NativeHeap.Allocate((long)count * sizeof(ulong), sizeof(ulong));
+        for (int i = 0; i < count; i++)
+            m_bytesRead[i] = 0;
+    }
+
+    internal void Enqueue() => IoThreads.Enqueue(m_read);
+
+    internal void EnqueueInfo(FileInfoResult* result) => IoThreads.Enqueue(() => ReadInfo(result));
+
+    internal void Free()
+    {
+        if (m_bytesRead != null)
+            Memory.NativeHeap.Free(m_bytesRead);
+        m_bytesRead = null;
+        m_file = null;
+        lock (s_free)
+            s_free.Push(this);
+    }
+
+    void Read()
+    {
+        OpenFile file = m_file;
+        if (file == null && !m_cancelled)
         {
-            ReadRequest request = null;
-            lock (s_free)
-                if (s_free.Count > 0)
-                    request = s_free.Pop();
-            request ??= new ReadRequest();
-            request.m_node = JobScheduler.BeginExternal();
-            request.m_path = path;
-            request.m_file = file;
-            request.m_status = (int)ReadStatus.InProgress;
-            request.m_cancelled = false;
-            // From now on the file stays open for this read, even if it has to wait for a job first.
-            file?.AddReader();
-            request.SetCommands(commands, count);
-            request.JobHandle = new JobHandle(request.m_node);
-            return request;
+            file = OpenFile.OpenHere(m_path);
+            file.AddReader();
+            file.Close();
         }
-
-        ReadRequest()
+        ReadStatus status = ReadStatus.Complete;
+        for (int i = 0; i < m_count && status != ReadStatus.Failed; i++)
         {
-            m_read = Read;
-        }
-
-        internal JobHandle JobHandle { get; private set; }
-
-        internal int Count => m_count;
-
-        internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
-
-        internal ulong* BytesRead => m_bytesRead;
-
-        internal void Cancel() => Volatile.Write(ref m_cancelled, true);
-
-        /// <summary>The commands of a read that had to wait for a job to write them.</summary>
-        internal void SetCommands(ReadCommand* commands, int count)
-        {
-            m_commands = commands;
-            m_count = count;
-            if (count == 0)
-                return;
-            m_bytesRead = (ulong*)Memory.NativeHeap.Allocate((long)count * sizeof(ulong), sizeof(ulong));
-            for (int i = 0; i < count; i++)
-                m_bytesRead[i] = 0;
-        }
-
-        internal void Enqueue() => IoThreads.Enqueue(m_read);
-
-        internal void EnqueueInfo(FileInfoResult* result) => IoThreads.Enqueue(() => ReadInfo(result));
-
-        internal void Free()
-        {
-            if (m_bytesRead != null)
-                Memory.NativeHeap.Free(m_bytesRead);
-            m_bytesRead = null;
-            m_file = null;
-            lock (s_free)
-                s_free.Push(this);
-        }
-
-        void Read()
-        {
-            OpenFile file = m_file;
-            if (file == null && !m_cancelled)
-            {
-                file = OpenFile.OpenHere(m_path);
-                file.AddReader();
-                file.Close();
-            }
-            ReadStatus status = ReadStatus.Complete;
-            for (int i = 0; i < m_count && status != ReadStatus.Failed; i++)
-            {
-                if (Volatile.Read(ref m_cancelled))
-                    break;
-                long read = file.Read((byte*)m_commands[i].Buffer, m_commands[i].Offset, m_commands[i].Size, ref m_cancelled);
-                m_bytesRead[i] = (ulong)Math.Max(read, 0);
-                if (read < 0)
-                    status = ReadStatus.Failed;
-                else if (read < m_commands[i].Size)
-                    status = ReadStatus.Truncated;
-            }
-            if (m_count == 0 && file != null && file.Status == FileStatus.OpenFailed)
+            if (Volatile.Read(ref m_cancelled))
+                break;
+            long read = file.Read((byte*)m_commands[i].Buffer, m_commands[i].Offset, m_commands[i].Size, ref m_cancelled);
+            m_bytesRead[i] = (ulong)Math.Max(read, 0);
+            if (read < 0)
                 status = ReadStatus.Failed;
-            file?.RemoveReader();
-            Finish(Volatile.Read(ref m_cancelled) ? ReadStatus.Canceled : status);
+            else if (read < m_commands[i].Size)
+                status = ReadStatus.Truncated;
         }
+        if (m_count == 0 && file != null && file.Status == FileStatus.OpenFailed)
+            status = ReadStatus.Failed;
+        file?.RemoveReader();
+        Finish(Volatile.Read(ref m_cancelled) ? ReadStatus.Canceled : status);
+    }
 
-        void ReadInfo(FileInfoResult* result)
+    void ReadInfo(FileInfoResult* result)
+    {
+        var status = ReadStatus.Complete;
+        try
         {
-            var status = ReadStatus.Complete;
-            try
-            {
-                var info = new FileInfo(m_path);
-                result->FileState = info.Exists ? FileState.Exists : FileState.Absent;
-                result->FileSize = info.Exists ? info.Length : 0;
-            }
-            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException
-                || exception is ArgumentException)
-            {
-                status = ReadStatus.Failed;
-            }
-            Finish(status);
+            var info = new FileInfo(m_path);
+            result->FileState = info.Exists ? FileState.Exists : FileState.Absent;
+            result->FileSize = info.Exists ? info.Length : 0;
         }
+        catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException
+            || exception is ArgumentException)
+        {
+            status = ReadStatus.Failed;
+        }
+        Finish(status);
+    }
 
-        void Finish(ReadStatus status)
-        {
-            // Whoever sees the status may dispose the read, and the next one may take this object.
-            JobNode node = m_node;
-            Volatile.Write(ref m_status, (int)status);
-            JobScheduler.FinishExternal(node);
-        }
+    void Finish(ReadStatus status)
+    {
+        // Whoever sees the status may dispose the read, and the next one may take this object.
+        JobNode node = m_node;
+        Volatile.Write(ref m_status, (int)status);
+        JobScheduler.FinishExternal(node);
     }
 }

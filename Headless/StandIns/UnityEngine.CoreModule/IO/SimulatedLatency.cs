@@ -1,33 +1,32 @@
 using System.Diagnostics;
 
-namespace StandIns.Io
+namespace StandIns.Io;
+
+/// <summary>Reads that take long, without waiting: each read sets the clock that jobs may look at forward.</summary>
+static class SimulatedLatency
 {
-    /// <summary>Reads that take long, without waiting: each read sets the clock that jobs may look at forward.</summary>
-    static class SimulatedLatency
+    static long s_ticksPerRead;
+    static long s_ticks;
+    static long s_reads;
+
+    /// <summary>Reads since <see cref="Begin"/>.</summary>
+    internal static long Reads => Interlocked.Read(ref s_reads);
+
+    /// <summary>By which the clock is ahead, in ticks of <see cref="Stopwatch"/>.</summary>
+    internal static long Ticks => Volatile.Read(ref s_ticks);
+
+    /// <param name="secondsPerRead">0 ends it; the clock never goes back.</param>
+    internal static void Begin(double secondsPerRead)
     {
-        static long s_ticksPerRead;
-        static long s_ticks;
-        static long s_reads;
+        Volatile.Write(ref s_ticksPerRead, (long)(secondsPerRead * Stopwatch.Frequency));
+        Interlocked.Exchange(ref s_reads, 0);
+    }
 
-        /// <summary>Reads since <see cref="Begin"/>.</summary>
-        internal static long Reads => Interlocked.Read(ref s_reads);
-
-        /// <summary>By which the clock is ahead, in ticks of <see cref="Stopwatch"/>.</summary>
-        internal static long Ticks => Volatile.Read(ref s_ticks);
-
-        /// <param name="secondsPerRead">0 ends it; the clock never goes back.</param>
-        internal static void Begin(double secondsPerRead)
-        {
-            Volatile.Write(ref s_ticksPerRead, (long)(secondsPerRead * Stopwatch.Frequency));
-            Interlocked.Exchange(ref s_reads, 0);
-        }
-
-        internal static void Read()
-        {
-            Interlocked.Increment(ref s_reads);
-            long ticks = Volatile.Read(ref s_ticksPerRead);
-            if (ticks > 0)
-                Interlocked.Add(ref s_ticks, ticks);
-        }
+    internal static void Read()
+    {
+        Interlocked.Increment(ref s_reads);
+        long ticks = Volatile.Read(ref s_ticksPerRead);
+        if (ticks > 0)
+            Interlocked.Add(ref s_ticks, ticks);
     }
 }
