@@ -76,6 +76,8 @@ namespace FastPoints.Streaming
         {
             long start = Stopwatch.GetTimestamp();
             stream.Reads.Request(ref stats);
+            // Nodes that are made would else begin with the next frame.
+            JobHandle.ScheduleBatchedJobs();
             stats.RequestMs = MsSince(start);
         }
 

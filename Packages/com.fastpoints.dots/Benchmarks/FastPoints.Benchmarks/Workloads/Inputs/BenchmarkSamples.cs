@@ -13,6 +13,7 @@ namespace FastPoints.Benchmarks
         public const string LazLayered = "lion.laz";
 
         public const string PotreeDefault = "samples/potree/v2-mixedconifer-default";
+        public const string EptLaszip = "samples/ept/lone-star-laszip";
         public const string PotreeBrotli = "samples/potree/v2-autzen-brotli";
 
         /// <returns>The path of a file or folder; null where it is not there.</returns>

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Unity.Collections;
 
 namespace FastPoints.Streaming
@@ -15,7 +14,7 @@ namespace FastPoints.Streaming
         /// <summary>Every graphics card supports storage buffers of this size.</summary>
         public const int LargestBankBytes = 1 << 27;
 
-        readonly List<RangeAllocator> m_banks = new List<RangeAllocator>();
+        RangeAllocator[] m_banks = Array.Empty<RangeAllocator>();
         readonly int m_pagesPerBank;
         long m_limitBytes;
 
@@ -56,7 +55,7 @@ namespace FastPoints.Streaming
             int pages = PagesFor(bytes), limit = BankLimit;
             run = new PoolRange { PageCount = pages };
             int unmade = -1;
-            for (int bank = 0; bank < m_banks.Count && bank < limit; bank++)
+            for (int bank = 0; bank < m_banks.Length && bank < limit; bank++)
             {
                 if (!m_banks[bank].IsCreated)
                 {
@@ -66,10 +65,10 @@ namespace FastPoints.Streaming
                 if (TryTake(bank, ref run))
                     return true;
             }
-            if (unmade < 0 && m_banks.Count < limit)
+            if (unmade < 0 && m_banks.Length < limit)
             {
-                unmade = m_banks.Count;
-                m_banks.Add(default);
+                unmade = m_banks.Length;
+                Array.Resize(ref m_banks, Math.Min(limit, Math.Max(16, 2 * unmade)));
             }
             if (unmade >= 0 && pages <= m_pagesPerBank)
             {
@@ -85,9 +84,8 @@ namespace FastPoints.Streaming
         /// <summary>Takes a range back, and frees its bank if that is empty and beyond the limit.</summary>
         public void Give(PoolRange run)
         {
-            var heap = m_banks[run.Bank];
+            ref var heap = ref m_banks[run.Bank];
             heap.Give(run.FirstPage);
-            m_banks[run.Bank] = heap;
             UsedBytes -= (long)run.PageCount * PageBytes;
             if (heap.UsedSlots == 0 && run.Bank >= BankLimit)
                 Free(run.Bank);
@@ -100,9 +98,7 @@ namespace FastPoints.Streaming
             int pages = PagesFor(bytes);
             if (pages > run.PageCount)
                 return false;
-            var heap = m_banks[run.Bank];
-            heap.Shorten(run.FirstPage, pages);
-            m_banks[run.Bank] = heap;
+            m_banks[run.Bank].Shorten(run.FirstPage, pages);
             UsedBytes -= (long)(run.PageCount - pages) * PageBytes;
             run.PageCount = pages;
             return true;
@@ -111,7 +107,7 @@ namespace FastPoints.Streaming
         /// <summary>Frees empty banks beyond the limit.</summary>
         public void FreeEmptyBanks()
         {
-            for (int bank = BankLimit; bank < m_banks.Count; bank++)
+            for (int bank = BankLimit; bank < m_banks.Length; bank++)
                 if (m_banks[bank].IsCreated && m_banks[bank].UsedSlots == 0)
                     Free(bank);
         }
@@ -137,7 +133,7 @@ namespace FastPoints.Streaming
 
         public virtual void Dispose()
         {
-            for (int bank = 0; bank < m_banks.Count; bank++)
+            for (int bank = 0; bank < m_banks.Length; bank++)
                 if (m_banks[bank].IsCreated)
                     Free(bank);
         }
@@ -146,7 +142,7 @@ namespace FastPoints.Streaming
         public string FindProblem()
         {
             long used = 0;
-            for (int bank = 0; bank < m_banks.Count; bank++)
+            for (int bank = 0; bank < m_banks.Length; bank++)
             {
                 if (!m_banks[bank].IsCreated)
                     continue;
@@ -163,10 +159,8 @@ namespace FastPoints.Streaming
 
         bool TryTake(int bank, ref PoolRange run)
         {
-            var heap = m_banks[bank];
             run.Bank = bank;
-            run.FirstPage = heap.Take(run.PageCount);
-            m_banks[bank] = heap;
+            run.FirstPage = m_banks[bank].Take(run.PageCount);
             if (run.FirstPage < 0)
                 return false;
             UsedBytes += (long)run.PageCount * PageBytes;

@@ -23,6 +23,9 @@ namespace FastPoints.Streaming
         NativeArray<int> m_firstOfBin;
         uint m_occupiedBins;
 
+        /// <summary>No free range is as long as this; nothing was given back since it was found out.</summary>
+        int m_tooLong;
+
         public RangeAllocator(int capacity, Allocator allocator)
         {
             if (capacity < 1)
@@ -34,6 +37,7 @@ namespace FastPoints.Streaming
             for (int bin = 0; bin < BinCount; bin++)
                 m_firstOfBin[bin] = None;
             m_occupiedBins = 0;
+            m_tooLong = int.MaxValue;
             UsedSlots = 0;
             AddFree(0, capacity);
         }
@@ -45,9 +49,14 @@ namespace FastPoints.Streaming
         /// <returns>The first slot, or -1 if no free range is long enough.</returns>
         public int Take(int count)
         {
-            int run = Find(count);
+            int run = count < m_tooLong ? Find(count) : None;
             if (run < 0)
+            {
+                // A full pool is asked again and again while nodes are evicted.
+                if (count > 0)
+                    m_tooLong = math.min(m_tooLong, count);
                 return None;
+            }
             int length = -m_length[run];
             RemoveFree(run, length);
             if (length > count)
@@ -168,6 +177,7 @@ namespace FastPoints.Streaming
 
         void AddFree(int first, int length)
         {
+            m_tooLong = length >= m_tooLong ? int.MaxValue : m_tooLong;
             int bin = BinOf(length);
             Mark(first, length, -length);
             m_next[first] = m_firstOfBin[bin];

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
@@ -9,21 +11,42 @@ using Unity.Collections;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A COPC file (in the system's cache) into the pool as it is: read, decoded, packed and copied, with frames that
-    /// follow one another without a pause. Compare its points a second with those of <c>stream upload</c>.</summary>
-    public sealed class StreamCopcWorkload : IWorkload
+    /// <summary>A file with an octree (in the system's cache) into the pool as it is: read, decoded, packed and copied, with
+    /// frames that follow one another without a pause, beside a scan that only decodes, but all attributes.</summary>
+    sealed class StreamSourceWorkload : IWorkload
     {
-        const int PoolBytes = 64 << 20;
+        const int PoolBytes = 512 << 20;
 
+        readonly Func<WorkloadContext, string> m_find;
         string m_path;
         NativeArray<StreamView> m_views;
 
-        public string Name => "stream copc";
-        public string LimitName => null;
+        StreamSourceWorkload(string kind, Func<WorkloadContext, string> find)
+        {
+            m_find = find;
+            (Name, LimitName) = ("stream " + kind, "scan " + kind);
+        }
+
+        public string Name { get; }
+        public string LimitName { get; }
+
+        public static IEnumerable<IWorkload> All()
+        {
+            foreach (var (kind, find) in new (string, Func<WorkloadContext, string>)[]
+            {
+                ("copc", BenchmarkSamples.FindCopc),
+                ("ept", context => BenchmarkSamples.Find(context, BenchmarkSamples.EptLaszip)),
+                ("potree", context => BenchmarkSamples.Find(context, BenchmarkSamples.PotreeBrotli)),
+            })
+            {
+                yield return new StreamSourceWorkload(kind, find);
+                yield return new ColumnsWorkload("scan " + kind, null, find);
+            }
+        }
 
         public void Prepare(WorkloadContext context)
         {
-            m_path = BenchmarkSamples.FindCopc(context);
+            m_path = m_find(context);
             m_views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1e9) };
             Run();
         }
@@ -33,7 +56,7 @@ namespace FastPoints.Benchmarks
         {
             if (m_path == null)
                 return default;
-            using var stream = new StreamContext(new MemoryNodePool(PoolBytes, PoolBytes / 4));
+            using var stream = new StreamContext(new MemoryNodePool(PoolBytes, 16 << 20));
             stream.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
             stream.Settings.UploadBytesPerFrame = PoolBytes;
             var reader = PointReaders.Open(m_path);
