@@ -12,8 +12,7 @@ namespace FastPoints.Evaluation
     /// <summary>A hash table of positions, to see which of them come along. Open addressing, at most half full.</summary>
     public sealed class PositionTable : IDisposable
     {
-        NativeArray<double3> m_positions;
-        NativeArray<double3> m_slots;
+        NativeArray<double3> m_positions, m_slots;
         NativeArray<byte> m_states;
 
         public PositionTable(double3[] positions, Allocator allocator)

@@ -79,9 +79,7 @@ namespace FastPoints.Scenes
     [BurstCompile]
     internal struct OrderReturnsJob : IJob
     {
-        const int TileGrid = 50_000;
-        const int TilesPerRow = 10;
-        const int Keys = 256;
+        const int TileGrid = 50_000, TilesPerRow = 10, Keys = 256;
 
         [ReadOnly] public NativeArray<ScanReturn> Returns;
         public ScanOrder Order;

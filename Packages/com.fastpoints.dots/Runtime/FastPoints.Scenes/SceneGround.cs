@@ -41,8 +41,7 @@ namespace FastPoints.Scenes
             float a = 0, b = reach;
             if (direction.z < 0)
                 b = math.min(b, (-1.6f - origin.z) / direction.z);
-            float fa = origin.z - Height(origin.xy);
-            float fb = Above(origin, direction, b);
+            float fa = origin.z - Height(origin.xy), fb = Above(origin, direction, b);
             if (fb > 0 || fa < 0)
                 return float.PositiveInfinity;
             for (int i = 0; i < 12; i++)
@@ -76,8 +75,7 @@ namespace FastPoints.Scenes
         /// <summary>Linear colour, 0 to 1.</summary>
         public static float3 Color(float2 p, uint seed)
         {
-            float aside = math.abs(p.y);
-            float grain = SceneHash.Noise(p * 9, seed);
+            float aside = math.abs(p.y), grain = SceneHash.Noise(p * 9, seed);
             if (aside < RoadHalf)
             {
                 // A dashed middle line and two edge lines are worn.

@@ -49,14 +49,12 @@ namespace FastPoints.Scenes
         {
             for (int axis = 0; axis < 2; axis++)
             {
-                float half = o.Half[axis];
-                float side = d[axis] > 0 ? -1 : 1;
+                float half = o.Half[axis], side = d[axis] > 0 ? -1 : 1;
                 float t = (side * half - p[axis]) / d[axis];
                 if (!(t > 0 && t < hit.Distance))
                     continue;
                 var at = p + d * t;
-                float along = axis == 0 ? at.y : at.x;
-                float alongHalf = axis == 0 ? o.Half.y : o.Half.x;
+                float along = axis == 0 ? at.y : at.x, alongHalf = axis == 0 ? o.Half.y : o.Half.x;
                 float top = axis == 0 ? o.Half.z + (o.Half.y - math.abs(at.y)) * o.Slope : o.Half.z;
                 if (math.abs(along) > alongHalf || at.z > top || at.z < -WallBelowGround)
                     continue;

@@ -10,8 +10,7 @@ namespace FastPoints.Scenes
     internal struct SunShadow
     {
         const float CellSize = 0.25f;
-        const int CellsX = 1280;
-        const int CellsY = 1200;
+        const int CellsX = 1280, CellsY = 1200;
 
         /// <summary>Direction to the sun.</summary>
         public static float3 Sun => math.normalize(new float3(0.45f, -0.62f, 0.8f));

@@ -171,8 +171,7 @@ namespace FastPoints.Scenes
             int end = 0;
             for (int line = 0; line < Lines; line++)
             {
-                int start = line * ReturnsPerLine;
-                int count = CountOfLine[line];
+                int start = line * ReturnsPerLine, count = CountOfLine[line];
                 if (start != end)
                     for (int i = 0; i < count; i++)
                         Returns[end + i] = Returns[start + i];

@@ -15,9 +15,7 @@ namespace FastPoints.Scenes
         public const float HighestElevation = 0.96f;
 
         const float Reach = 170;
-        const double GpsTimeOfStart = 3.2e8;
-        const double SecondsPerPulse = 2e-6;
-        const double SecondsPerStation = 600;
+        const double GpsTimeOfStart = 3.2e8, SecondsPerPulse = 2e-6, SecondsPerStation = 600;
 
         [ReadOnly] public NativeArray<SceneObject> Objects;
         [ReadOnly] public NativeArray<float> TopOfShadow;
@@ -122,8 +120,7 @@ namespace FastPoints.Scenes
             var o = Objects[index];
             if (!SceneTrace.CrownSpan(o, origin, direction, out var span))
                 return;
-            float t = span.x;
-            float last = math.min(span.y, limit);
+            float t = span.x, last = math.min(span.y, limit);
             for (int guard = 0; guard < 64; guard++)
             {
                 t -= math.log(1 - SceneHash.Next(ref random)) / o.Slope;
@@ -172,8 +169,7 @@ namespace FastPoints.Scenes
             var at = origin + direction * distance;
 
             var sun = SunShadow.Sun;
-            float light = 0.32f + 0.14f * hit.Normal.z;
-            float towards = math.dot(hit.Normal, sun);
+            float light = 0.32f + 0.14f * hit.Normal.z, towards = math.dot(hit.Normal, sun);
             if (towards > 0 && SunShadow.Reaches(TopOfShadow, at + hit.Normal * 0.05f))
                 light += 1.05f * towards;
             var tint = math.lerp(new float3(0.86f, 0.95f, 1.12f), new float3(1.05f, 1, 0.9f), math.saturate(light));

@@ -15,8 +15,7 @@ namespace FastPoints.Samples.EntitiesOnly
         public PointCloudAsset Cloud;
 
         World m_world;
-        Entity m_cloud;
-        Entity m_budget;
+        Entity m_cloud, m_budget;
 
         void OnEnable()
         {

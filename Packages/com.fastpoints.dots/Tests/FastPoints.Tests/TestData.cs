@@ -9,8 +9,7 @@ namespace FastPoints.Tests
     /// beside the repository. A test that wants data which is not there is skipped, and says so.</summary>
     public static class TestData
     {
-        const string Variable = "FASTPOINTS_DATA";
-        const string PackageFolder = "Packages/com.fastpoints.dots";
+        const string Variable = "FASTPOINTS_DATA", PackageFolder = "Packages/com.fastpoints.dots";
 
         /// <summary>The data folder, or null where there is none.</summary>
         public static string Root { get; } = FindRoot();

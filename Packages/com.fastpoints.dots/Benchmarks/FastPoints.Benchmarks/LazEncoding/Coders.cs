@@ -9,8 +9,7 @@ namespace FastPoints.LazEncoding
         const uint MinLength = 1u << 24;
 
         readonly List<byte> m_bytes = new List<byte>();
-        uint m_base;
-        uint m_length = uint.MaxValue;
+        uint m_base, m_length = uint.MaxValue;
 
         /// <summary>Takes part <paramref name="index"/> of the interval, in which it goes from <paramref name="low"/> for
         /// <paramref name="size"/>.</summary>
@@ -84,11 +83,9 @@ namespace FastPoints.LazEncoding
     {
         const int LengthBits = 15;
 
-        readonly uint[] m_counts;
-        readonly uint[] m_starts;
+        readonly uint[] m_counts, m_starts;
         uint m_total;
-        int m_cycle;
-        int m_untilUpdate;
+        int m_cycle, m_untilUpdate;
 
         public SymbolEncoder(int symbols)
         {
@@ -137,11 +134,9 @@ namespace FastPoints.LazEncoding
     {
         const int LengthBits = 13;
 
-        uint m_zeros = 1;
-        uint m_count = 2;
+        uint m_zeros = 1, m_count = 2;
         uint m_probability = 1u << (LengthBits - 1);
-        uint m_cycle = 4;
-        uint m_untilUpdate = 4;
+        uint m_cycle = 4, m_untilUpdate = 4;
 
         public void Encode(RangeEncoder encoder, int bit)
         {
@@ -181,8 +176,7 @@ namespace FastPoints.LazEncoding
         const int ModelledBits = 8;
 
         readonly int m_bits;
-        readonly SymbolEncoder[] m_k;
-        readonly SymbolEncoder[] m_correctors;
+        readonly SymbolEncoder[] m_k, m_correctors;
         readonly BitEncoder m_bit = new BitEncoder();
 
         public IntegerEncoder(int bits, int contexts)

@@ -6,21 +6,15 @@ namespace FastPoints.LazEncoding
     /// only.</summary>
     sealed class GpsTimeEncoder : IItemEncoder
     {
-        const int Multiplier = 500;
-        const int LowestMultiplier = -10;
-        const int Unchanged = 511;
-        const int Full = 512;
+        const int Multiplier = 500, LowestMultiplier = -10, Unchanged = 511, Full = 512;
 
-        readonly int m_recordOffset;
-        readonly int m_isLayer;
-        readonly SymbolEncoder m_multiplier;
-        readonly SymbolEncoder m_zero;
+        readonly int m_recordOffset, m_isLayer;
+        readonly SymbolEncoder m_multiplier, m_zero;
         readonly IntegerEncoder m_integer = new IntegerEncoder(32, 9);
         readonly long[] m_last = new long[4];
         readonly int[] m_difference = new int[4];
         readonly int[] m_extremes = new int[4];
-        int m_sequence;
-        int m_newest;
+        int m_sequence, m_newest;
 
         public GpsTimeEncoder(long first, int recordOffset, bool isLayer)
         {
@@ -125,8 +119,7 @@ namespace FastPoints.LazEncoding
         readonly SymbolEncoder m_zero = new SymbolEncoder(3);
         readonly IntegerEncoder m_integer = new IntegerEncoder(32, 6);
         long m_last;
-        int m_difference;
-        int m_extremes;
+        int m_difference, m_extremes;
 
         public GpsTimeEncoderV1(long first, int recordOffset)
         {

@@ -13,8 +13,7 @@ namespace FastPoints.LazEncoding
         readonly IntegerEncoder m_size = new IntegerEncoder(32, 1);
         readonly IntegerEncoder m_location = new IntegerEncoder(32, 1);
         readonly IntegerEncoder m_direction = new IntegerEncoder(32, 3);
-        int m_lastStep;
-        int m_lastKind;
+        int m_lastStep, m_lastKind;
 
         public WavePacketEncoder(byte[] first, int recordOffset)
         {

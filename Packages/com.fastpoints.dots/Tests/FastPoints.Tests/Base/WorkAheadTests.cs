@@ -37,12 +37,8 @@ namespace FastPoints.Tests.Base
             Assert.That(ahead.Count, Is.EqualTo(3));
         }
 
-        [TestCase(5, 2, 2)]
-        [TestCase(0, 9, 1)]
-        [TestCase(5, 0, 1)]
-        public void Count_AtFirst_IsWithinItsLimits(int first, int most, int wanted)
-        {
+        [TestCase(5, 2, 2), TestCase(0, 9, 1), TestCase(5, 0, 1)]
+        public void Count_AtFirst_IsWithinItsLimits(int first, int most, int wanted) =>
             Assert.That(new WorkAhead(first, most, () => 1).Count, Is.EqualTo(wanted));
-        }
     }
 }

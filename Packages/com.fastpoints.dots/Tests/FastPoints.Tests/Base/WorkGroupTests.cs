@@ -38,9 +38,7 @@ namespace FastPoints.Tests.Base
             }
         }
 
-        [TestCase(1)]
-        [TestCase(2)]
-        [TestCase(9)]
+        [TestCase(1), TestCase(2), TestCase(9)]
         public void Run_SeveralWorks_BeginsEachInOrderAndNoMoreAtOnce(int atOnce)
         {
             WorkPump.RunToEnd(WorkGroup.Run(Works(5, 3), atOnce));
@@ -73,25 +71,23 @@ namespace FastPoints.Tests.Base
         public void Run_OldestIsInFlight_StepsTheOthers()
         {
             s_gate.Reset();
-            using (new WorkerCount(1))
+            using var workers = new WorkerCount(1);
+            var pump = new WorkPump(WorkGroup.Run(new[] { Waiting(), One(1, 5, false) }, 2));
+            try
             {
-                var pump = new WorkPump(WorkGroup.Run(new[] { Waiting(), One(1, 5, false) }, 2));
-                try
-                {
-                    for (int i = 0; i < 100 && !m_events.Contains("free 1"); i++)
-                        pump.Tick(2);
-                    Assert.That(m_events, Does.Contain("free 1"));
-                    Assert.That(pump.IsDone, Is.False);
-                    s_gate.Set();
-                    for (int i = 0; i < 1000 && !pump.Tick(2); i++)
-                        Thread.Sleep(1);
-                    Assert.That(pump.IsDone, Is.True);
-                }
-                finally
-                {
-                    s_gate.Set();
-                    pump.Cancel();
-                }
+                for (int i = 0; i < 100 && !m_events.Contains("free 1"); i++)
+                    pump.Tick(2);
+                Assert.That(m_events, Does.Contain("free 1"));
+                Assert.That(pump.IsDone, Is.False);
+                s_gate.Set();
+                for (int i = 0; i < 1000 && !pump.Tick(2); i++)
+                    Thread.Sleep(1);
+                Assert.That(pump.IsDone, Is.True);
+            }
+            finally
+            {
+                s_gate.Set();
+                pump.Cancel();
             }
         }
 

@@ -55,17 +55,15 @@ namespace FastPoints.Tests.Base
         [Test]
         public void Tick_JobWithoutWorkers_RunsIt()
         {
-            using (new WorkerCount(0))
-            using (var value = new NativeReference<int>(Allocator.Persistent))
-            {
-                var pump = new WorkPump(Setting(value));
-                for (int tick = 0; tick < 1000 && !pump.IsDone; tick++)
-                    pump.Tick(2);
-                bool isDone = pump.IsDone;
-                pump.Cancel();
-                Assert.That(isDone, Is.True);
-                Assert.That(value.Value, Is.EqualTo(7));
-            }
+            using var workers = new WorkerCount(0);
+            using var value = new NativeReference<int>(Allocator.Persistent);
+            var pump = new WorkPump(Setting(value));
+            for (int tick = 0; tick < 1000 && !pump.IsDone; tick++)
+                pump.Tick(2);
+            bool isDone = pump.IsDone;
+            pump.Cancel();
+            Assert.That(isDone, Is.True);
+            Assert.That(value.Value, Is.EqualTo(7));
         }
 
         [Test]
@@ -92,18 +90,16 @@ namespace FastPoints.Tests.Base
         public void Tick_LongJobsInARow_RarelyWaitsForThem()
         {
             const int Jobs = 40;
-            using (new WorkerCount(1))
+            using var workers = new WorkerCount(1);
+            var pump = new WorkPump(Waits(Jobs));
+            while (!pump.IsDone)
             {
-                var pump = new WorkPump(Waits(Jobs));
-                while (!pump.IsDone)
-                {
-                    s_gate.Reset();
-                    pump.Tick(1000);
-                    s_gate.Set();
-                    Thread.Sleep(1);
-                }
-                Assert.That(pump.LooksInVain, Is.GreaterThan(0).And.LessThanOrEqualTo(Jobs / 5));
+                s_gate.Reset();
+                pump.Tick(1000);
+                s_gate.Set();
+                Thread.Sleep(1);
             }
+            Assert.That(pump.LooksInVain, Is.GreaterThan(0).And.LessThanOrEqualTo(Jobs / 5));
         }
 
         static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();

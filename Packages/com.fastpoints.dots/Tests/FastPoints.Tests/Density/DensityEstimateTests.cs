@@ -19,8 +19,7 @@ namespace FastPoints.Tests.Density
     [Category("Smoke")]
     public class DensityEstimateTests : FolderTests
     {
-        const int Points = 200_000;
-        const int Lines = 800, PatchPoints = 250;
+        const int Points = 200_000, Lines = 800, PatchPoints = 250;
         const double Size = 100;
 
         public enum Order

@@ -12,8 +12,7 @@ namespace FastPoints.Tests.Draw
     /// <summary>LAZ files whose blocks are known only when all of them was decoded.</summary>
     public class PreviewBeginningTests
     {
-        const int LongChunkPoints = 1000;
-        const int Points = 5000;
+        const int LongChunkPoints = 1000, Points = 5000;
 
         /// <param name="chunkPoints">0 for one stream without chunks.</param>
         static LazFileWriter Writer(int chunkPoints) => new LazFileWriter

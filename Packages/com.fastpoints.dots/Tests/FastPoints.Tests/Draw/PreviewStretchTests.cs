@@ -15,8 +15,7 @@ namespace FastPoints.Tests.Draw
     /// long.</summary>
     public class PreviewStretchTests : FolderTests
     {
-        const int Lines = 800_000;
-        const int ShortLine = 20, LongLine = 160;
+        const int Lines = 800_000, ShortLine = 20, LongLine = 160;
 
         string m_path;
 

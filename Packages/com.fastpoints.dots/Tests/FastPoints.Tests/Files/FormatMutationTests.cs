@@ -19,10 +19,7 @@ namespace FastPoints.Tests.Files
     /// those of seed 7.</remarks>
     public class FormatMutationTests : FolderTests
     {
-        const int Cases = 40;
-        const int SampleCases = 8;
-        const int LongCases = 20000;
-        const int MostPoints = 3000;
+        const int Cases = 40, SampleCases = 8, LongCases = 20000, MostPoints = 3000;
         const int MostBlocks = 6;
 
         static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
@@ -137,8 +134,7 @@ namespace FastPoints.Tests.Files
             try
             {
                 using var reader = PointReaders.Open(path);
-                if (!reader.BlocksAreKnown)
-                    WorkPump.RunToEnd(reader.FindBlocks());
+                ReadPoints.FindBlocks(reader);
                 Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), story);
                 if (reader.BlockCount == 0)
                     return true;

@@ -1,4 +1,7 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
@@ -8,6 +11,60 @@ namespace FastPoints.Tests.Files
     /// <summary>Reads whole columns, or ranges, of any reader, block by block on the test's thread.</summary>
     static class ReadPoints
     {
+        /// <summary>An open source whose blocks are known.</summary>
+        public static PointReader Open(string path)
+        {
+            var reader = PointReaders.Open(path);
+            try
+            {
+                FindBlocks(reader);
+                return reader;
+            }
+            catch
+            {
+                reader.Dispose();
+                throw;
+            }
+        }
+
+        public static void FindBlocks(PointReader reader)
+        {
+            if (!reader.BlocksAreKnown)
+                WorkPump.RunToEnd(reader.FindBlocks());
+        }
+
+        public static List<BlockRange> WholeBlocks(PointReader reader) =>
+            Enumerable.Range(0, reader.BlockCount)
+                .Select(block => new BlockRange(block, 0, reader.PointsInBlock(block))).ToList();
+
+        /// <summary>Reads ranges in the order given, several at once, and calls back with each decoded slot in turn.</summary>
+        public static void InTurns(PointReader reader, PointSchema wanted, IReadOnlyList<BlockRange> ranges, int slots,
+            Action<BlockRead> visit)
+        {
+            var reads = new BlockRead[Math.Max(1, Math.Min(slots, ranges.Count))];
+            try
+            {
+                for (int i = 0; i < reads.Length; i++)
+                    reads[i] = reader.CreateRead(wanted, Math.Max(1, reader.MaxPointsPerBlock), Allocator.Persistent);
+                for (int i = 0; i < ranges.Count + reads.Length; i++)
+                {
+                    var read = reads[i % reads.Length];
+                    if (i >= reads.Length && i - reads.Length < ranges.Count)
+                    {
+                        read.Complete();
+                        visit(read);
+                    }
+                    if (i < ranges.Count)
+                        read.Begin(ranges[i]);
+                }
+            }
+            finally
+            {
+                foreach (var read in reads)
+                    read?.Dispose();
+            }
+        }
+
         /// <summary>One column of all points.</summary>
         public static T[] Column<T>(PointReader reader, string name) where T : unmanaged
         {

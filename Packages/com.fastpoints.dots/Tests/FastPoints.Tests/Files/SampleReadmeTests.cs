@@ -151,7 +151,7 @@ namespace FastPoints.Tests.Files
         static BoundsGeo ScanBounds(PointReader reader, out long points)
         {
             var bounds = BoundsGeo.Empty;
-            FindBlocks(reader);
+            ReadPoints.FindBlocks(reader);
             points = ReadPoints.EachBlock(reader, reader.Info.Schema, read =>
             {
                 for (int i = 0; i < read.Points.Count; i++)
@@ -164,12 +164,6 @@ namespace FastPoints.Tests.Files
                 }
             });
             return bounds;
-        }
-
-        static void FindBlocks(PointReader reader)
-        {
-            if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
         }
 
         static double Number(PointBatch points, string name, int i)

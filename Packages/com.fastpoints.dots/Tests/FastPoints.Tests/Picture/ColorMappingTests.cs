@@ -1,4 +1,4 @@
-using System.Collections.Generic;
+using System;
 using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
@@ -26,10 +26,8 @@ namespace FastPoints.Tests.Picture
 
         static PointBatch With(string[] names, AttributeType type, params double[][] rows)
         {
-            var attributes = new List<PointAttribute>(TestBatches.Xyz(AttributeType.Int32));
-            foreach (string name in names)
-                attributes.Add(new PointAttribute(name, type));
-            var batch = TestBatches.New(rows.Length, attributes);
+            var batch = TestBatches.New(rows.Length, AttributeType.Int32,
+                Array.ConvertAll(names, name => new PointAttribute(name, type)));
             for (int i = 0; i < rows.Length; i++)
                 for (int column = 0; column < rows[i].Length; column++)
                     TestBatches.Set(batch, column, i, rows[i][column]);

@@ -19,11 +19,7 @@ namespace FastPoints.Tests.Picture
         /// <summary>A few points with one colour, of this type.</summary>
         static PointBatch Colored(AttributeType type, params double[] values)
         {
-            var attributes = TestBatches.Xyz(AttributeType.Float32);
-            attributes.Add(new PointAttribute(AttributeNames.Red, type));
-            attributes.Add(new PointAttribute(AttributeNames.Green, type));
-            attributes.Add(new PointAttribute(AttributeNames.Blue, type));
-            var batch = TestBatches.New(values.Length, attributes);
+            var batch = TestBatches.New(values.Length, AttributeType.Float32, TestBatches.Colors(type));
             for (int i = 0; i < values.Length; i++)
             {
                 for (int axis = 0; axis < 3; axis++)

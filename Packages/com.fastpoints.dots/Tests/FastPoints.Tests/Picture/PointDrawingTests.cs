@@ -152,7 +152,7 @@ namespace FastPoints.Tests.Picture
             // 1 mm grid at UTM-sized offsets, seen from 2 m: points 1 mm apart are pixels apart, and 1 mm of depth is resolved.
             var corner = new double3(691_000.123, 5_335_000.456, 517.789);
             var transform = new PositionTransform { Scale = new double3(0.001, 0.001, 0.001), Offset = corner };
-            using var batch = TestBatches.New(3, Schema());
+            using var batch = TestBatches.New(3, AttributeType.Int32, TestBatches.Colors(AttributeType.UInt16));
             int[][] grid = { new[] { 0, 0, 0 }, new[] { 1, 0, 0 }, new[] { 0, 0, 1 } };
             uint[] colors = { Red, Green, Blue };
             for (int i = 0; i < 3; i++)
@@ -171,15 +171,6 @@ namespace FastPoints.Tests.Picture
             Assert.That(image[50, 50], Is.EqualTo(Blue));
             Assert.That(image[56, 50], Is.EqualTo(Green));
             Assert.That(Covered(image), Is.EqualTo(2));
-        }
-
-        static System.Collections.Generic.List<PointAttribute> Schema()
-        {
-            var attributes = TestBatches.Xyz(AttributeType.Int32);
-            attributes.Add(new PointAttribute(AttributeNames.Red, AttributeType.UInt16));
-            attributes.Add(new PointAttribute(AttributeNames.Green, AttributeType.UInt16));
-            attributes.Add(new PointAttribute(AttributeNames.Blue, AttributeType.UInt16));
-            return attributes;
         }
 
         [Test]

@@ -7,8 +7,7 @@ namespace FastPoints.Tests.Picture
 {
     public class ResolvePictureTests
     {
-        const uint White = 0xFFFFFFFF;
-        const uint RadiusOfOne = 1 << 24;
+        const uint White = 0xFFFFFFFF, RadiusOfOne = 1 << 24;
 
         /// <summary>A row of pixels with these depths (NaN: none), orthographic, one unit a pixel.</summary>
         static uint[] Resolve(float strength, uint background, params float[] depths)

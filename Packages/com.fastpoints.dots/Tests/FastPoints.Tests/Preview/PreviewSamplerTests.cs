@@ -242,20 +242,8 @@ namespace FastPoints.Tests.Preview
         }
 
         /// <summary>Points of a source of which only the prefixes of blocks are cheap; x is the index.</summary>
-        static MemoryPointReader Blocks(int count, int pointsPerBlock)
-        {
-            var attributes = TestBatches.Xyz(AttributeType.Int32);
-            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
-            var batch = TestBatches.New(count, attributes);
-            for (int i = 0; i < count; i++)
-            {
-                TestBatches.Set(batch, 0, i, i);
-                TestBatches.Set(batch, 1, i, -i);
-                TestBatches.Set(batch, 2, i, i % 1000);
-                TestBatches.Set(batch, 3, i, i % 60_000);
-            }
-            return new MemoryPointReader(batch, pointsPerBlock, fixedStride: false);
-        }
+        static MemoryPointReader Blocks(int count, int pointsPerBlock) =>
+            new MemoryPointReader(TestBatches.Numbered(count), pointsPerBlock, fixedStride: false);
 
         [Test]
         public void Prefixes_OfManyBlocks_ComeFromAllOfTheSourceInEachWave()

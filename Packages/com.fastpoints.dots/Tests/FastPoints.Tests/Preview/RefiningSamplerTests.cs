@@ -18,9 +18,8 @@ namespace FastPoints.Tests.Preview
         /// of the edge: each is a block of 1,600 points.</summary>
         static MemoryPointReader Square(int pointsPerBlock, int pointsReadable = int.MaxValue)
         {
-            var attributes = TestBatches.Xyz(AttributeType.Int32);
-            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
-            var batch = TestBatches.New(4 * Edge * Edge, attributes);
+            var batch = TestBatches.New(4 * Edge * Edge, AttributeType.Int32,
+                new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
             for (int i = 0; i < batch.Count; i++)
             {
                 int square = i / 1600, place = i % 400;

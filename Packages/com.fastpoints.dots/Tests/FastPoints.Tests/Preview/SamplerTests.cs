@@ -9,23 +9,6 @@ namespace FastPoints.Tests.Preview
 {
     public class SamplerTests
     {
-        /// <summary>Points whose X is their index, with colour of it.</summary>
-        static PointBatch Numbered(int count)
-        {
-            var attributes = TestBatches.Xyz(AttributeType.Int32);
-            attributes.Add(new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64));
-            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
-            var batch = TestBatches.New(count, attributes);
-            for (int i = 0; i < count; i++)
-            {
-                TestBatches.Set(batch, 0, i, i);
-                TestBatches.Set(batch, 1, i, -i);
-                TestBatches.Set(batch, 2, i, i % 1000);
-                TestBatches.Set(batch, 4, i, i % 60_000);
-            }
-            return batch;
-        }
-
         static PreviewSample Uniform(MemoryPointReader reader, int wanted, int slots, uint seed = 1)
         {
             using var sampler = new UniformSampler(reader, wanted, seed);
@@ -49,7 +32,7 @@ namespace FastPoints.Tests.Preview
         [TestCase(1), TestCase(999), TestCase(50_000)]
         public void Uniform_FewerWanted_TakesExactlyOneOfEachStratum(int wanted)
         {
-            using var reader = new MemoryPointReader(Numbered(50_000), 3000);
+            using var reader = new MemoryPointReader(TestBatches.Numbered(50_000), 3000);
             using var sample = Uniform(reader, wanted, 3);
             var indices = Indices(sample);
             var strata = new SampleStrata(50_000, wanted, 1);
@@ -65,7 +48,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Uniform_MoreWantedThanThere_IsTheWholeSourceInOrder()
         {
-            using var reader = new MemoryPointReader(Numbered(1234), 100);
+            using var reader = new MemoryPointReader(TestBatches.Numbered(1234), 100);
             using var sample = Uniform(reader, 5000, 4);
             var indices = Indices(sample);
             Assert.That(indices.Length, Is.EqualTo(1234));
@@ -83,7 +66,7 @@ namespace FastPoints.Tests.Preview
                 foreach (int slots in new[] { 1, 2, 9 })
                 {
                     using var count = new WorkerCount(workers);
-                    using var reader = new MemoryPointReader(Numbered(40_000), 1000 * slots + 17);
+                    using var reader = new MemoryPointReader(TestBatches.Numbered(40_000), 1000 * slots + 17);
                     using var sample = Uniform(reader, 3000, slots);
                     uniform ??= Indices(sample);
                     Assert.That(Indices(sample), Is.EqualTo(uniform));
@@ -93,7 +76,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Samplers_AnotherSeed_ChooseOtherPoints()
         {
-            using var reader = new MemoryPointReader(Numbered(40_000), 4096);
+            using var reader = new MemoryPointReader(TestBatches.Numbered(40_000), 4096);
             using var one = Uniform(reader, 1000, 2, 1);
             using var other = Uniform(reader, 1000, 2, 2);
             Assert.That(Indices(one), Is.Not.EqualTo(Indices(other)));
@@ -128,7 +111,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Samplers_SourceThatBreaksOff_GiveWhatIsThere()
         {
-            using var reader = new MemoryPointReader(Numbered(10_000), 999, true, 4321);
+            using var reader = new MemoryPointReader(TestBatches.Numbered(10_000), 999, true, 4321);
             using var sample = Uniform(reader, 100_000, 3);
             Assert.That(sample.Count, Is.EqualTo(4321));
             Assert.That(sample.PointsInSource, Is.EqualTo(4321));
@@ -138,7 +121,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Samplers_NoPoints_GiveAnEmptySample()
         {
-            using var reader = new MemoryPointReader(Numbered(0), 1000);
+            using var reader = new MemoryPointReader(TestBatches.Numbered(0), 1000);
             using var uniform = Uniform(reader, 100, 2);
             Assert.That(uniform.Count, Is.EqualTo(0));
             Assert.That(uniform.Bounds.IsEmpty, Is.True);
@@ -156,7 +139,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Samplers_CancelledHalfway_FreeWhatTheyHold()
         {
-            using var reader = new MemoryPointReader(Numbered(50_000), 500);
+            using var reader = new MemoryPointReader(TestBatches.Numbered(50_000), 500);
             using var sampler = new UniformSampler(reader, 5000, 1);
             var work = new WorkSteps(sampler.Run(4, null));
             for (int step = 0; step < 10; step++)
@@ -168,7 +151,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void MaxPoints_LargestSample_StaysWithinItsMemory()
         {
-            using var batch = Numbered(1);
+            using var batch = TestBatches.Numbered(1);
             int most = PreviewSample.MaxPoints(batch.Schema);
             Assert.That((long)most * (batch.Schema.BytesPerPoint + 1), Is.LessThanOrEqualTo(PreviewSample.MaxBytes));
             Assert.That(most, Is.GreaterThan(1_000_000));

@@ -1,6 +1,7 @@
 using System;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Tests.Support;
 using Unity.Collections;
 using Unity.Mathematics;
 
@@ -9,8 +10,7 @@ namespace FastPoints.Tests.Samplers
     /// <summary>A source of points that a test has in memory: blocks of a size of the test's choice.</summary>
     sealed class MemoryReader : PointReader
     {
-        readonly int m_points;
-        readonly int m_blockPoints;
+        readonly int m_points, m_blockPoints;
         readonly Array[] m_columns;
         int m_slots;
 
@@ -47,16 +47,10 @@ namespace FastPoints.Tests.Samplers
                 green[i] = (ushort)(random.NextInt(256) * 256);
                 blue[i] = (ushort)random.NextInt(65536);
             }
-            return new MemoryReader(new PointSchema(new[]
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Int32),
-                new PointAttribute(AttributeNames.Y, AttributeType.Int32),
-                new PointAttribute(AttributeNames.Z, AttributeType.Int32),
-                new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16),
-                new PointAttribute(AttributeNames.Red, AttributeType.UInt16),
-                new PointAttribute(AttributeNames.Green, AttributeType.UInt16),
-                new PointAttribute(AttributeNames.Blue, AttributeType.UInt16),
-            }), transform, blockPoints, x, y, z, intensity, red, green, blue);
+            var attributes = TestBatches.Xyz(AttributeType.Int32);
+            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
+            attributes.AddRange(TestBatches.Colors(AttributeType.UInt16));
+            return new MemoryReader(new PointSchema(attributes), transform, blockPoints, x, y, z, intensity, red, green, blue);
         }
 
         public override int BlockCount => (m_points + m_blockPoints - 1) / m_blockPoints;

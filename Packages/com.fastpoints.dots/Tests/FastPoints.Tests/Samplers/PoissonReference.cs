@@ -17,8 +17,7 @@ namespace FastPoints.Tests.Samplers
             public int Taken;
         }
 
-        const int Untaken = -1;
-        const int InLeaf = -2;
+        const int Untaken = -1, InLeaf = -2;
 
         readonly Grid3[] m_places;
         readonly NodeSizes m_sizes;

@@ -9,8 +9,7 @@ namespace FastPoints.Tests.Samplers
     /// priority of each of its cells that has none of a cube above.</summary>
     sealed class RandomReference
     {
-        const int Untaken = -1;
-        const int InLeaf = -2;
+        const int Untaken = -1, InLeaf = -2;
 
         readonly Grid3[] m_places;
         readonly uint[] m_priority;

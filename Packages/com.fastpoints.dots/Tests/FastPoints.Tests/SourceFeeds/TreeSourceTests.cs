@@ -80,14 +80,12 @@ namespace FastPoints.Tests.SourceFeeds
         [TestCaseSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))]
         public void Run_WithoutWorkers_DrawsEveryPoint(string kind)
         {
-            using (new WorkerCount(0))
-            using (var cloud = new TreeTestCloud(kind))
-            using (var stream = Stream())
-            {
-                Add(stream, cloud.Open());
-                Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(3000));
-                Assert.That(Failures(stream), Is.Empty);
-            }
+            using var workers = new WorkerCount(0);
+            using var cloud = new TreeTestCloud(kind);
+            using var stream = Stream();
+            Add(stream, cloud.Open());
+            Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(3000));
+            Assert.That(Failures(stream), Is.Empty);
         }
 
         /// <summary>A hierarchy in one page a level and node: what is not looked at is not read.</summary>

@@ -6,11 +6,7 @@ namespace FastPoints.Tests.Store
 {
     public unsafe class PlaneViewTests
     {
-        [TestCase(1, 0)]
-        [TestCase(2, 0)]
-        [TestCase(3, 0)]
-        [TestCase(3, 7)]
-        [TestCase(3, 2)]
+        [TestCase(1, 0), TestCase(2, 0), TestCase(3, 0), TestCase(3, 7), TestCase(3, 2)]
         public void IsSound_AnyBitOfAnyDescriptor_IsAsTheRulesSay(int columns, int wide)
         {
             var shape = new PlaneShape(columns, wide);
@@ -45,8 +41,8 @@ namespace FastPoints.Tests.Store
                 for (int bit = 0; bit < Blocks * shape.DescriptorWords * 32; bit++)
                 {
                     plane[bit >> 5] ^= 1u << (bit & 31);
-                    Assert.That(PlaneView.IsSound(plane, length, shape, Blocks), Is.EqualTo(IsSound(plane, length, shape, Blocks)),
-                        "bit " + bit);
+                    Assert.That(PlaneView.IsSound(plane, length, shape, Blocks),
+                        Is.EqualTo(IsSound(plane, length, shape, Blocks)), "bit " + bit);
                     plane[bit >> 5] ^= 1u << (bit & 31);
                 }
             }

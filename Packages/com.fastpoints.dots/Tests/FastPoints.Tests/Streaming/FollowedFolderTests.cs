@@ -15,8 +15,7 @@ namespace FastPoints.Tests.Streaming
 {
     public class FollowedFolderTests : FolderTests
     {
-        const int Points = 120_000;
-        const int MostFrames = 1_000_000;
+        const int Points = 120_000, MostFrames = 1_000_000;
 
         /// <summary>A cloud that grows while it is looked at: all of it is shown in the end.</summary>
         [Test]

@@ -147,13 +147,11 @@ namespace FastPoints.Tests.Streaming
         {
             List<string> Show()
             {
-                using (var stream = StreamedTestCloud.Stream())
-                {
-                    Add(stream);
-                    StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                    Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
-                    return Failures(stream);
-                }
+                using var stream = StreamedTestCloud.Stream();
+                Add(stream);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
+                return Failures(stream);
             }
             string path;
             using (var folder = CloudFolder.Open(m_cloud.Path))
@@ -181,21 +179,19 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_DescriptorChangedAfterItsHashWasRight_IsNotShown()
         {
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                Add(stream);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.True);
-                string path = stream.Clouds[0].Source.PathOf(0);
-                byte[] bytes = File.ReadAllBytes(path);
-                bytes[stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + 5] ^= 1;
-                File.WriteAllBytes(path, bytes);
-                stream.Release(stream.Clouds[0].Pages[0].States[0].Slot);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
-                Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.False);
-                Assert.That(stream.Clouds[0].Source.IsChecked(0, 1, 0), Is.False, "all of the file is checked again");
-            }
+            using var stream = StreamedTestCloud.Stream();
+            Add(stream);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.True);
+            string path = stream.Clouds[0].Source.PathOf(0);
+            byte[] bytes = File.ReadAllBytes(path);
+            bytes[stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + 5] ^= 1;
+            File.WriteAllBytes(path, bytes);
+            stream.Release(stream.Clouds[0].Pages[0].States[0].Slot);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
+            Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.False);
+            Assert.That(stream.Clouds[0].Source.IsChecked(0, 1, 0), Is.False, "all of the file is checked again");
         }
 
         [Test]

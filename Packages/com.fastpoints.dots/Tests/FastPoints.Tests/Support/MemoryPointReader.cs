@@ -52,8 +52,7 @@ namespace FastPoints.Tests.Support
     sealed class MemoryBlockRead : BlockRead
     {
         readonly MemoryPointReader m_reader;
-        NativeArray<PointColumn> m_from;
-        NativeArray<PointColumn> m_to;
+        NativeArray<PointColumn> m_from, m_to;
 
         public MemoryBlockRead(MemoryPointReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Files;
+using NUnit.Framework;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
@@ -31,8 +33,7 @@ namespace FastPoints.Tests.Support
         /// <param name="step">CRS units to which positions are rounded.</param>
         public static ulong[] Hashes(PointReader reader, string[] names, double3 step)
         {
-            if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
+            ReadPoints.FindBlocks(reader);
             var hashes = new List<ulong>();
             var all = new List<string>(names) { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             var wanted = reader.Info.Schema.Select(all.ToArray());
@@ -55,6 +56,15 @@ namespace FastPoints.Tests.Support
             });
             hashes.Sort();
             return hashes.ToArray();
+        }
+
+        /// <summary>Both have the same points, so many.</summary>
+        /// <param name="step">CRS units to which positions are rounded.</param>
+        public static void CheckTwins(PointReader reader, PointReader twin, string[] names, double3 step, int points)
+        {
+            var got = Hashes(reader, names, step);
+            Assert.That(got.Length, Is.EqualTo(points));
+            Assert.That(got.SequenceEqual(Hashes(twin, names, step)), Is.True);
         }
 
         static void Mix(ref ulong hash, ulong value)

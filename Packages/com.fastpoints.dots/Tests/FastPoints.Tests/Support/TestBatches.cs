@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -22,11 +23,7 @@ namespace FastPoints.Tests.Support
         /// <summary>Positions as float64 columns, with 8-bit colours packed as pictures have them.</summary>
         public static PointBatch OfColoredPositions(double3[] positions, uint[] colors)
         {
-            var attributes = Xyz(AttributeType.Float64);
-            attributes.Add(new PointAttribute(AttributeNames.Red, AttributeType.UInt8));
-            attributes.Add(new PointAttribute(AttributeNames.Green, AttributeType.UInt8));
-            attributes.Add(new PointAttribute(AttributeNames.Blue, AttributeType.UInt8));
-            var batch = New(positions.Length, attributes);
+            var batch = New(positions.Length, AttributeType.Float64, Colors(AttributeType.UInt8));
             for (int i = 0; i < positions.Length; i++)
             {
                 for (int axis = 0; axis < 3; axis++)
@@ -41,14 +38,13 @@ namespace FastPoints.Tests.Support
         /// out.</summary>
         public static PointBatch Scan(int count, uint seed)
         {
-            var attributes = Xyz(AttributeType.Int32);
-            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
-            attributes.Add(new PointAttribute(AttributeNames.Classification, AttributeType.UInt8));
-            attributes.Add(new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64));
-            attributes.Add(new PointAttribute(AttributeNames.Red, AttributeType.UInt16));
-            attributes.Add(new PointAttribute(AttributeNames.Green, AttributeType.UInt16));
-            attributes.Add(new PointAttribute(AttributeNames.Blue, AttributeType.UInt16));
-            var batch = New(count, attributes);
+            var others = new[]
+            {
+                new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.Classification, AttributeType.UInt8),
+                new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64),
+            };
+            var batch = New(count, AttributeType.Int32, others.Concat(Colors(AttributeType.UInt16)).ToArray());
             var random = new Unity.Mathematics.Random(seed);
             for (int i = 0; i < count; i++)
             {
@@ -71,6 +67,31 @@ namespace FastPoints.Tests.Support
             new PointAttribute(AttributeNames.Y, type),
             new PointAttribute(AttributeNames.Z, type),
         };
+
+        public static PointAttribute[] Colors(AttributeType type) => new[]
+        {
+            new PointAttribute(AttributeNames.Red, type), new PointAttribute(AttributeNames.Green, type),
+            new PointAttribute(AttributeNames.Blue, type),
+        };
+
+        /// <summary>Points of which x is the index, y its negative; z and the intensity follow from it, times are zero.</summary>
+        public static PointBatch Numbered(int count)
+        {
+            var batch = New(count, AttributeType.Int32, new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
+            for (int i = 0; i < count; i++)
+            {
+                Set(batch, 0, i, i);
+                Set(batch, 1, i, -i);
+                Set(batch, 2, i, i % 1000);
+                Set(batch, 4, i, i % 60_000);
+            }
+            return batch;
+        }
+
+        /// <summary>Positions of a type, and what else the points have.</summary>
+        public static PointBatch New(int count, AttributeType positions, params PointAttribute[] others) =>
+            New(count, Xyz(positions).Concat(others));
 
         public static PointBatch New(int count, IEnumerable<PointAttribute> attributes) =>
             new PointBatch(new PointSchema(attributes), Math.Max(1, count), Allocator.Persistent) { Count = count };

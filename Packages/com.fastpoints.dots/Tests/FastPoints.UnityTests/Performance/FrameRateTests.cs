@@ -9,8 +9,7 @@ namespace FastPoints.UnityTests.Performance
     /// see the same machine.</summary>
     public sealed class FrameRateTests : TestProjectFixture
     {
-        const int Frames = 200;
-        const int WarmUpFrames = 20;
+        const int Frames = 200, WarmUpFrames = 20;
 
         /// <summary>Enough to last longer than the frames that are measured.</summary>
         const int Points = 5_000_000;

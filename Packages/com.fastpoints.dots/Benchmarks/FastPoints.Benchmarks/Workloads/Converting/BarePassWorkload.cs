@@ -13,12 +13,9 @@ namespace FastPoints.Benchmarks
     /// read and scatter, order each cell along the Morton curve, write 12 bytes a point.</summary>
     public unsafe struct BarePassWorkload : IWorkload
     {
-        const int PiecePoints = 32768;
-        const int StrideBytes = 16;
-        const int CellsLog2 = 3;
+        const int PiecePoints = 32768, StrideBytes = 16, CellsLog2 = 3;
 
-        string m_source;
-        string m_target;
+        string m_source, m_target;
 
         public string Name => "convert bare pass";
         public string LimitName => null;
@@ -42,8 +39,7 @@ namespace FastPoints.Benchmarks
         sealed class Pass
         {
             readonly string m_path;
-            readonly int m_dataOffset;
-            readonly int m_shift;
+            readonly int m_dataOffset, m_shift;
             readonly long[] m_next = new long[1 << (2 * CellsLog2)];
             byte* m_records;
 

@@ -12,8 +12,7 @@ namespace FastPoints.Benchmarks
     sealed class ConvertWorkload : IWorkload
     {
         readonly Sampler m_sampler;
-        string m_source;
-        string m_target;
+        string m_source, m_target;
 
         ConvertWorkload(string name, Sampler sampler) => (Name, m_sampler) = (name, sampler);
 

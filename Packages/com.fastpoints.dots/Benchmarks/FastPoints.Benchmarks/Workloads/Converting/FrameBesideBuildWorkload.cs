@@ -21,12 +21,10 @@ namespace FastPoints.Benchmarks
     /// it ends: how long, is the error. Points are those of the build.</summary>
     public struct FrameBesideBuildWorkload : IWorkload
     {
-        const double FrameMs = 16;
-        const double TickMs = 2;
+        const double FrameMs = 16, TickMs = 2;
         const int JobsPerFrame = 4;
 
-        string m_source;
-        string m_target;
+        string m_source, m_target;
         NativeArray<uint> m_values;
 
         public string Name => "frame beside a build";

@@ -16,9 +16,7 @@ namespace FastPoints.Benchmarks
 
         /// <summary>A multiple of eight, so that every bytestream of a packet ends with a byte.</summary>
         const int PacketRecords = 4096;
-        const int HeaderBytes = 48;
-        const int SectionHeaderBytes = 32;
-        const int PositionBits = 21;
+        const int HeaderBytes = 48, SectionHeaderBytes = 32, PositionBits = 21;
 
         /// <summary>100 bits, nearly.</summary>
         public const int BytesPerPoint = 13;

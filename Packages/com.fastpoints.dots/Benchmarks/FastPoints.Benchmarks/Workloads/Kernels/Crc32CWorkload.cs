@@ -7,8 +7,7 @@ namespace FastPoints.Benchmarks
     /// <summary>The checksums of an E57 file's pages, from memory, on one core. Its points are pages.</summary>
     public unsafe struct Crc32CWorkload : IWorkload
     {
-        const int PageBytes = 1020;
-        const int Pages = 65536;
+        const int PageBytes = 1020, Pages = 65536;
 
         Crc32C m_crc;
         NativeArray<byte> m_bytes;

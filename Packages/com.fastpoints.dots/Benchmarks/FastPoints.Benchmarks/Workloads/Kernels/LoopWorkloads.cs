@@ -9,8 +9,7 @@ namespace FastPoints.Benchmarks
     /// <summary>A plain loop over two arrays: a multiply, an add and a shift an element.</summary>
     abstract class LoopWorkload : IWorkload
     {
-        NativeArray<int> m_from;
-        NativeArray<int> m_to;
+        NativeArray<int> m_from, m_to;
 
         public abstract string Name { get; }
         public abstract string LimitName { get; }

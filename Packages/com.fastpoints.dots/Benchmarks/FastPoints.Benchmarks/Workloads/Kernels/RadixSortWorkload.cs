@@ -7,11 +7,8 @@ namespace FastPoints.Benchmarks
     /// <summary>63-bit Morton keys of seeded points with an index each, sorted; copying them in is part of it.</summary>
     public struct RadixSortWorkload : IWorkload
     {
-        NativeArray<ulong> m_unsorted;
-        NativeArray<ulong> m_keys;
-        NativeArray<ulong> m_keyScratch;
-        NativeArray<uint> m_payload;
-        NativeArray<uint> m_payloadScratch;
+        NativeArray<ulong> m_unsorted, m_keys, m_keyScratch;
+        NativeArray<uint> m_payload, m_payloadScratch;
 
         public string Name => "radix sort";
         public string LimitName => null;

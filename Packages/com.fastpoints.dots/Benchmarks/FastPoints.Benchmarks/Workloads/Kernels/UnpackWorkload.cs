@@ -12,8 +12,7 @@ namespace FastPoints.Benchmarks
 
         static readonly int[] s_widths = { 9, 10, 7, 11, 8, 12, 6, 10, 9 };
 
-        NativeArray<uint> m_plane;
-        NativeArray<uint> m_values;
+        NativeArray<uint> m_plane, m_values;
 
         public string Name => "block unpack";
         public string LimitName => null;

@@ -13,8 +13,7 @@ namespace FastPoints.Benchmarks
 
         readonly Func<WorkloadContext, string> m_find;
         string m_path;
-        byte[] m_from;
-        byte[] m_to;
+        byte[] m_from, m_to;
 
         /// <param name="find">The path; null where there is none.</param>
         public ReadCopyWorkload(string name, Func<WorkloadContext, string> find) => (Name, m_find) = (name, find);

@@ -11,8 +11,7 @@ namespace FastPoints.Benchmarks
     {
         const int PieceBytes = 64 << 10;
 
-        NativeArray<byte> m_from;
-        NativeArray<byte> m_to;
+        NativeArray<byte> m_from, m_to;
 
         public string Name => "stream memory copy";
         public string LimitName => null;

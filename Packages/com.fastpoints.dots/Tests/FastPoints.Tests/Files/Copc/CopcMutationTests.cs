@@ -12,10 +12,7 @@ namespace FastPoints.Tests.Files
     /// <remarks>More cases: <c>FASTPOINTS_MUTATIONS=1000000 ./test --only CopcMutationTests</c>.</remarks>
     public class CopcMutationTests
     {
-        const int Points = 400;
-        const int Cases = 150;
-        const int LongCases = 20000;
-        const int InfoAt = 375 + 54;
+        const int Points = 400, Cases = 150, LongCases = 20000, InfoAt = 375 + 54;
 
         [TestCase(1), TestCase(2), TestCase(99)]
         public void Mutate(int levelsPerPage) => Mutate(levelsPerPage, Cases, levelsPerPage);
@@ -55,7 +52,7 @@ namespace FastPoints.Tests.Files
         {
             try
             {
-                using var reader = CopcReaderTests.Open(path);
+                using var reader = ReadPoints.Open(path);
                 var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(path));
                 Assert.That(got.Length == Points * recordBytes || reader.Info.Warnings.Count > 0, story);
                 Assert.That(reader.Info.Warnings.Count, Is.LessThan(200), story);

@@ -15,9 +15,7 @@ namespace FastPoints.Tests.Files
     [Category("Smoke")]
     public class CopcReaderTests
     {
-        const int InfoAt = 375 + 54;
-        const int RootOffsetAt = InfoAt + 40;
-        const int RootBytesAt = InfoAt + 48;
+        const int InfoAt = 375 + 54, RootOffsetAt = InfoAt + 40, RootBytesAt = InfoAt + 48;
 
         [TestCase(6, 0, 99), TestCase(7, 3, 1), TestCase(8, 0, 2)]
         public void Read_EachNode_HasItsPoints(int format, int extraBytes, int levelsPerPage)
@@ -25,7 +23,7 @@ namespace FastPoints.Tests.Files
             var writer = new CopcFileWriter { PointFormat = format, ExtraBytes = extraBytes, LevelsPerPage = levelsPerPage };
             var bytes = writer.Write(LazRecords.Make(format, extraBytes, 3000, format));
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
             Assert.That(reader.PointCount, Is.EqualTo(3000));
             Assert.That(reader.Info.PointsReadable, Is.EqualTo(3000));
@@ -42,7 +40,7 @@ namespace FastPoints.Tests.Files
             var writer = new CopcFileWriter();
             using (new WorkerCount(workers))
             using (var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2000, 5)), ".copc.laz"))
-            using (var reader = Open(file.Path))
+            using (var reader = ReadPoints.Open(file.Path))
                 CheckNodes(reader, file.Path, writer, workers, true);
         }
 
@@ -51,7 +49,7 @@ namespace FastPoints.Tests.Files
         {
             var writer = new CopcFileWriter { LevelsPerPage = 2 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 3000, 6)), ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             var known = new HashSet<int4>();
             for (int i = 0; i < reader.Tree.NodeCount; i++)
             {
@@ -119,7 +117,7 @@ namespace FastPoints.Tests.Files
         {
             var writer = new CopcFileWriter { MaxNodePoints = 700 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2500, 9)), ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             for (int i = 0; i < reader.Info.Schema.Count; i++)
             {
                 var schema = reader.Info.Schema;
@@ -157,7 +155,7 @@ namespace FastPoints.Tests.Files
             var bytes = writer.Write(LazRecords.Make(7, 0, 500, 11));
             BitConverter.GetBytes(value).CopyTo(bytes, at);
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             Assert.That(reader, Is.TypeOf<LazReader>());
             Assert.That(reader.Tree, Is.Null);
             Assert.That(reader.PointCount, Is.EqualTo(500));
@@ -194,7 +192,7 @@ namespace FastPoints.Tests.Files
             var bytes = writer.Write(records);
             BitConverter.GetBytes(value).CopyTo(bytes, (int)writer.Pages[0].Offset + CopcEntry.Bytes + field);
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
             Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Match(story));
             Assert.That(Sorted(got, writer.RecordBytes), Is.EqualTo(Sorted(Flat(records), writer.RecordBytes)));
@@ -211,7 +209,7 @@ namespace FastPoints.Tests.Files
                 int at = (int)writer.Pages[0].Offset + CopcEntry.Bytes + 28;
                 BitConverter.GetBytes(BitConverter.ToInt32(bytes, at) + change).CopyTo(bytes, at);
                 using var file = new TemporaryFile(bytes, ".copc.laz");
-                using var reader = Open(file.Path);
+                using var reader = ReadPoints.Open(file.Path);
                 long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
                 Assert.That(points, Is.EqualTo(2000 + Math.Min(0, change)));
                 Assert.That(reader.Info.Warnings, Is.Not.Empty);
@@ -226,7 +224,7 @@ namespace FastPoints.Tests.Files
             int at = (int)writer.Pages[0].Offset + CopcEntry.Bytes + 16;
             BitConverter.GetBytes(BitConverter.ToInt32(bytes, at) + 7).CopyTo(bytes, at);
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
             Assert.That(points, Is.EqualTo(1900));
             Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("no chunk's"));
@@ -248,7 +246,7 @@ namespace FastPoints.Tests.Files
                         BitConverter.GetBytes(rootBytes).CopyTo(bytes, at + 24);
                     }
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(1));
             var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
@@ -277,7 +275,7 @@ namespace FastPoints.Tests.Files
             BitConverter.GetBytes((long)start).CopyTo(bytes, RootOffsetAt);
             BitConverter.GetBytes((long)Entries * CopcEntry.Bytes).CopyTo(bytes, RootBytesAt);
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             Assert.That(reader.PointCount, Is.EqualTo(1000), "by the chunk table");
             Assert.That(reader.Tree.PageCount, Is.LessThan(3));
             Assert.That(reader.Info.Warnings.Count, Is.LessThan(20));
@@ -290,18 +288,10 @@ namespace FastPoints.Tests.Files
             var bytes = writer.Write(LazRecords.Make(7, 0, 2000, 17));
             Array.Resize(ref bytes, bytes.Length / 2);
             using var file = new TemporaryFile(bytes, ".copc.laz");
-            using var reader = Open(file.Path);
+            using var reader = ReadPoints.Open(file.Path);
             long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
             Assert.That(points, Is.InRange(500, 1500));
             Assert.That(reader.Info.Warnings, Is.Not.Empty);
-        }
-
-        internal static PointReader Open(string path)
-        {
-            var reader = PointReaders.Open(path);
-            if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
-            return reader;
         }
 
         static void CheckNodes(PointReader reader, string path, CopcFileWriter writer, int slots, bool isReversed = false)
@@ -309,9 +299,7 @@ namespace FastPoints.Tests.Files
             var layout = LazFileReading.LayoutOf(path);
             var nodes = writer.Nodes.ToDictionary(node => new int4(node.Cell, node.Level));
             var got = new byte[reader.PointCount * writer.RecordBytes];
-            var ranges = new List<BlockRange>();
-            for (int block = 0; block < reader.BlockCount; block++)
-                ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
+            var ranges = ReadPoints.WholeBlocks(reader);
             if (isReversed)
                 ranges.Reverse();
             LazFileReading.Read(reader, layout, ranges, reader.Info.Schema, slots, got);

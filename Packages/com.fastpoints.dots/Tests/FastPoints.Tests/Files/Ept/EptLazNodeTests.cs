@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Files
             {
                 for (int i = 1; i < folder.Nodes.Count; i++)
                     folder.MoveToGrid(folder.Nodes[i], grids[i % grids.Length].Factor, grids[i % grids.Length].Shift);
-                using var reader = Open(folder.Path);
+                using var reader = ReadPoints.Open(folder.Path);
                 CheckNodes(reader, folder, 3, false);
                 Assert.That(reader.Info.Warnings, Is.Empty);
                 Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.01, 0.01, 0.01)));
@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Files
             using var folder = Make(EptDataType.Laszip);
             var node = folder.Nodes[1];
             folder.WriteNode(node, node.Records, scale, offset);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.EqualTo(1500 - node.Records.Count));
             CheckWarned(reader, "do not lie on the root's grid");
         }
@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Files
             BitConverter.GetBytes(int.MinValue + 7).CopyTo(node.Records[19], 4);
             BitConverter.GetBytes(int.MinValue + 6).CopyTo(node.Records[20], 4);
             folder.WriteNode(node, node.Records, 0.01, -0.07);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.EqualTo(1500 - node.Records.Count + 20));
             CheckWarned(reader, "do not lie on the root's grid");
         }
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Files
             var bytes = File.ReadAllBytes(path);
             bytes[at] ^= 1;
             File.WriteAllBytes(path, bytes);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.EqualTo(1500 - folder.Nodes[1].Records.Count));
             CheckWarned(reader, "not what the other nodes' are");
         }
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Files
             using var folder = Make(EptDataType.Laszip);
             string page = File.ReadAllText(folder.PagePath("0-0-0-0"));
             File.WriteAllText(folder.PagePath("0-0-0-0"), page.Replace("\"0-0-0-0\": 100", "\"0-0-0-0\": 90"));
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.EqualTo(1490));
             CheckWarned(reader, "another number of points");
         }

@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Files
         {
             var type = Named(typeName);
             using var folder = Make(type, 1500, levelsPerPage, format);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(reader.Info.Format, Is.EqualTo("EPT"));
             Assert.That(reader.PointCount, Is.EqualTo(1500));
             Assert.That(reader.Info.PointsReadable, Is.EqualTo(1500));
@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Files
             var type = Named(typeName);
             using (new WorkerCount(workers))
             using (var folder = Make(type))
-            using (var reader = Open(folder.IndexPath))
+            using (var reader = ReadPoints.Open(folder.IndexPath))
                 CheckNodes(reader, folder, workers, true);
         }
 
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Files
         {
             var type = Named(typeName);
             using var folder = Make(type, 2500, 99, 7, 20000);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             var schema = reader.Info.Schema;
             using var whole = reader.CreateRead(schema, 2500, Allocator.Persistent);
             whole.Begin(new BlockRange(0, 0, 2500));
@@ -102,7 +102,7 @@ namespace FastPoints.Tests.Files
                 File.Delete(folder.DataPath("0-0-0-0"));
             int lost = folder.Nodes[2].Records.Count + folder.Nodes[3].Records.Count
                 + (type == EptDataType.Laszip ? folder.Nodes[0].Records.Count : 0);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.EqualTo(1500 - lost));
             CheckWarned(reader, "file is missing");
             CheckWarned(reader, "file is empty");
@@ -120,7 +120,7 @@ namespace FastPoints.Tests.Files
             string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
             var bytes = File.ReadAllBytes(path);
             File.WriteAllBytes(path, bytes.Take(bytes.Length * 3 / 5).ToArray());
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.InRange(1400, 1499));
             CheckWarned(reader, story);
         }
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Files
             using var folder = Make(EptDataType.Binary);
             string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
             File.WriteAllBytes(path, File.ReadAllBytes(path).Concat(new byte[500]).ToArray());
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.EqualTo(1500));
             CheckWarned(reader, "more than the points");
         }
@@ -155,7 +155,7 @@ namespace FastPoints.Tests.Files
             File.WriteAllText(folder.PagePath("0-0-0-0"), page);
             try
             {
-                using var reader = Open(folder.Path);
+                using var reader = ReadPoints.Open(folder.Path);
                 Assert.That(Count(reader), Is.EqualTo(100));
                 CheckWarned(reader, story);
             }
@@ -171,7 +171,7 @@ namespace FastPoints.Tests.Files
         {
             using var folder = Make(EptDataType.Binary, 1500, 1);
             File.Delete(folder.PagePath(folder.Pages.First(page => page[0] == '1')));
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.InRange(100, 1499));
             CheckWarned(reader, "the page of the hierarchy");
         }
@@ -182,7 +182,7 @@ namespace FastPoints.Tests.Files
             using var folder = Make(EptDataType.Binary, 1500, 1);
             using (var page = File.OpenWrite(folder.PagePath(folder.Pages.First(page => page[0] == '1'))))
                 page.SetLength((32 << 20) + 1);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.InRange(100, 1499));
             CheckWarned(reader, "wanted at most 33554432");
         }
@@ -199,7 +199,7 @@ namespace FastPoints.Tests.Files
                     page.Write(",\"7-" + (i >> 14) + "-" + (i >> 7 & 127) + "-" + (i & 127) + "\":0");
                 page.Write("}");
             }
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(MaxNodes));
             CheckWarned(reader, "the others are left out");
         }
@@ -224,7 +224,7 @@ namespace FastPoints.Tests.Files
             using var folder = Make(EptDataType.Binary);
             File.WriteAllText(folder.IndexPath, folder.Index.Replace(", \"scale\": 0.01, \"offset\": 0", "")
                 .Replace("\"Odd\", \"type\": \"signed\"", "\"Odd\", \"scale\": 0.5, \"offset\": 3, \"type\": \"signed\""));
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(1, 1, 1)));
             var odd = reader.Info.Schema[reader.Info.Schema.IndexOf("Odd")];
             Assert.That((odd.Scale, odd.Offset), Is.EqualTo((0.5, 3.0)));
@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Files
         {
             Decompressors.Zstandard = null;
             using var folder = Make(EptDataType.Zstandard);
-            using var reader = Open(folder.Path);
+            using var reader = ReadPoints.Open(folder.Path);
             Assert.That(reader.PointCount, Is.EqualTo(1500));
             Failures.Of(() => reader.CreateRead(reader.Info.Schema, 10, Allocator.Persistent),
                 FailureCode.Unsupported, "Decompressors.Zstandard", "convert");
@@ -247,7 +247,7 @@ namespace FastPoints.Tests.Files
         {
             foreach (EptDataType type in Enum.GetValues(typeof(EptDataType)))
                 using (var folder = Make(type))
-                using (var reader = Open(folder.Path))
+                using (var reader = ReadPoints.Open(folder.Path))
                 {
                     var wanted = new PointSchema(new[] { new PointAttribute("Nothing", AttributeType.UInt16) });
                     Assert.That(() => reader.CreateRead(wanted, 10, Allocator.Persistent), Throws.ArgumentException);
@@ -271,7 +271,7 @@ namespace FastPoints.Tests.Files
                 File.WriteAllBytes(file, Damage(sound, random));
                 try
                 {
-                    using var reader = Open(folder.Path);
+                    using var reader = ReadPoints.Open(folder.Path);
                     Assert.That(Count(reader), Is.LessThanOrEqualTo(400), "case " + i);
                 }
                 catch (PointCloudException failure)

@@ -41,21 +41,6 @@ namespace FastPoints.Tests.Files
             return new EptFolder(type, records, s_dimensions, 0, maxNodePoints, levelsPerPage);
         }
 
-        public static PointReader Open(string path)
-        {
-            var reader = PointReaders.Open(path);
-            try
-            {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                return reader;
-            }
-            catch
-            {
-                reader.Dispose();
-                throw;
-            }
-        }
-
         public static long Count(PointReader reader) => ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
 
         public static void CheckWarned(PointReader reader, string story) =>

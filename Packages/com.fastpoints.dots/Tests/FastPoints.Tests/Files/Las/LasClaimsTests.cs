@@ -12,8 +12,7 @@ namespace FastPoints.Tests.Files
     /// <summary>Headers that lie: what can be saved is offered with a warning, the rest is one line.</summary>
     public class LasClaimsTests
     {
-        const int CountAt = 107;
-        const int Count64At = 247;
+        const int CountAt = 107, Count64At = 247;
 
         [Test]
         public void Open_CutFile_GivesTheWholeRecordsAndWarns()
@@ -80,13 +79,11 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Open_EvlrsBehindThePoints_AreNoPoints()
         {
-            var file = new LasTestFile { Minor = 4, Format = 6 }.RandomPoints(10).Evlr("user", 7, new byte[100]);
-            using (file.SaveWith(Count64At, BitConverter.GetBytes(1000L)))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(10));
-                Assert.That(((LasReader)reader).Vlrs.Records[0].DataBytes, Is.EqualTo(100));
-            }
+            using var file = new LasTestFile { Minor = 4, Format = 6 }.RandomPoints(10).Evlr("user", 7, new byte[100]);
+            file.SaveWith(Count64At, BitConverter.GetBytes(1000L));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(10));
+            Assert.That(((LasReader)reader).Vlrs.Records[0].DataBytes, Is.EqualTo(100));
         }
 
         [Test]
@@ -149,46 +146,40 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Open_AllScalesZeroAndOffsetNaN_AssumesAndSaysIt()
         {
-            var file = new LasTestFile { Scale = new double[3], Offset = new[] { double.NaN, 5, double.NegativeInfinity } };
-            using (file.Positions(1, 2, 3).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.01, 0.01, 0.01)));
-                Assert.That(reader.Info.Transform.Offset, Is.EqualTo(new double3(0, 5, 0)));
-                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(5));
-            }
+            using var file = new LasTestFile { Scale = new double[3], Offset = new[] { double.NaN, 5, double.NegativeInfinity } };
+            file.Positions(1, 2, 3).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.01, 0.01, 0.01)));
+            Assert.That(reader.Info.Transform.Offset, Is.EqualTo(new double3(0, 5, 0)));
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(5));
         }
 
         [Test]
         public void Open_NegativeScale_IsKept()
         {
-            var file = new LasTestFile { Scale = new[] { 0.01, -0.01, 0.01 }, Min = new[] { 0, -1000.0, 0 } };
-            using (file.Positions(100, 200, 300).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.Transform.ToGeo(new double3(0, 200, 0)).y, Is.EqualTo(-2));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var file = new LasTestFile { Scale = new[] { 0.01, -0.01, 0.01 }, Min = new[] { 0, -1000.0, 0 } };
+            file.Positions(100, 200, 300).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.Transform.ToGeo(new double3(0, 200, 0)).y, Is.EqualTo(-2));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]
         public void Open_BoundsInRawIntegers_AreScaledWithAWarning()
         {
-            var file = new LasTestFile
+            using var file = new LasTestFile
             {
                 Scale = new[] { 0.001, 0.001, 0.001 },
                 Offset = new[] { 0, 5e6, 0 },
                 Min = new double[] { -235434519, 800843145, 265094 },
                 Max = new double[] { -234935841, 800946249, 273811 },
             };
-            using (file.Positions(-234935841, 800843145, 265094, -235434519, 800946249, 273811).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.HasBoundsClaimed);
-                Assert.That(reader.Info.BoundsClaimed.Min, Is.EqualTo(reader.Info.Transform.ToGeo(
-                    new double3(-235434519, 800843145, 265094))));
-                CheckWarning(reader, 179, "raw integers");
-            }
+            file.Positions(-234935841, 800843145, 265094, -235434519, 800946249, 273811).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.HasBoundsClaimed);
+            Assert.That(reader.Info.BoundsClaimed.Min, Is.EqualTo(reader.Info.Transform.ToGeo(
+                new double3(-235434519, 800843145, 265094))));
+            CheckWarning(reader, 179, "raw integers");
         }
 
         [Test]

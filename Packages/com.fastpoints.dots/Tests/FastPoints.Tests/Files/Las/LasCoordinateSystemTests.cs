@@ -95,27 +95,24 @@ namespace FastPoints.Tests.Files
         [Test]
         public void GeoKeys_Invalid_WarnAndPointsLoad()
         {
-            var file = Keys("short", new double[0], 1026, 34737, 60000, 3, 3077, 34736, 1, 5, 3072, 34736, 1, 0, 3073, 7, 7, 7);
-            using (file.RandomPoints(5).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(5));
-                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(4));
-                Assert.That(reader.Info.Crs.IsKnown, Is.False);
-            }
+            using var file = Keys("short", new double[0], 1026, 34737, 60000, 3, 3077, 34736, 1, 5, 3072, 34736, 1, 0,
+                3073, 7, 7, 7);
+            file.RandomPoints(5).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(5));
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(4));
+            Assert.That(reader.Info.Crs.IsKnown, Is.False);
         }
 
         [Test]
         public void GeoKeys_CountBeyondTheRecord_ReadsWhatIsThere()
         {
             var directory = Shorts(1, 1, 0, 60000, 3072, 0, 1, 32633);
-            var file = new LasTestFile().Vlr("LASF_Projection", 34735, directory);
-            using (file.RandomPoints(5).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.Crs.Epsg, Is.EqualTo(32633));
-                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1));
-            }
+            using var file = new LasTestFile().Vlr("LASF_Projection", 34735, directory);
+            file.RandomPoints(5).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.Crs.Epsg, Is.EqualTo(32633));
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1));
         }
 
         [Test]

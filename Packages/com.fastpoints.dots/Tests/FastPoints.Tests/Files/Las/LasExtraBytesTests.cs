@@ -20,99 +20,89 @@ namespace FastPoints.Tests.Files
         {
             var scalar = s_types[(type - 1) % 10];
             int components = 1 + (type - 1) / 10;
-            var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = components * scalar.SizeOf() }.RandomPoints(20)
+            using var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = components * scalar.SizeOf() }.RandomPoints(20)
                 .Vlr("LASF_Spec", 4, Entry(type, 0, "Thing"));
-            using (file.Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                var extra = Extra(reader);
-                Assert.That(extra.Select(attribute => attribute.Type), Is.All.EqualTo(scalar));
-                Assert.That(extra.Select(attribute => attribute.Name), Is.EqualTo(components == 1 ? new[] { "Thing" }
-                    : components == 2 ? new[] { "Thing[0]", "Thing[1]" } : new[] { "Thing[0]", "Thing[1]", "Thing[2]" }));
-                Assert.That(reader.Info.Warnings, Is.Empty);
+            file.Save();
+            using var reader = PointReaders.Open(file.Path);
+            var extra = Extra(reader);
+            Assert.That(extra.Select(attribute => attribute.Type), Is.All.EqualTo(scalar));
+            Assert.That(extra.Select(attribute => attribute.Name), Is.EqualTo(components == 1 ? new[] { "Thing" }
+                : components == 2 ? new[] { "Thing[0]", "Thing[1]" } : new[] { "Thing[0]", "Thing[1]", "Thing[2]" }));
+            Assert.That(reader.Info.Warnings, Is.Empty);
 
-                int size = scalar.SizeOf();
-                ReadPoints.EachBlock(reader, new PointSchema(extra), read =>
-                {
-                    for (int c = 0; c < components; c++)
-                        for (int i = 0; i < 20; i++)
-                            for (int b = 0; b < size; b++)
-                                Assert.That(read.Points.Bytes[read.Points.Column(c).OffsetBytes + i * size + b],
-                                    Is.EqualTo(file.Points[i * file.RecordBytes + 30 + c * size + b]));
-                });
-            }
+            int size = scalar.SizeOf();
+            ReadPoints.EachBlock(reader, new PointSchema(extra), read =>
+            {
+                for (int c = 0; c < components; c++)
+                    for (int i = 0; i < 20; i++)
+                        for (int b = 0; b < size; b++)
+                            Assert.That(read.Points.Bytes[read.Points.Column(c).OffsetBytes + i * size + b],
+                                Is.EqualTo(file.Points[i * file.RecordBytes + 30 + c * size + b]));
+            });
         }
 
         [Test]
         public void Schema_ScaleAndOffset_AreTheAttributesWhereTheOptionsSaySo()
         {
-            var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = 6 }.RandomPoints(3)
+            using var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = 6 }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(3, 8 | 16, "Both", 0.5, 100).Concat(Entry(3, 8, "Scaled", 0.25, 7))
                     .Concat(Entry(4, 0, "Plain", 3, 4)).ToArray());
-            using (file.Save())
-            using (var reader = PointReaders.Open(file.Path))
-                Assert.That(Extra(reader), Is.EqualTo(new[]
-                {
-                    new PointAttribute("Both", AttributeType.UInt16, 0.5, 100),
-                    new PointAttribute("Scaled", AttributeType.UInt16, 0.25),
-                    new PointAttribute("Plain", AttributeType.Int16),
-                }));
+            file.Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(Extra(reader), Is.EqualTo(new[]
+            {
+                new PointAttribute("Both", AttributeType.UInt16, 0.5, 100),
+                new PointAttribute("Scaled", AttributeType.UInt16, 0.25),
+                new PointAttribute("Plain", AttributeType.Int16),
+            }));
         }
 
         [Test]
         public void Schema_ScaleZeroOrNaN_IsOneWithAWarning()
         {
-            var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = 2 }.RandomPoints(3)
+            using var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = 2 }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(1, 8, "Zero", 0).Concat(Entry(1, 16, "None", 1, double.NaN)).ToArray());
-            using (file.Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(Extra(reader).Select(attribute => attribute.Scale), Is.All.EqualTo(1.0));
-                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(2));
-            }
+            file.Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(Extra(reader).Select(attribute => attribute.Scale), Is.All.EqualTo(1.0));
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(2));
         }
 
         [Test]
         public void Schema_UndescribedBytes_AreSingleColumns()
         {
-            var file = new LasTestFile { Format = 3, ExtraBytes = 5 }.RandomPoints(3).Vlr("LASF_Spec", 4, Entry(0, 2, "Opaque"));
-            using (file.Save())
-            using (var reader = PointReaders.Open(file.Path))
+            using var file = new LasTestFile { Format = 3, ExtraBytes = 5 }.RandomPoints(3);
+            file.Vlr("LASF_Spec", 4, Entry(0, 2, "Opaque")).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(Extra(reader).Select(attribute => attribute.Name), Is.EqualTo(new[]
             {
-                Assert.That(Extra(reader).Select(attribute => attribute.Name), Is.EqualTo(new[]
-                {
-                    "Opaque[0]", "Opaque[1]", "ExtraBytes[0]", "ExtraBytes[1]", "ExtraBytes[2]",
-                }));
-                Assert.That(ReadPoints.Column<byte>(reader, "ExtraBytes[2]")[1], Is.EqualTo(file.Points[2 * 39 - 1]));
-            }
+                "Opaque[0]", "Opaque[1]", "ExtraBytes[0]", "ExtraBytes[1]", "ExtraBytes[2]",
+            }));
+            Assert.That(ReadPoints.Column<byte>(reader, "ExtraBytes[2]")[1], Is.EqualTo(file.Points[2 * 39 - 1]));
         }
 
         [Test]
         public void Schema_NamesThatAreTaken_AreNumbered()
         {
-            var file = new LasTestFile { Format = 3, ExtraBytes = 3 }.RandomPoints(3)
+            using var file = new LasTestFile { Format = 3, ExtraBytes = 3 }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(1, 0, "Intensity").Concat(Entry(1, 0, "Twice"))
                     .Concat(Entry(1, 0, "Twice")).ToArray());
-            using (file.Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(Extra(reader).Select(attribute => attribute.Name),
-                    Is.EqualTo(new[] { "Intensity (2)", "Twice", "Twice (2)" }));
-                Assert.That(ReadPoints.Column<byte>(reader, "Twice (2)")[0], Is.EqualTo(file.Points[36]));
-            }
+            file.Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(Extra(reader).Select(attribute => attribute.Name),
+                Is.EqualTo(new[] { "Intensity (2)", "Twice", "Twice (2)" }));
+            Assert.That(ReadPoints.Column<byte>(reader, "Twice (2)")[0], Is.EqualTo(file.Points[36]));
         }
 
         [TestCase(31, 3), TestCase(255, 3), TestCase(10, 3), TestCase(30, 23)]
         public void Schema_DescriptionThatCannotBe_LeavesSingleBytes(int type, int bytes)
         {
-            var file = new LasTestFile { Format = 3, ExtraBytes = bytes }.RandomPoints(3)
+            using var file = new LasTestFile { Format = 3, ExtraBytes = bytes }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(type, 0, "Bad"));
-            using (file.Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(Extra(reader).Length, Is.EqualTo(bytes));
-                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1));
-            }
+            file.Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(Extra(reader).Length, Is.EqualTo(bytes));
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1));
         }
 
         [Test]

@@ -127,27 +127,23 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Read_IntegerLimitsAndFineOrFarGrids_AreExact()
         {
-            var file = new LasTestFile
+            using var file = new LasTestFile
             {
                 Scale = new[] { 1e-7, 1e-7, 1e-3 },
                 Offset = new[] { 1e7, -1e7, 0.5 },
                 Min = new[] { 1e7 - 215, -1e7 - 215, -2147484 },
                 Max = new[] { 1e7 + 215, -1e7 + 215, 2147484 },
             };
-            using (file.Positions(int.MinValue, int.MaxValue, 0, int.MaxValue, int.MinValue, 1, -1, 1, int.MinValue).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(ReadPoints.Column<int>(reader, AttributeNames.X),
-                    Is.EqualTo(new[] { int.MinValue, int.MaxValue, -1 }));
-                Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Y),
-                    Is.EqualTo(new[] { int.MaxValue, int.MinValue, 1 }));
-                Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Z), Is.EqualTo(new[] { 0, 1, int.MinValue }));
-                var geo = reader.Info.Transform.ToGeo(new double3(-1, 1, 1));
-                Assert.That(geo.x, Is.EqualTo(1e7 - 1e-7));
-                Assert.That(geo.y, Is.EqualTo(-1e7 + 1e-7));
-                Assert.That(geo.z, Is.EqualTo(0.501).Within(1e-15));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            file.Positions(int.MinValue, int.MaxValue, 0, int.MaxValue, int.MinValue, 1, -1, 1, int.MinValue).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(ReadPoints.Column<int>(reader, AttributeNames.X), Is.EqualTo(new[] { int.MinValue, int.MaxValue, -1 }));
+            Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Y), Is.EqualTo(new[] { int.MaxValue, int.MinValue, 1 }));
+            Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Z), Is.EqualTo(new[] { 0, 1, int.MinValue }));
+            var geo = reader.Info.Transform.ToGeo(new double3(-1, 1, 1));
+            Assert.That(geo.x, Is.EqualTo(1e7 - 1e-7));
+            Assert.That(geo.y, Is.EqualTo(-1e7 + 1e-7));
+            Assert.That(geo.z, Is.EqualTo(0.501).Within(1e-15));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]

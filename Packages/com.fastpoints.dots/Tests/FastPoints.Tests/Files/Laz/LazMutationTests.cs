@@ -19,9 +19,7 @@ namespace FastPoints.Tests.Files
     public unsafe class LazMutationTests
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
-        const int CasesPerFile = 60;
-        const int CasesPerChunk = 400;
-        const int LongCases = 20000;
+        const int CasesPerFile = 60, CasesPerChunk = 400, LongCases = 20000;
         const int MostPointsOfARange = 3000;
 
         static readonly string[] s_samples =

@@ -15,8 +15,7 @@ namespace FastPoints.Tests.Files
     /// <summary>Layers that nobody asks for are neither read nor decoded.</summary>
     public unsafe class LazSelectionTests
     {
-        const int RecordBytes = 36;
-        const int ColorLayer = 9;
+        const int RecordBytes = 36, ColorLayer = 9;
 
         [Test]
         public void PlanLazReads_SomeLayers_ReadsTheseAndNoOthers()

@@ -21,34 +21,26 @@ namespace FastPoints.Tests.Files
             IReadOnlyList<BlockRange> ranges, int slots, string number, Func<int, string, ulong?> value)
         {
             var numbers = new List<int>();
-            var reads = new BlockRead[slots];
-            try
-            {
-                for (int i = 0; i < slots; i++)
-                    reads[i] = reader.CreateRead(wanted, reader.MaxPointsPerBlock, Allocator.Persistent);
-                for (int i = 0; i < ranges.Count + slots; i++)
-                {
-                    var read = reads[i % slots];
-                    if (i >= slots && i - slots < ranges.Count)
-                    {
-                        read.Complete();
-                        Check(read, number, value, numbers);
-                    }
-                    if (i < ranges.Count)
-                        read.Begin(ranges[i]);
-                }
-            }
-            finally
-            {
-                foreach (var read in reads)
-                    read?.Dispose();
-            }
+            ReadPoints.InTurns(reader, wanted, ranges, slots, read => Check(read, number, value, numbers));
             return numbers;
         }
 
-        public static List<BlockRange> WholeBlocks(PointReader reader) =>
-            Enumerable.Range(0, reader.BlockCount)
-                .Select(block => new BlockRange(block, 0, reader.PointsInBlock(block))).ToList();
+        /// <summary>A few of the columns, any part of each block, in any order of blocks.</summary>
+        public static void CheckSubsets(PointReader reader, string number, Func<int, string, ulong?> value)
+        {
+            var random = new Random(3);
+            for (int i = 0; i < 12; i++)
+            {
+                var names = reader.Info.Schema.Select(a => a.Name).Where(n => n == number || random.Next(4) == 0);
+                var ranges = ReadPoints.WholeBlocks(reader).OrderBy(_ => random.Next()).Select(whole =>
+                {
+                    int first = random.Next(whole.Count);
+                    return new BlockRange(whole.Block, first, random.Next(1, whole.Count - first + 1));
+                }).ToList();
+                var got = Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges, 1 + i % 4, number, value);
+                Assert.That(got.Count, Is.EqualTo(ranges.Sum(range => range.Count)));
+            }
+        }
 
         static void Check(BlockRead read, string number, Func<int, string, ulong?> value, List<int> numbers)
         {
@@ -97,15 +89,6 @@ namespace FastPoints.Tests.Files
     /// <summary>Clouds of the same points in another order: what is compared of them.</summary>
     static class PotreeTwins
     {
-        /// <summary>An open source whose blocks are known.</summary>
-        public static PointReader Open(string path)
-        {
-            var reader = PointReaders.Open(path);
-            if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
-            return reader;
-        }
-
         /// <summary>One column's bits, as the file has them.</summary>
         public static ulong[] Bits(PointReader reader, string name) =>
             reader.Info.Schema[reader.Info.Schema.IndexOf(name)].Type.SizeOf() switch

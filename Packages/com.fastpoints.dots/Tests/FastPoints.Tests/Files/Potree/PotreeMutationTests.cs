@@ -17,8 +17,7 @@ namespace FastPoints.Tests.Files
     public class PotreeMutationTests
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
-        const int UsualCases = 150;
-        const int LongCases = 5000;
+        const int UsualCases = 150, LongCases = 5000;
 
         /// <summary>Points of a byte: see <see cref="Potree2Reader"/>.</summary>
         const int MostPointsPerByte = 1000;
@@ -58,7 +57,7 @@ namespace FastPoints.Tests.Files
             long bytes = files.Sum(path => new FileInfo(path).Length);
             try
             {
-                using var reader = PotreeTwins.Open(folder);
+                using var reader = ReadPoints.Open(folder);
                 Assert.That(reader.PointCount, Is.LessThanOrEqualTo(bytes * MostPointsPerByte), story);
                 Assert.That(reader.Tree.NodeCount, Is.LessThanOrEqualTo(bytes / 5), story);
                 if (reader.BlockCount == 0)

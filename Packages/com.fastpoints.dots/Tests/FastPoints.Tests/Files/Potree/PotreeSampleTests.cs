@@ -18,8 +18,8 @@ namespace FastPoints.Tests.Files
             "GpsTime,ReturnNumber,NumberOfReturns,Intensity,Classification,ScanAngle,UserData,PointSourceId,treeID")]
         public void Potree2_BesideItsSource_HasItsPoints(string folder, string laz, int nodes, int points, string names)
         {
-            using var converted = PotreeTwins.Open(Sample(folder + "/metadata.json"));
-            using var source = PotreeTwins.Open(TestData.SampleOrIgnore("laz/" + laz));
+            using var converted = ReadPoints.Open(Sample(folder + "/metadata.json"));
+            using var source = ReadPoints.Open(TestData.SampleOrIgnore("laz/" + laz));
             Assert.That(converted.Info.Warnings, Is.Empty);
             Assert.That(converted.PointCount, Is.EqualTo(points));
             Assert.That(converted.Tree.NodeCount, Is.EqualTo(nodes));
@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Files
         public void Potree1_Bin_HasThePointsOfItsFiles()
         {
             string folder = Sample("lion_takanawa/cloud.js");
-            using var reader = PotreeTwins.Open(folder);
+            using var reader = ReadPoints.Open(folder);
             Assert.That(reader.Info.Warnings, Is.Empty);
             Assert.That(reader.PointCount, Is.EqualTo(272768));
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(167));
@@ -90,7 +90,7 @@ namespace FastPoints.Tests.Files
                         foreach (ulong bits in PotreeTwins.Bits(node, names[i]))
                             sums[i] += bits;
                 }
-            using (var reader = PotreeTwins.Open(folder))
+            using (var reader = ReadPoints.Open(folder))
             {
                 Assert.That(points, Is.EqualTo(341989));
                 Assert.That(reader.PointCount, Is.EqualTo(points));
@@ -109,7 +109,7 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Potree2_PumpWithoutItsPoints_HasItsHierarchy()
         {
-            using var reader = PotreeTwins.Open(Sample("v2-pump-hierarchy/metadata.json"));
+            using var reader = ReadPoints.Open(Sample("v2-pump-hierarchy/metadata.json"));
             Assert.That(reader.PointCount, Is.EqualTo(1213990));
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(490));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(7));

@@ -29,8 +29,7 @@ namespace FastPoints.Tests.Files
         PointReader Open(params string[] columns)
         {
             var reader = PointReaders.Open(FilePath, new ReadOptions { TextColumns = columns.Length > 0 ? columns : null });
-            if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
+            ReadPoints.FindBlocks(reader);
             return reader;
         }
 

@@ -21,8 +21,7 @@ namespace FastPoints.Tests.Support
             public readonly List<Node> Children = new List<Node>();
         }
 
-        const int InfoVlrAt = 375;
-        const int InfoAt = InfoVlrAt + 54;
+        const int InfoVlrAt = 375, InfoAt = InfoVlrAt + 54;
 
         public int PointFormat = 7;
         public int ItemVersion = 3;

@@ -10,9 +10,7 @@ namespace FastPoints.Tests.Files
     /// bit-packed bytestreams in data packets, index and ignored packets, the XML section behind the binary ones.</summary>
     sealed class E57FileWriter
     {
-        const int PageBytes = 1024;
-        const int DataBytes = 1020;
-        const int MaxStreamBytes = 65000;
+        const int PageBytes = 1024, DataBytes = 1020, MaxStreamBytes = 65000;
 
         public readonly List<E57TestScan> Scans = new List<E57TestScan>();
 

@@ -8,11 +8,9 @@ namespace FastPoints.Tests.Support
     /// one.</summary>
     sealed class StoredZstandard : StreamDecompressor
     {
-        const int FrameHeaderBytes = 9;
-        const int MaxBlockBytes = 128 << 10;
+        const int FrameHeaderBytes = 9, MaxBlockBytes = 128 << 10;
 
-        bool m_isStarted;
-        bool m_isLast;
+        bool m_isStarted, m_isLast;
         int m_left;
 
         public static byte[] Frame(byte[] content)

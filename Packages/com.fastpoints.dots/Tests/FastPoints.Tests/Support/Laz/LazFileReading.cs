@@ -21,19 +21,15 @@ namespace FastPoints.Tests.Support
             using var source = FileSource.Open(path);
             var las = LasFile.Read(source);
             var reader = las.Header.IsCompressed ? LazReader.Open(las, source, longChunkPoints) : PointReaders.Open(path);
-            if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
+            ReadPoints.FindBlocks(reader);
             return reader;
         }
 
         /// <summary>All records of a file, in its order: block after block, several at once.</summary>
         internal static byte[] Records(PointReader reader, LasRecordLayout layout, int slots = 3)
         {
-            var ranges = new List<BlockRange>();
-            for (int block = 0; block < reader.BlockCount; block++)
-                ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
             var records = new byte[reader.PointCount * layout.RecordBytes];
-            long got = Read(reader, layout, ranges, reader.Info.Schema, slots, records);
+            long got = Read(reader, layout, ReadPoints.WholeBlocks(reader), reader.Info.Schema, slots, records);
             if (got != reader.PointCount)
                 Array.Resize(ref records, (int)got * layout.RecordBytes);
             return records;
@@ -44,30 +40,12 @@ namespace FastPoints.Tests.Support
         internal static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges,
             PointSchema wanted, int slots, byte[] records)
         {
-            var reads = new BlockRead[Math.Max(1, Math.Min(slots, ranges.Count))];
             long points = 0;
-            try
+            ReadPoints.InTurns(reader, wanted, ranges, slots, read =>
             {
-                for (int i = 0; i < reads.Length; i++)
-                    reads[i] = reader.CreateRead(wanted, Math.Max(1, reader.MaxPointsPerBlock), Allocator.Persistent);
-                for (int i = 0; i < ranges.Count + reads.Length; i++)
-                {
-                    var read = reads[i % reads.Length];
-                    if (i >= reads.Length && i - reads.Length < ranges.Count)
-                    {
-                        read.Complete();
-                        points += read.Points.Count;
-                        Pack(read, layout, records, read.FirstPoint);
-                    }
-                    if (i < ranges.Count)
-                        read.Begin(ranges[i]);
-                }
-            }
-            finally
-            {
-                foreach (var read in reads)
-                    read?.Dispose();
-            }
+                points += read.Points.Count;
+                Pack(read, layout, records, read.FirstPoint);
+            });
             return points;
         }
 
