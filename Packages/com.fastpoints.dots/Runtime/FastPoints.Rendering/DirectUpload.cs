@@ -1,6 +1,8 @@
+using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using UnityEngine;
 
 namespace FastPoints.Rendering
 {
@@ -44,14 +46,14 @@ namespace FastPoints.Rendering
             return at;
         }
 
-        public override void End(GraphicsNodePool pool, long frame)
+        public override void End(List<GraphicsBuffer> banks, long frame)
         {
             int from = 0;
             for (int i = 0; i < m_runs.Length; i++)
             {
                 var run = m_runs[i];
                 int words = run.PageCount * WordsPerPage;
-                pool.BufferOf(run.Bank).SetData(m_words, from, run.FirstPage * WordsPerPage, words);
+                banks[run.Bank].SetData(m_words, from, run.FirstPage * WordsPerPage, words);
                 from += words;
             }
         }

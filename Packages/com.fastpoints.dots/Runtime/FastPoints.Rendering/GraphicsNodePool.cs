@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -31,8 +30,6 @@ namespace FastPoints.Rendering
             m_upload = hasCompute ? new StagingRing(copyPages, pages) : (PoolUpload)new DirectUpload(pages);
         }
 
-        public int BankCount => m_buffers.Count;
-
         /// <summary>Bytes of the buffers that uploads go through.</summary>
         public long UploadBytes => m_upload.AllocatedBytes;
 
@@ -45,7 +42,7 @@ namespace FastPoints.Rendering
 
         public override byte* AddressForUpload(PoolRange run, long bytes) => m_upload.Take(run);
 
-        public override void EndUpload() => m_upload.End(this, m_frame);
+        public override void EndUpload() => m_upload.End(m_buffers, m_frame);
 
         public override void Dispose()
         {
@@ -65,23 +62,5 @@ namespace FastPoints.Rendering
             m_buffers[bank].Dispose();
             m_buffers[bank] = null;
         }
-    }
-
-    /// <summary>Moves nodes from jobs into a <see cref="GraphicsNodePool"/>, one upload at a time. Main thread.</summary>
-    internal abstract unsafe class PoolUpload : IDisposable
-    {
-        /// <summary>Bytes of its own memory.</summary>
-        public abstract long AllocatedBytes { get; }
-
-        /// <returns>Whether this frame has memory to write to.</returns>
-        public abstract bool TryBegin(long frame);
-
-        /// <summary>Room for one more node, or null. The first always has room.</summary>
-        public abstract byte* Take(PoolRange run);
-
-        /// <summary>Ends the upload after everything is written: later draws find it in the pool.</summary>
-        public abstract void End(GraphicsNodePool pool, long frame);
-
-        public abstract void Dispose();
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -59,10 +60,10 @@ namespace FastPoints.Rendering
 
         /// <summary>Copies the written pages into the banks, after earlier draws.</summary>
         /// <param name="endOfBank">Scratch.</param>
-        public void CopyTo(GraphicsNodePool pool, ComputeShader copyPages, int kernel, NativeList<int> endOfBank)
+        public void CopyTo(List<GraphicsBuffer> banks, ComputeShader copyPages, int kernel, NativeList<int> endOfBank)
         {
             Unlock();
-            ListPages(pool.BankCount, endOfBank);
+            ListPages(banks.Count, endOfBank);
             copyPages.SetBuffer(kernel, ShaderNames.Staging, m_bytes);
             copyPages.SetBuffer(kernel, ShaderNames.Pages, m_pages);
             int first = 0;
@@ -70,7 +71,7 @@ namespace FastPoints.Rendering
             {
                 if (endOfBank[bank] == first)
                     continue;
-                copyPages.SetBuffer(kernel, ShaderNames.BankOut, pool.BufferOf(bank));
+                copyPages.SetBuffer(kernel, ShaderNames.BankOut, banks[bank]);
                 while (first < endOfBank[bank])
                 {
                     int groups = math.min(endOfBank[bank] - first, MostGroups);

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
 using UnityEngine;
@@ -56,9 +57,9 @@ namespace FastPoints.Rendering
 
         public override byte* Take(PoolRange run) => m_buffers[m_next].Take(run);
 
-        public override void End(GraphicsNodePool pool, long frame)
+        public override void End(List<GraphicsBuffer> banks, long frame)
         {
-            m_buffers[m_next].CopyTo(pool, m_copyPages, m_kernel, m_endOfBank);
+            m_buffers[m_next].CopyTo(banks, m_copyPages, m_kernel, m_endOfBank);
             m_freeAtFrame[m_next] = frame + FramesInFlight;
             if (m_hasFences)
                 m_fences[m_next] = Graphics.CreateGraphicsFence(GraphicsFenceType.CPUSynchronisation,

@@ -51,7 +51,7 @@ namespace FastPoints.Streaming
                     (long)(settings.Selection.PointBudget * settings.ShareAhead));
 
             // The cache evicts in this order, from the least needed to the most.
-            Use(stream, selector.Forecasted, StreamContext.FirstForecastRank);
+            Use(stream, selector.Forecasted, NodeReads.FirstForecastRank);
             Use(stream, selector.Selected, 0);
             stream.Cache.UsePinned(selector.Frame);
             stats.Frame = selector.Frame;

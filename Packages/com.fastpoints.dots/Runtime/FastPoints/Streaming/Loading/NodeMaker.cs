@@ -63,4 +63,24 @@ namespace FastPoints.Streaming
         /// <summary>The file, which also holds other nodes, cannot be read.</summary>
         Unreadable,
     }
+
+    /// <summary>Something that could not be shown after all retries.</summary>
+    public readonly struct StreamFailure
+    {
+        public readonly string Path;
+
+        /// <summary>Offset in the file; -1 for the whole file.</summary>
+        public readonly long OffsetBytes;
+        public readonly string What;
+
+        public StreamFailure(string path, long offsetBytes, string what)
+        {
+            Path = path;
+            OffsetBytes = offsetBytes;
+            What = what;
+        }
+
+        public override string ToString() =>
+            Path + (OffsetBytes >= 0 ? " at " + NumberText.Of(OffsetBytes) : "") + ": " + What;
+    }
 }

@@ -10,14 +10,17 @@ namespace FastPoints.Streaming
     /// are cancelled when their data is no longer wanted; failed ones are retried, then reported.</summary>
     internal sealed unsafe class NodeReads : IDisposable
     {
-        readonly StreamContext m_stream;
+        /// <summary>Foreseen nodes rank behind all selected ones.</summary>
+        public const int FirstForecastRank = 1 << 30;
+
+        readonly StreamState m_state;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
         NativeList<SelectedNode> m_wanted;
         long m_count;
 
-        public NodeReads(StreamContext stream)
+        public NodeReads(StreamState state)
         {
-            m_stream = stream;
+            m_state = state;
             m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
         }
 
@@ -78,30 +81,30 @@ namespace FastPoints.Streaming
         public void Request(ref FrameStats stats)
         {
             // All are made at once in the first frame, so that later ones make no garbage.
-            while (m_fetches.Count < m_stream.Settings.MostReads)
+            while (m_fetches.Count < m_state.Settings.MostReads)
                 m_fetches.Add(new NodeFetch());
             int tables = 0;
             foreach (var fetch in m_fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
             // Half of the reads are reserved for nodes.
-            foreach (var missing in m_stream.Selector.Missing)
+            foreach (var missing in m_state.Selector.Missing)
             {
-                if (tables >= Math.Max(1, m_stream.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
+                if (tables >= Math.Max(1, m_state.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
                     break;
-                var page = m_stream.Clouds[missing.Cloud].Pages + missing.Page;
-                if (page->Status != HierarchyPageStatus.Absent || !m_stream.IsTime(page->RetryFrame) ||
-                    !m_stream.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
+                var page = m_state.Clouds[missing.Cloud].Pages + missing.Page;
+                if (page->Status != HierarchyPageStatus.Absent || !m_state.IsTime(page->RetryFrame) ||
+                    !m_state.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
-                fetch.BeginTable(++m_count, missing.Cloud, m_stream.Clouds[missing.Cloud], missing.Page);
+                fetch.BeginTable(++m_count, missing.Cloud, m_state.Clouds[missing.Cloud], missing.Page);
                 tables++;
             }
-            ListWanted(m_stream.Selector.Selected);
+            ListWanted(m_state.Selector.Selected);
             bool hasRoom = RequestNodes(0, ref stats);
             if (!hasRoom)
                 return;
-            ListWanted(m_stream.Selector.Forecasted);
-            RequestNodes(StreamContext.FirstForecastRank, ref stats);
+            ListWanted(m_state.Selector.Forecasted);
+            RequestNodes(FirstForecastRank, ref stats);
         }
 
         /// <summary>Cancels all reads of a cloud, or of all clouds.</summary>
@@ -136,9 +139,9 @@ namespace FastPoints.Streaming
             for (int i = 0; i < nodes.Length; i++)
             {
                 var node = nodes[i];
-                var page = m_stream.Clouds[node.Cloud].Pages + node.Page;
+                var page = m_state.Clouds[node.Cloud].Pages + node.Page;
                 var state = page->States + node.Node;
-                if (state->Slot != NodeState.NoSlot || page->IsHole(node.Node) || !m_stream.IsTime(page->RetryFrame))
+                if (state->Slot != NodeState.NoSlot || page->IsHole(node.Node) || !m_state.IsTime(page->RetryFrame))
                     continue;
                 node.Parent = i;
                 m_wanted.Add(node);
@@ -156,7 +159,7 @@ namespace FastPoints.Streaming
                     continue;
                 if (!TryFindIdle(out var fetch))
                     return true;
-                var cloud = m_stream.Clouds[first.Cloud];
+                var cloud = m_state.Clouds[first.Cloud];
                 if (cloud.Source.MakesNodes)
                 {
                     if (!TryMake(fetch, cloud, first, firstRank, ref stats))
@@ -165,26 +168,26 @@ namespace FastPoints.Streaming
                 }
                 long bytes = 0;
                 bool hasRoom = true;
-                for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_stream.Settings.BytesPerRead; j++)
+                for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_state.Settings.BytesPerRead; j++)
                 {
                     var node = m_wanted[j];
                     if (node.Node < 0 || node.Cloud != first.Cloud || node.Page != first.Page)
                         continue;
                     long size = cloud.BytesOf(node.Page, node.Node);
-                    if (bytes > 0 && bytes + size > m_stream.Settings.BytesPerRead)
+                    if (bytes > 0 && bytes + size > m_state.Settings.BytesPerRead)
                         break;
-                    hasRoom = m_stream.TryPlace(node, firstRank + node.Parent, size, ref stats, out int slot);
+                    hasRoom = m_state.TryPlace(node, firstRank + node.Parent, size, ref stats, out int slot);
                     if (!hasRoom)
                         break;
                     if (bytes == 0)
                         fetch.BeginNodes(++m_count, node.Cloud, cloud, node.Page);
-                    fetch.Add(new FetchedNode { Node = node.Node, Slot = slot, Version = m_stream.Cache[slot].Version });
+                    fetch.Add(new FetchedNode { Node = node.Node, Slot = slot, Version = m_state.Cache[slot].Version });
                     bytes += size;
                     stats.RequestedNodes++;
                     m_wanted.ElementAt(j).Node = -1;
                 }
                 if (bytes > 0)
-                    fetch.ReadNodes(m_stream.Settings.GapBytes);
+                    fetch.ReadNodes(m_state.Settings.GapBytes);
                 stats.RequestedBytes += bytes;
                 if (!hasRoom)
                     return false;
@@ -201,22 +204,22 @@ namespace FastPoints.Streaming
                 return true;
             // The length is only a bound until the node was made once: only then is it known to be too large for any bank.
             var state = cloud.Pages[node.Page].States + node.Node;
-            long bytes = cloud.BytesOf(node.Page, node.Node), most = m_stream.Pool.BankBytes;
+            long bytes = cloud.BytesOf(node.Page, node.Node), most = m_state.Pool.BankBytes;
             if (bytes > most && state->WasMade)
             {
                 state->Failures = NodeState.IsHole;
-                m_stream.Report(new StreamFailure(cloud.Source.Path, -1,
+                m_state.Report(new StreamFailure(cloud.Source.Path, -1,
                     "a node of " + bytes + " bytes, a bank of the pool has " + most));
                 cloud.Source.GiveMaker(maker);
                 return true;
             }
             bytes = Math.Min(bytes, most);
-            if (!m_stream.TryPlace(node, firstRank + node.Parent, bytes, ref stats, out int slot))
+            if (!m_state.TryPlace(node, firstRank + node.Parent, bytes, ref stats, out int slot))
             {
                 cloud.Source.GiveMaker(maker);
                 return false;
             }
-            var wanted = new FetchedNode { Node = node.Node, Slot = slot, Version = m_stream.Cache[slot].Version };
+            var wanted = new FetchedNode { Node = node.Node, Slot = slot, Version = m_state.Cache[slot].Version };
             fetch.BeginMaking(++m_count, node.Cloud, cloud, node.Page, wanted, maker);
             stats.RequestedNodes++;
             stats.RequestedBytes += bytes;
@@ -229,7 +232,7 @@ namespace FastPoints.Streaming
             {
                 idle = fetch;
                 if (fetch.Phase == FetchPhase.Idle)
-                    return m_fetches.Count <= m_stream.Settings.MostReads || UnderWay < m_stream.Settings.MostReads;
+                    return m_fetches.Count <= m_state.Settings.MostReads || UnderWay < m_state.Settings.MostReads;
             }
             idle = null;
             return false;
@@ -239,17 +242,17 @@ namespace FastPoints.Streaming
         {
             if (fetch.IsTable)
             {
-                if (m_stream.IsOld(fetch.Cloud.Pages[fetch.Page].SeenFrame))
+                if (m_state.IsOld(fetch.Cloud.Pages[fetch.Page].SeenFrame))
                     fetch.Cancel();
                 return;
             }
             bool isWanted = false;
             foreach (var node in fetch.Nodes)
             {
-                if (!m_stream.Cache.IsAlive(node.Slot, node.Version))
+                if (!m_state.Cache.IsAlive(node.Slot, node.Version))
                     continue;
-                if (m_stream.IsOld(m_stream.Cache[node.Slot].UsedFrame))
-                    m_stream.Release(node.Slot);
+                if (m_state.IsOld(m_state.Cache[node.Slot].UsedFrame))
+                    m_state.Release(node.Slot);
                 else
                     isWanted = true;
             }
@@ -283,7 +286,7 @@ namespace FastPoints.Streaming
         {
             var page = fetch.Cloud.Pages + fetch.Page;
             var node = fetch.Nodes[0];
-            if (fetch.Cloud.IsLeaving || fetch.IsCancelled || !m_stream.Cache.IsAlive(node.Slot, node.Version))
+            if (fetch.Cloud.IsLeaving || fetch.IsCancelled || !m_state.Cache.IsAlive(node.Slot, node.Version))
             {
                 Drop(fetch, page);
                 return;
@@ -292,15 +295,15 @@ namespace FastPoints.Streaming
             {
                 page->Failures = 0;
                 // A node with points outside its cube exceeds its bound: it is requested again with its true length.
-                var run = m_stream.Cache[node.Slot].Run;
-                if (m_stream.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
-                    m_stream.Cache.SetRun(node.Slot, run);
+                var run = m_state.Cache[node.Slot].Run;
+                if (m_state.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
+                    m_state.Cache.SetRun(node.Slot, run);
                 else
                     Drop(fetch, page);
                 return;
             }
             if (outcome == MakeOutcome.Damaged)
-                m_stream.DropDamaged(node.Slot, failure);
+                m_state.DropDamaged(node.Slot, failure);
             Drop(fetch, page);
             if (outcome == MakeOutcome.Unreadable)
                 CountFailure(page, failure.Path, failure.OffsetBytes, failure.What);
@@ -334,26 +337,26 @@ namespace FastPoints.Streaming
             if (fetch.IsTable)
                 page->Status = HierarchyPageStatus.Absent;
             foreach (var node in fetch.Nodes)
-                if (m_stream.Cache.IsAlive(node.Slot, node.Version))
-                    m_stream.Release(node.Slot);
+                if (m_state.Cache.IsAlive(node.Slot, node.Version))
+                    m_state.Release(node.Slot);
             fetch.End();
         }
 
         void CountFailure(HierarchyPage* page, string path, long offset, string what)
         {
-            page->RetryFrame = m_stream.Selector.Frame + (uint)m_stream.Settings.FramesToRetry;
+            page->RetryFrame = m_state.Selector.Frame + (uint)m_state.Settings.FramesToRetry;
             // Reads of one file that were in flight together fail together: they count as one.
-            if (page->LastFailureFrame != 0 && m_stream.Selector.Frame - page->LastFailureFrame <
-                (uint)m_stream.Settings.FramesToRetry)
+            if (page->LastFailureFrame != 0 && m_state.Selector.Frame - page->LastFailureFrame <
+                (uint)m_state.Settings.FramesToRetry)
                 return;
-            page->LastFailureFrame = m_stream.Selector.Frame;
-            if (++page->Failures < m_stream.Settings.MostTries)
+            page->LastFailureFrame = m_state.Selector.Frame;
+            if (++page->Failures < m_state.Settings.MostTries)
                 return;
             if (page->Status == HierarchyPageStatus.Absent)
                 page->Status = HierarchyPageStatus.Failed;
             // What was in flight when the file was given up fails later: that was reported already.
             if (!page->IsBroken)
-                m_stream.Report(new StreamFailure(path, offset, what));
+                m_state.Report(new StreamFailure(path, offset, what));
             page->IsBroken = true;
         }
 
@@ -362,11 +365,11 @@ namespace FastPoints.Streaming
             for (; fetch.FirstWaiting < fetch.Nodes.Length; fetch.FirstWaiting++)
             {
                 var node = fetch.Nodes[fetch.FirstWaiting];
-                if (!m_stream.Cache.IsAlive(node.Slot, node.Version))
+                if (!m_state.Cache.IsAlive(node.Slot, node.Version))
                     continue;
-                if (!m_stream.IsOld(m_stream.Cache[node.Slot].UsedFrame))
+                if (!m_state.IsOld(m_state.Cache[node.Slot].UsedFrame))
                     return true;
-                m_stream.Release(node.Slot);
+                m_state.Release(node.Slot);
             }
             return false;
         }

@@ -1,10 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
-using FastPoints.Store;
-using Unity.Burst;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Streaming
@@ -12,16 +9,16 @@ namespace FastPoints.Streaming
     /// <summary>Moves nodes from reads into the pool: one job at a time, with as much as a frame may copy.</summary>
     internal sealed unsafe class NodeUploads : IDisposable
     {
-        readonly StreamContext m_stream;
+        readonly StreamState m_state;
         readonly List<NodeFetch> m_copied = new List<NodeFetch>();
         NativeList<int> m_slots;
         NativeList<UploadPart> m_parts;
         NativeList<bool> m_isDamaged;
         JobHandle m_job;
 
-        public NodeUploads(StreamContext stream)
+        public NodeUploads(StreamState state)
         {
-            m_stream = stream;
+            m_state = state;
             m_slots = new NativeList<int>(256, Allocator.Persistent);
             m_parts = new NativeList<UploadPart>(512, Allocator.Persistent);
             m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
@@ -44,29 +41,29 @@ namespace FastPoints.Streaming
             m_slots.Clear();
             m_parts.Clear();
             long bytes = 0;
-            while (m_slots.Length < m_stream.Settings.UploadNodesPerFrame)
+            while (m_slots.Length < m_state.Settings.UploadNodesPerFrame)
             {
                 var fetch = OldestWaiting(fetches);
                 if (fetch == null)
                     break;
                 var node = fetch.Nodes[fetch.FirstWaiting];
-                if (!m_stream.Cache.IsAlive(node.Slot, node.Version))
+                if (!m_state.Cache.IsAlive(node.Slot, node.Version))
                 {
                     fetch.FirstWaiting++;
                     continue;
                 }
                 long size = fetch.Cloud.BytesOf(fetch.Page, node.Node);
-                if (m_slots.Length > 0 && bytes + size > m_stream.Settings.UploadBytesPerFrame)
+                if (m_slots.Length > 0 && bytes + size > m_state.Settings.UploadBytesPerFrame)
                     break;
-                if (m_slots.Length == 0 && !m_stream.Pool.TryBeginUpload())
+                if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload())
                     return;
-                byte* to = m_stream.Pool.AddressForUpload(m_stream.Cache[node.Slot].Run, size);
+                byte* to = m_state.Pool.AddressForUpload(m_state.Cache[node.Slot].Run, size);
                 if (to == null)
                     break;
                 bytes += size;
                 fetch.AddParts(fetch.FirstWaiting++, to, m_slots.Length, m_parts);
                 m_slots.Add(node.Slot);
-                m_stream.Cache.SetPhase(node.Slot, CachePhase.Uploading);
+                m_state.Cache.SetPhase(node.Slot, CachePhase.Uploading);
                 if (!fetch.IsBeingCopied)
                     m_copied.Add(fetch);
                 fetch.IsBeingCopied = true;
@@ -102,15 +99,15 @@ namespace FastPoints.Streaming
         {
             m_job.Complete();
             IsUnderWay = false;
-            m_stream.Pool.EndUpload();
+            m_state.Pool.EndUpload();
             foreach (var fetch in m_copied)
                 fetch.IsBeingCopied = false;
             m_copied.Clear();
             for (int part = 0, upload = 0; upload < m_slots.Length; upload++)
             {
                 bool isDamaged = false;
-                var node = m_stream.Cache[m_slots[upload]];
-                var source = m_stream.Clouds[node.Cloud].Source;
+                var node = m_state.Cache[m_slots[upload]];
+                var source = m_state.Clouds[node.Cloud].Source;
                 for (int plane = 0; part < m_parts.Length && m_parts[part].Upload == upload; part++, plane++)
                 {
                     isDamaged |= m_isDamaged[part];
@@ -119,9 +116,9 @@ namespace FastPoints.Streaming
                         source.SetChecked(node.Page, node.Node, plane);
                 }
                 stats.UploadedNodes++;
-                m_stream.Cache.SetPhase(m_slots[upload], CachePhase.Resident);
+                m_state.Cache.SetPhase(m_slots[upload], CachePhase.Resident);
                 if (isDamaged)
-                    m_stream.DropDamaged(m_slots[upload]);
+                    m_state.DropDamaged(m_slots[upload]);
             }
         }
 
@@ -136,54 +133,6 @@ namespace FastPoints.Streaming
                     oldest = fetch;
             }
             return oldest;
-        }
-    }
-
-    /// <summary>One plane of one node to be copied into the pool.</summary>
-    internal unsafe struct UploadPart
-    {
-        public byte* From;
-        public byte* To;
-        public long LengthBytes;
-
-        /// <summary>Hash of the bytes as written.</summary>
-        public ulong Hash;
-        public UploadCheck Check;
-        public PlaneShape Shape;
-        public int BlockCount;
-
-        /// <summary>The upload of the frame that it belongs to.</summary>
-        public int Upload;
-    }
-
-    /// <summary>What is checked of a plane before it is drawn.</summary>
-    internal enum UploadCheck : byte
-    {
-        /// <summary>It was just made in memory.</summary>
-        None,
-        /// <summary>Its hash was right before. No bytes of a file may lead outside of it, whatever became of the file.</summary>
-        Shape,
-        Hash,
-    }
-
-    /// <summary>Copies planes into the pool unchanged, and reports of each whether it is what was written and can be drawn.
-    /// Damaged data is not shown.</summary>
-    [BurstCompile]
-    internal unsafe struct UploadPlanesJob : IJobFor
-    {
-        [ReadOnly] public NativeArray<UploadPart> Parts;
-        public NativeArray<bool> IsDamaged;
-
-        public void Execute(int index)
-        {
-            var part = Parts[index];
-            bool isSound = true;
-            if (part.Check == UploadCheck.Hash)
-                isSound = ContentHash.Copy(part.To, part.From, part.LengthBytes) == part.Hash;
-            else
-                UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
-            IsDamaged[index] = !isSound || part.Check != UploadCheck.None &&
-                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount);
         }
     }
 }

@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>What the parts of a stream have in common: clouds, the nodes that have memory, and what could not be shown. Main
+    /// thread.</summary>
+    internal sealed unsafe class StreamState : IDisposable
+    {
+        /// <summary>The most failures that are kept until they are taken.</summary>
+        const int MostFailures = 1000;
+
+        readonly Queue<StreamFailure> m_failures = new Queue<StreamFailure>();
+
+        public StreamState(NodePool pool)
+        {
+            Pool = pool;
+        }
+
+        public StreamSettings Settings { get; } = new StreamSettings();
+        public NodePool Pool { get; }
+        public NodeCache Cache { get; } = new NodeCache();
+        public NodeSelector Selector { get; } = new NodeSelector();
+
+        /// <summary>Indexed by number; null for a removed cloud.</summary>
+        public List<StreamedCloud> Clouds { get; } = new List<StreamedCloud>();
+
+        /// <summary>Takes the oldest failure that was not taken yet.</summary>
+        public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
+
+        /// <summary>Finds room for a node by evicting less useful ones.</summary>
+        /// <param name="rank">Its rank among the needed nodes.</param>
+        public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
+        {
+            PoolRange run;
+            while (!Pool.TryTake(bytes, out run))
+            {
+                slot = Cache.LeastUseful;
+                if (slot == NodeCache.None || bytes > Pool.BankBytes)
+                    return false;
+                var victim = Cache[slot];
+                bool isWantedMore = victim.UsedFrame == Selector.Frame && victim.Rank <= rank;
+                if (isWantedMore || victim.Phase == CachePhase.Uploading)
+                    return false;
+                Release(slot);
+                stats.EvictedNodes++;
+            }
+            slot = Cache.Add(node.Cloud, node.Page, node.Node, run);
+            Cache.Use(slot, Selector.Frame, rank);
+            var page = Clouds[node.Cloud].Pages + node.Page;
+            page->States[node.Node].Slot = slot;
+            page->NodesInCache++;
+            return true;
+        }
+
+        /// <summary>Frees a node's memory; no job may be writing to it.</summary>
+        public void Release(int slot)
+        {
+            var gone = Cache[slot];
+            var page = Clouds[gone.Cloud].Pages + gone.Page;
+            page->States[gone.Node].Slot = NodeState.NoSlot;
+            page->NodesInCache--;
+            Pool.Give(gone.Run);
+            Cache.Remove(slot);
+        }
+
+        /// <summary>Drops a node whose bytes differ from those written: it is retried, then reported and left as a
+        /// hole.</summary>
+        public void DropDamaged(int slot)
+        {
+            var node = Cache[slot];
+            var cloud = Clouds[node.Cloud];
+            DropDamaged(slot, new StreamFailure(cloud.Source.PathOf(node.Page),
+                cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes, "node " + node.Node + " is damaged"));
+        }
+
+        /// <param name="failure">The failure to report in the end.</param>
+        public void DropDamaged(int slot, in StreamFailure failure)
+        {
+            var node = Cache[slot];
+            var cloud = Clouds[node.Cloud];
+            var state = cloud.Pages[node.Page].States + node.Node;
+            Release(slot);
+            cloud.Source.ForgetChecked(node.Page);
+            if (cloud.IsLeaving || ++state->Failures < Settings.MostTries)
+                return;
+            state->Failures = NodeState.IsHole;
+            Report(failure);
+        }
+
+        /// <summary>Whether something has not been wanted for so long that its read is cancelled.</summary>
+        public bool IsOld(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
+
+        /// <summary>Whether a frame number has been reached.</summary>
+        public bool IsTime(uint frame) => (int)(Selector.Frame - frame) >= 0;
+
+        public void Report(StreamFailure failure)
+        {
+            if (m_failures.Count < MostFailures)
+                m_failures.Enqueue(failure);
+        }
+
+        public void Dispose()
+        {
+            Clouds.Clear();
+            Selector.Dispose();
+            Cache.Dispose();
+            Pool.Dispose();
+        }
+    }
+}
