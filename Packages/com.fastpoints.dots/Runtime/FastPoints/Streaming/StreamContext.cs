@@ -113,7 +113,8 @@ namespace FastPoints.Streaming
         public void UpdateSources()
         {
             for (int c = 0; c < m_state.Clouds.Count; c++)
-                if (m_state.Clouds[c] != null && !m_state.Clouds[c].IsLeaving && m_state.Clouds[c].Source.Update() is PointCloudException failure)
+                if (m_state.Clouds[c] != null && !m_state.Clouds[c].IsLeaving &&
+                    m_state.Clouds[c].Source.Update() is PointCloudException failure)
                     Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
         }
 
