@@ -55,18 +55,21 @@ namespace FastPoints.Cli.Convert
             int own = points.Count;
             Load(folder, level, level, points, run);
             using var all = new NativeArray<double3>(points.ToArray(), Allocator.Persistent);
-            using var distances = new NativeArray<double>(points.Count, Allocator.Persistent);
-            var found = (double*)distances.GetUnsafePtr();
-            NearestNeighbours.Find((double3*)all.GetUnsafeReadOnlyPtr(), points.Count, FarthestSpacings * spacing, found);
+            using var scratch = new NativeArray<int>((int)ClosestPair.ScratchOf(points.Count), Allocator.Persistent);
+            var near = new NearestNeighbours((double3*)all.GetUnsafeReadOnlyPtr(), points.Count, FarthestSpacings * spacing,
+                (int*)scratch.GetUnsafePtr());
+            near.Clear(0, NearestNeighbours.Cells(points.Count));
+            near.Add(0, points.Count);
             double sum = 0, squares = 0;
             long count = 0;
             for (int i = own; i < points.Count; i++)
             {
-                if (!double.IsFinite(found[i]))
+                double distance = near.DistanceOf(i);
+                if (!double.IsFinite(distance))
                     continue;
                 count++;
-                sum += found[i];
-                squares += found[i] * found[i];
+                sum += distance;
+                squares += distance * distance;
             }
             double mean = sum / count;
             return Math.Sqrt(Math.Max(0, squares / count - mean * mean)) / mean;

@@ -3,6 +3,7 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Density
 {
@@ -26,14 +27,18 @@ namespace FastPoints.Density
 
         public int Depth;
 
-        [ReadOnly] public NativeArray<int> ChildBricks;
-        public NativeArray<DensitySum> Sums;
+        /// <summary>The depth's first brick and the end of them.</summary>
+        [ReadOnly] public NativeReference<int2> Bricks;
+        [ReadOnly] public NativeList<int> ChildBricks;
+        public NativeList<DensitySum> Sums;
 
         /// <summary>Cells in which the current stretch has points.</summary>
         public NativeList<int> Touched;
 
         public void Execute()
         {
+            if (Bricks.Value.x == Bricks.Value.y)
+                return;
             var sums = (DensitySum*)Sums.GetUnsafePtr();
             if (Runs.Length == 0)
             {

@@ -62,25 +62,19 @@ namespace FastPoints.Density
             double edge = math.cmax(bounds.Size);
             edge = edge > 0 ? edge * (1 + 1e-9) : 1;
             var codes = new NativeArray<uint>(count, Allocator.Persistent);
-            JobHandle coded = default;
             try
             {
-                for (int first = 0; first < count; first += PointsPerSlice)
+                yield return Work.Of(Slices.Run(0, count, PointsPerSlice, (first, end, after) => new CodePositionsJob
                 {
-                    coded = new CodePositionsJob
-                    {
-                        Sample = sample.Points.Bytes,
-                        Positions = PositionColumns.Of(sample.Points),
-                        Transform = sample.Transform,
-                        First = first,
-                        End = Math.Min(count, first + PointsPerSlice),
-                        Corner = bounds.Min,
-                        CellsPerUnit = (1 << DensityTree.Levels) / edge,
-                        CodeOfPoint = codes,
-                    }.Schedule();
-                    yield return coded;
-                    coded.Complete();
-                }
+                    Sample = sample.Points.Bytes,
+                    Positions = PositionColumns.Of(sample.Points),
+                    Transform = sample.Transform,
+                    First = first,
+                    End = end,
+                    Corner = bounds.Min,
+                    CellsPerUnit = (1 << DensityTree.Levels) / edge,
+                    CodeOfPoint = codes,
+                }.Schedule(after)));
                 long all = Math.Max(sample.PointsInSource, sample.Count);
                 double inSample = count + sample.NonFinite;
                 int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
@@ -90,7 +84,6 @@ namespace FastPoints.Density
             }
             finally
             {
-                coded.Complete();
                 codes.Dispose();
             }
         }

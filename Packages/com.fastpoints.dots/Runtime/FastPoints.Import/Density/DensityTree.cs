@@ -5,6 +5,7 @@ using FastPoints.Preview;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Density
 {
@@ -74,56 +75,45 @@ namespace FastPoints.Density
             var tree = new DensityTree { m_share = share };
             var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
             var touched = new NativeList<int>(Allocator.Persistent);
-            JobHandle counted = default;
+            var bricksOfDepth = new NativeReference<int2>(new int2(0, 1), Allocator.Persistent);
             try
             {
                 int entries = runs.Length > 0 ? runs.Length : codes.Length;
                 tree.m_stretches = runs.Length > 0 ? runs[runs.Length - 1].Stretch + 1 : codes.Length;
-                int first = 0, end = 1;
-                for (int depth = 0; first < end; depth++)
-                {
-                    for (int begin = 0; begin < entries;)
+                var begins = new List<int> { 0 };
+                while (begins[begins.Count - 1] < entries)
+                    begins.Add(EndOfSlice(runs, begins[begins.Count - 1], entries));
+                // Each depth counts in all slices but one, which divides.
+                int slices = begins.Count;
+                yield return Work.Of(Slices.Run(0, Levels / 2 * slices - 1, 1, (n, _, after) => n % slices == slices - 1
+                    ? new DivideDensityJob
                     {
-                        int stop = EndOfSlice(runs, begin, entries);
-                        counted = new CountDensityJob
-                        {
-                            CodeOfPoint = codes,
-                            BrickOfPoint = bricks,
-                            Runs = runs,
-                            WeightOfEach = weightOfEach,
-                            First = begin,
-                            End = stop,
-                            Depth = depth,
-                            ChildBricks = tree.m_childBricks.AsArray(),
-                            Sums = tree.m_sums.AsArray(),
-                            Touched = touched,
-                        }.Schedule();
-                        yield return counted;
-                        counted.Complete();
-                        begin = stop;
-                    }
-                    if (2 * (depth + 1) == Levels)
-                        break;
-                    counted = new DivideDensityJob
-                    {
-                        FirstBrick = first,
-                        EndBrick = end,
+                        Bricks = bricksOfDepth,
                         LeastStretches = leastStretches,
                         MostPoints = mostPoints,
                         ChildBricks = tree.m_childBricks,
                         Sums = tree.m_sums,
-                    }.Schedule();
-                    yield return counted;
-                    counted.Complete();
-                    first = end;
-                    end = tree.m_childBricks.Length / FineCells;
-                }
+                    }.Schedule(after)
+                    : new CountDensityJob
+                    {
+                        CodeOfPoint = codes,
+                        BrickOfPoint = bricks,
+                        Runs = runs,
+                        WeightOfEach = weightOfEach,
+                        First = begins[n % slices],
+                        End = begins[n % slices + 1],
+                        Depth = n / slices,
+                        Bricks = bricksOfDepth,
+                        ChildBricks = tree.m_childBricks,
+                        Sums = tree.m_sums,
+                        Touched = touched,
+                    }.Schedule(after)));
                 take(tree);
                 tree = null;
             }
             finally
             {
-                counted.Complete();
+                bricksOfDepth.Dispose();
                 bricks.Dispose();
                 touched.Dispose();
                 tree?.Dispose();
@@ -168,9 +158,8 @@ namespace FastPoints.Density
     [BurstCompile]
     struct DivideDensityJob : IJob
     {
-        /// <summary>First brick of the depth.</summary>
-        public int FirstBrick;
-        public int EndBrick;
+        /// <summary>The depth's first brick and the end of them; becomes the next depth's.</summary>
+        public NativeReference<int2> Bricks;
 
         /// <summary>A cell with fewer says less about its parts than their error.</summary>
         public int LeastStretches;
@@ -183,7 +172,8 @@ namespace FastPoints.Density
 
         public void Execute()
         {
-            for (int brick = FirstBrick; brick < EndBrick; brick++)
+            var bricks = Bricks.Value;
+            for (int brick = bricks.x; brick < bricks.y; brick++)
             {
                 for (int fine = 0; fine < DensityTree.FineCells; fine++)
                 {
@@ -194,6 +184,7 @@ namespace FastPoints.Density
                     DensityTree.AddBrick(ref ChildBricks, ref Sums);
                 }
             }
+            Bricks.Value = new int2(bricks.y, ChildBricks.Length / DensityTree.FineCells);
         }
     }
 }

@@ -20,20 +20,9 @@ namespace FastPoints.Draw
             StageProgress progress)
         {
             var drawing = plan.DrawingOf(points, canvas);
-            for (int first = 0; first < points.Count; first += PointsPerSlice)
-            {
-                int count = Math.Min(PointsPerSlice, points.Count - first);
-                var drawn = canvas.ScheduleDraw(points, first, count, drawing, default);
-                try
-                {
-                    yield return drawn;
-                }
-                finally
-                {
-                    drawn.Complete();
-                }
-                progress?.Report((first + count) / (double)points.Count, first + count, 0);
-            }
+            yield return Work.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) =>
+                canvas.ScheduleDraw(points, first, end - first, drawing, after)));
+            progress?.Report(1, points.Count, 0);
         }
 
         /// <summary>Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single

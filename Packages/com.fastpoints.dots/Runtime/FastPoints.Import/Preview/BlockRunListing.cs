@@ -26,7 +26,6 @@ namespace FastPoints.Preview
             runs.Capacity = Math.Max(runs.Capacity, Math.Min(blocks, points));
             var firsts = new NativeArray<long>(Math.Min(blocks, BlocksAtOnce) + 1, Allocator.Persistent);
             var state = new NativeReference<BlockRunState>(Allocator.Persistent);
-            JobHandle listed = default;
             try
             {
                 for (int first = 0; first < blocks && state.Value.Place < strata.Count; first += BlocksAtOnce)
@@ -38,9 +37,9 @@ namespace FastPoints.Preview
                     var at = state.Value;
                     at.Block = 0;
                     state.Value = at;
-                    while (state.Value.Block < count && state.Value.Place < strata.Count)
-                    {
-                        listed = new ListBlockRunsJob
+                    // A slice that has nothing left to do ends at once: these are as many as there can be.
+                    yield return Work.Of(Slices.Run(at.Place, strata.Count, SampleBuffer.PlacesPerSlice, (_, __, after) =>
+                        new ListBlockRunsJob
                         {
                             Filled = filled,
                             Strata = strata,
@@ -50,15 +49,11 @@ namespace FastPoints.Preview
                             Weight = reader.PointCount / (double)Math.Max(1, points),
                             State = state,
                             Runs = runs,
-                        }.Schedule();
-                        yield return listed;
-                        listed.Complete();
-                    }
+                        }.Schedule(after)));
                 }
             }
             finally
             {
-                listed.Complete();
                 firsts.Dispose();
                 state.Dispose();
             }

@@ -19,9 +19,9 @@ namespace FastPoints.Preview
 
         const int PointsPerShortRun = 16, PointsPerLongRun = 128;
 
-        /// <summary>Requests in flight: enough to keep a solid state disk busy, and so that slow ones take as long as
-        /// one.</summary>
-        const int UsualSlots = 8, SlowSlots = 16;
+        /// <summary>Requests in flight: enough to keep a worker busy from frame to frame, and so that slow ones take as long
+        /// as one.</summary>
+        const int UsualSlots = 24, SlowSlots = 32;
 
         /// <summary>Bytes that a slow disk reads in a second after seeking: a gap that takes less time than another read is read
         /// along.</summary>

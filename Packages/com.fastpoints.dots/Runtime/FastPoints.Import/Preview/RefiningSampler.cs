@@ -100,7 +100,7 @@ namespace FastPoints.Preview
                     if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
                         continue;
                     m_isLastWave = share == 1;
-                    for (var ranges = m_plan.Next(share); ranges.Count > 0; ranges = m_plan.Next(share))
+                    for (var ranges = NextRanges(share); ranges.Count > 0; ranges = NextRanges(share))
                     {
                         yield return Work.Of(Read(ranges, progress));
                         while (!m_isLastWave && m_others.AreTooMany)
@@ -134,6 +134,16 @@ namespace FastPoints.Preview
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
             m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
+        }
+
+        /// <summary>A round of the wave, after which others can be thinned. In the last wave there are none: it is one round,
+        /// since reads run out at the end of each.</summary>
+        List<BlockRange> NextRanges(double share)
+        {
+            var ranges = m_plan.Next(share);
+            for (var more = ranges; m_isLastWave && more.Count > 0; ranges.AddRange(more))
+                more = m_plan.Next(share);
+            return ranges;
         }
 
         IEnumerator<Work> Read(List<BlockRange> ranges, StageProgress progress)
@@ -210,57 +220,48 @@ namespace FastPoints.Preview
             var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
             var gathered = new NativeReference<int>(Allocator.Persistent);
             var others = new NativeReference<DecodeResult>(Allocator.Persistent);
-            JobHandle gathering = default;
             try
             {
-                for (int first = 0; first < m_strata.Count; first += SampleBuffer.PlacesPerSlice)
-                {
-                    gathering = new GatherPlacesJob
+                yield return Work.Of(Slices.Run(0, m_strata.Count, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                    new GatherPlacesJob
                     {
                         Sample = m_buffer.Points.Bytes,
                         Filled = m_buffer.Filled,
                         First = first,
-                        End = Math.Min(m_strata.Count, first + SampleBuffer.PlacesPerSlice),
+                        End = end,
                         Columns = m_buffer.Columns,
                         ColumnsOfTarget = drawn.Columns,
                         Target = drawn.Points.Bytes,
                         TargetFilled = drawn.Filled,
                         Gathered = gathered,
-                    }.Schedule();
-                    yield return gathering;
-                    gathering.Complete();
-                }
+                    }.Schedule(after)));
                 others.Value = new DecodeResult { Points = Math.Min(m_others.Count, drawn.Places - gathered.Value) };
-                for (int first = 0; first < others.Value.Points; first += SampleBuffer.PlacesPerSlice)
-                {
-                    gathering = new CopyPrefixJob
+                int ownPoints = gathered.Value, otherPoints = others.Value.Points;
+                yield return Work.Of(Slices.Run(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                    new CopyPrefixJob
                     {
                         Decoded = m_others.Points.Bytes,
                         ColumnsOfDecoded = m_others.Columns,
                         Result = others,
                         First = first,
-                        End = first + SampleBuffer.PlacesPerSlice,
+                        End = end,
                         ColumnsOfSample = drawn.Columns,
-                        FirstPlace = gathered.Value,
+                        FirstPlace = ownPoints,
                         Sample = drawn.Points.Bytes,
                         Filled = drawn.Filled,
-                    }.Schedule();
-                    yield return gathering;
-                    gathering.Complete();
-                }
-                yield return Work.Of(drawn.Close(m_reader.Info.Transform, 0, gathered.Value + others.Value.Points));
+                    }.Schedule(after)));
+                yield return Work.Of(drawn.Close(m_reader.Info.Transform, 0, ownPoints + otherPoints));
                 Replace(drawn.TakeSample(m_reader.Info.Transform));
-                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, gathered.Value, m_sample.RunList));
-                yield return Work.Of(drawn.MoveRuns(m_sample.RunList, gathered.Value));
+                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, m_sample.RunList));
+                yield return Work.Of(drawn.MoveRuns(m_sample.RunList, ownPoints));
                 m_sample.StandsForStretches = true;
                 m_sample.IsOfBlockPrefixes = m_plan.IsSliced;
                 m_sample.PointsInSource = m_reader.PointCount;
-                m_sample.Substitutes = others.Value.Points;
+                m_sample.Substitutes = otherPoints;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
             }
             finally
             {
-                gathering.Complete();
                 gathered.Dispose();
                 others.Dispose();
                 drawn.Dispose();

@@ -14,15 +14,14 @@ namespace FastPoints.Preview
     /// reads decides which gaps between runs are read along.</remarks>
     sealed class RunSampler : PreviewSampler
     {
-        /// <summary>The most runs in one request: about a millisecond.</summary>
-        const int MaxRunsPerRequest = 256;
-
-        const int MinRunsPerRequest = 4;
+        /// <summary>Runs in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
+        /// thread as long to begin as any other.</summary>
+        const int MaxRunsPerRequest = 1024, MinRunsPerRequest = 16;
 
         /// <summary>Runs in one slice of planning and listing them: about 2 ms of managed code.</summary>
         const int RunsPerSlice = 1 << 14;
 
-        /// <summary>Bytes of a slot's buffer.</summary>
+        /// <summary>Bytes of a slot's buffer, of which only what is read takes memory.</summary>
         const int SlotBytes = 2 << 20;
 
         readonly int m_wanted;
@@ -119,43 +118,25 @@ namespace FastPoints.Preview
         /// <summary>Work for a pump: finds the wave's runs, in the file's order.</summary>
         IEnumerator<Work> PlanWave(int firstRank, int endRank)
         {
-            JobHandle planned = default;
-            try
+            m_runs.Clear();
+            yield return Work.Of(Slices.Run(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
             {
-                for (int rank = firstRank; rank < endRank; rank += RunsPerSlice)
-                {
-                    planned = new RankStrataJob
-                    {
-                        Order = m_plan.Order,
-                        NextPlace = m_nextPlace,
-                        FirstRank = rank,
-                        EndRank = Math.Min(endRank, rank + RunsPerSlice),
-                        Ranks = m_ranks,
-                    }.Schedule();
-                    yield return planned;
-                    planned.Complete();
-                }
-                m_runs.Clear();
-                for (int first = 0; first < m_ranks.Length; first += RunsPerSlice)
-                {
-                    planned = new PlanWaveJob
-                    {
-                        Plan = m_plan,
-                        FirstRank = firstRank,
-                        Ranks = m_ranks,
-                        First = first,
-                        End = Math.Min(m_ranks.Length, first + RunsPerSlice),
-                        Runs = m_runs,
-                        Filled = Buffer.Filled,
-                    }.Schedule();
-                    yield return planned;
-                    planned.Complete();
-                }
-            }
-            finally
+                Order = m_plan.Order,
+                NextPlace = m_nextPlace,
+                FirstRank = first,
+                EndRank = end,
+                Ranks = m_ranks,
+            }.Schedule(after)));
+            yield return Work.Of(Slices.Run(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
             {
-                planned.Complete();
-            }
+                Plan = m_plan,
+                FirstRank = firstRank,
+                Ranks = m_ranks,
+                First = first,
+                End = end,
+                Runs = m_runs,
+                Filled = Buffer.Filled,
+            }.Schedule(after)));
         }
 
         /// <summary>Reads the planned runs into their places.</summary>
@@ -193,27 +174,16 @@ namespace FastPoints.Preview
         private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
         {
             runs.Capacity = Math.Max(runs.Capacity, m_endRank);
-            for (int first = 0; first < m_ranks.Length; first += RunsPerSlice)
+            return Slices.Run(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new ListRunsJob
             {
-                var listed = new ListRunsJob
-                {
-                    Plan = m_plan,
-                    Ranks = m_ranks,
-                    First = first,
-                    End = Math.Min(m_ranks.Length, first + RunsPerSlice),
-                    RunCount = m_endRank,
-                    PointsInSource = Reader.PointCount,
-                    Runs = runs,
-                }.Schedule();
-                try
-                {
-                    yield return listed;
-                }
-                finally
-                {
-                    listed.Complete();
-                }
-            }
+                Plan = m_plan,
+                Ranks = m_ranks,
+                First = first,
+                End = end,
+                RunCount = m_endRank,
+                PointsInSource = Reader.PointCount,
+                Runs = runs,
+            }.Schedule(after));
         }
 
         private protected override void Free()

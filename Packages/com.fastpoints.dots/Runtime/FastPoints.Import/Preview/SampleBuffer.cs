@@ -74,28 +74,17 @@ namespace FastPoints.Preview
         /// <summary>The same for the places after those that are closed.</summary>
         public IEnumerator<Work> Close(PositionTransform transform, int begin, int end)
         {
-            for (int first = begin; first < end; first += PlacesPerSlice)
+            yield return Work.Of(Slices.Run(begin, end, PlacesPerSlice, (first, stop, after) => new CompactSampleJob
             {
-                var slice = new CompactSampleJob
-                {
-                    Filled = m_filled,
-                    Columns = m_columns,
-                    Sample = Points.Bytes,
-                    Positions = PositionColumns.Of(Points),
-                    Transform = transform,
-                    First = first,
-                    Count = Math.Min(PlacesPerSlice, end - first),
-                    State = m_state,
-                }.Schedule();
-                try
-                {
-                    yield return slice;
-                }
-                finally
-                {
-                    slice.Complete();
-                }
-            }
+                Filled = m_filled,
+                Columns = m_columns,
+                Sample = Points.Bytes,
+                Positions = PositionColumns.Of(Points),
+                Transform = transform,
+                First = first,
+                Count = stop - first,
+                State = m_state,
+            }.Schedule(after)));
             Points.Count = m_state.Value.Kept;
         }
 
@@ -107,37 +96,25 @@ namespace FastPoints.Preview
         {
             var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             pointOfPlace[0] = 0;
-            JobHandle moved = default;
             try
             {
-                for (int first = 0; first < end; first += PlacesPerSlice)
+                yield return Work.Of(Slices.Run(0, end, PlacesPerSlice, (first, stop, after) => new NumberPlacesJob
                 {
-                    moved = new NumberPlacesJob
-                    {
-                        Filled = m_filled,
-                        First = first,
-                        End = Math.Min(end, first + PlacesPerSlice),
-                        PointOfPlace = pointOfPlace,
-                    }.Schedule();
-                    yield return moved;
-                    moved.Complete();
-                }
-                for (int first = 0; first < runs.Length; first += PlacesPerSlice)
+                    Filled = m_filled,
+                    First = first,
+                    End = stop,
+                    PointOfPlace = pointOfPlace,
+                }.Schedule(after)));
+                yield return Work.Of(Slices.Run(0, runs.Length, PlacesPerSlice, (first, stop, after) => new MoveRunsJob
                 {
-                    moved = new MoveRunsJob
-                    {
-                        PointOfPlace = pointOfPlace,
-                        First = first,
-                        End = Math.Min(runs.Length, first + PlacesPerSlice),
-                        Runs = runs,
-                    }.Schedule();
-                    yield return moved;
-                    moved.Complete();
-                }
+                    PointOfPlace = pointOfPlace,
+                    First = first,
+                    End = stop,
+                    Runs = runs,
+                }.Schedule(after)));
             }
             finally
             {
-                moved.Complete();
                 pointOfPlace.Dispose();
             }
         }

@@ -95,12 +95,8 @@ namespace FastPoints.Preview
             var all = new NativeReference<DecodeResult>(new DecodeResult { Points = sample.Count }, Allocator.Persistent);
             try
             {
-                for (int first = 0; first < sample.Count; first += SampleBuffer.PointsPerSlice)
-                {
-                    yield return ScheduleAppend(sample.Points, columns, all, first, first + SampleBuffer.PointsPerSlice, 0,
-                        default, default);
-                    m_lastAppended.Complete();
-                }
+                yield return Work.Of(Slices.Run(0, sample.Count, SampleBuffer.PointsPerSlice, (first, end, after) =>
+                    ScheduleAppend(sample.Points, columns, all, first, end, 0, default, after)));
             }
             finally
             {
@@ -122,47 +118,29 @@ namespace FastPoints.Preview
         public IEnumerator<Work> Thin(SampleBuffer own)
         {
             int count = m_count.Value, places = own.Places;
-            JobHandle thinning = default;
-            try
+            yield return Work.Of(Slices.Run(0, places, SampleBuffer.PlacesPerSlice, (first, end, after) => new MarkCellsJob
             {
-                for (int first = 0; first < places; first += SampleBuffer.PlacesPerSlice)
-                {
-                    thinning = new MarkCellsJob
-                    {
-                        Sample = own.Points.Bytes,
-                        Filled = own.Filled,
-                        Positions = PositionColumns.Of(own.Points),
-                        Transform = m_transform,
-                        First = first,
-                        End = Math.Min(places, first + SampleBuffer.PlacesPerSlice),
-                        Cells = m_cells,
-                        Table = m_table,
-                    }.Schedule();
-                    yield return thinning;
-                    thinning.Complete();
-                }
-                for (int first = 0; first < count; first += SampleBuffer.PointsPerSlice)
-                {
-                    thinning = new KeepEmptyCellsJob
-                    {
-                        Columns = m_columns,
-                        Points = Points.Bytes,
-                        Positions = PositionColumns.Of(Points),
-                        Transform = m_transform,
-                        First = first,
-                        End = Math.Min(count, first + SampleBuffer.PointsPerSlice),
-                        Cells = m_cells,
-                        Table = m_table,
-                        Kept = m_count,
-                    }.Schedule();
-                    yield return thinning;
-                    thinning.Complete();
-                }
-            }
-            finally
+                Sample = own.Points.Bytes,
+                Filled = own.Filled,
+                Positions = PositionColumns.Of(own.Points),
+                Transform = m_transform,
+                First = first,
+                End = end,
+                Cells = m_cells,
+                Table = m_table,
+            }.Schedule(after)));
+            yield return Work.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, after) => new KeepEmptyCellsJob
             {
-                thinning.Complete();
-            }
+                Columns = m_columns,
+                Points = Points.Bytes,
+                Positions = PositionColumns.Of(Points),
+                Transform = m_transform,
+                First = first,
+                End = end,
+                Cells = m_cells,
+                Table = m_table,
+                Kept = m_count,
+            }.Schedule(after)));
         }
 
         public void Dispose()

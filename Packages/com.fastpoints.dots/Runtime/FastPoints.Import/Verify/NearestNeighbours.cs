@@ -1,63 +1,65 @@
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>Finds distances to nearest neighbours up to a limit, with a hash grid whose cells have the limit's
-    /// size.</summary>
-    internal static unsafe class NearestNeighbours
+    /// <summary>Finds distances to nearest neighbours up to a limit, with a hash grid whose cells have the limit's size.</summary>
+    internal unsafe struct NearestNeighbours
     {
-        // Rounding of double coordinates is far below this; a distance that is exactly the limit is outside it.
-        const double Tolerance = 1e-9;
+        readonly double3* m_points;
+        readonly int m_bits;
+        readonly int* m_first;
+        readonly int* m_next;
+        readonly double m_limit;
+        readonly double m_perCell;
 
-        /// <summary>Counts the points that have another one nearer than the limit.</summary>
-        public static long CountWithin(double3* points, int count, double limit)
+        /// <param name="scratch"><see cref="ClosestPair.ScratchOf"/> entries; the first <see cref="Cells"/> are to be cleared to
+        /// -1 before points are added.</param>
+        public NearestNeighbours(double3* points, int count, double limit, int* scratch)
         {
-            var distances = (double*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(double), 16, Allocator.Temp);
-            Find(points, count, limit, distances);
-            long near = 0;
-            for (int i = 0; i < count; i++)
-                near += distances[i] < limit * (1 - Tolerance) ? 1 : 0;
-            UnsafeUtility.Free(distances, Allocator.Temp);
-            return near;
+            m_points = points;
+            m_bits = 64 - math.lzcnt((ulong)count);
+            m_first = scratch;
+            m_next = scratch + (1 << m_bits);
+            m_limit = limit;
+            m_perCell = 1 / limit;
         }
 
-        /// <summary>Finds each point's distance to its nearest neighbour; infinity if there is none within the limit.</summary>
-        public static void Find(double3* points, int count, double limit, double* distances)
+        public static int Cells(int count) => 1 << 64 - math.lzcnt((ulong)count);
+
+        public void Clear(int begin, int end) =>
+            UnsafeUtility.MemSet(m_first + begin, 0xFF, (long)sizeof(int) * (end - begin));
+
+        public void Add(int begin, int end)
         {
-            int bits = 64 - math.lzcnt((ulong)math.max(1, count));
-            int* first = (int*)UnsafeUtility.Malloc((long)sizeof(int) << bits, 16, Allocator.Temp);
-            int* next = (int*)UnsafeUtility.Malloc((long)sizeof(int) * math.max(1, count), 16, Allocator.Temp);
-            UnsafeUtility.MemSet(first, 0xFF, (long)sizeof(int) << bits);
-            double perCell = 1 / limit;
-            for (int i = 0; i < count; i++)
+            for (int i = begin; i < end; i++)
             {
-                int slot = ClosestPair.Slot(math.floor(points[i] * perCell), bits);
-                next[i] = first[slot];
-                first[slot] = i;
+                int slot = ClosestPair.Slot(math.floor(m_points[i] * m_perCell), m_bits);
+                m_next[i] = m_first[slot];
+                m_first[slot] = i;
             }
-            for (int i = 0; i < count; i++)
+        }
+
+        /// <summary>A point's distance to its nearest neighbour, after all were added; infinity if there is none within the
+        /// limit.</summary>
+        public double DistanceOf(int point)
+        {
+            double nearestSq = m_limit * m_limit;
+            bool isFound = false;
+            var cell = math.floor(m_points[point] * m_perCell);
+            for (int n = 0; n < 27 && nearestSq > 0; n++)
             {
-                double nearestSq = limit * limit;
-                bool isFound = false;
-                var cell = math.floor(points[i] * perCell);
-                for (int n = 0; n < 27; n++)
+                int slot = ClosestPair.Slot(cell + new double3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1), m_bits);
+                for (int other = m_first[slot]; other >= 0 && nearestSq > 0; other = m_next[other])
                 {
-                    int slot = ClosestPair.Slot(cell + new double3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1), bits);
-                    for (int other = first[slot]; other >= 0; other = next[other])
-                    {
-                        double distanceSq = math.distancesq(points[i], points[other]);
-                        if (other == i || distanceSq > nearestSq)
-                            continue;
-                        nearestSq = distanceSq;
-                        isFound = true;
-                    }
+                    double distanceSq = math.distancesq(m_points[point], m_points[other]);
+                    if (other == point || distanceSq > nearestSq)
+                        continue;
+                    nearestSq = distanceSq;
+                    isFound = true;
                 }
-                distances[i] = isFound ? math.sqrt(nearestSq) : double.PositiveInfinity;
             }
-            UnsafeUtility.Free(next, Allocator.Temp);
-            UnsafeUtility.Free(first, Allocator.Temp);
+            return isFound ? math.sqrt(nearestSq) : double.PositiveInfinity;
         }
     }
 }

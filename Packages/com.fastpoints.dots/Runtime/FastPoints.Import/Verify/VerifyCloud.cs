@@ -8,10 +8,7 @@ using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Store;
-using Unity.Burst;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Verify
@@ -19,15 +16,17 @@ namespace FastPoints.Verify
     /// <summary>Verifies a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum.
     /// Compared with its sources, it also proves that the points are the same as a multiset, over position and every
     /// attribute.</summary>
-    public sealed unsafe class VerifyCloud : IDisposable
+    public sealed class VerifyCloud : IDisposable
     {
-        /// <summary>Nodes that one job takes at a time.</summary>
-        const int NodesPerBatch = 1;
+        /// <summary>Memory of the files in flight, unless one takes more: enough for half a second's work of a worker.</summary>
+        const long MostBytes = 96L << 20;
+
+        /// <summary>Tables that are read ahead.</summary>
+        const int TablesAhead = 8;
 
         readonly CloudFolder m_folder;
         readonly VerifyResult m_result;
         readonly NativeStoreLayout m_store;
-        readonly StoreRead m_read = new StoreRead();
 
         /// <summary>For each level, sampled points that other chunks' points may be close to.</summary>
         readonly List<NativeList<double3>> m_atSides = new List<NativeList<double3>>();
@@ -67,7 +66,8 @@ namespace FastPoints.Verify
             {
                 progress?.Begin("verify");
                 yield return Work.Of(verify.CheckFiles(progress));
-                yield return Work.Of(verify.MeasureAcrossChunks());
+                if (result.Ok)
+                    yield return Work.Of(CrossCheck.Run(verify.m_atSides, result.Levels));
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
@@ -83,100 +83,113 @@ namespace FastPoints.Verify
             foreach (var points in m_atSides)
                 points.Dispose();
             m_atSides.Clear();
-            m_read.Dispose();
             m_store.Dispose();
         }
 
+        /// <summary>Checks the files in their order, several ahead of the one whose result is taken next.</summary>
         IEnumerator<Work> CheckFiles(StageProgress progress)
         {
-            if (m_folder.Upper.Nodes.Length > 0)
-            {
-                yield return Work.Of(CheckNodes(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Upper,
-                    m_folder.Manifest.Root, StoreFormat.UpperMagic));
-            }
-            for (int c = 0; c < m_folder.Chunks.Length; c++)
-            {
-                NodeTable table = null;
-                try
-                {
-                    table = m_folder.LoadTable(c);
-                }
-                catch (PointCloudException e)
-                {
-                    m_result.Add(e.Message);
-                }
-                if (table == null)
-                    continue;
-                using (table)
-                    yield return Work.Of(CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table,
-                        m_folder.Chunks[c].Cube, StoreFormat.ChunkMagic));
-                progress?.Report((c + 1) / (double)m_folder.Chunks.Length, m_result.Points, 0);
-            }
-        }
-
-        /// <summary>Reads a whole file and checks every node of it.</summary>
-        IEnumerator<Work> CheckNodes(string path, long fileBytes, NodeTable table, GridCube cube, ulong magic)
-        {
-            var spacing = new SpacingCheck(m_folder.Manifest, table, cube, magic == StoreFormat.UpperMagic);
-            var verdicts = new NativeArray<NodeCheckResult>(table.Nodes.Length, Allocator.Persistent);
-            var job = default(JobHandle);
+            var tables = new Queue<PoolWork<NodeTable>>();
+            var inFlight = new Queue<(FileCheck Check, string Problem)>();
+            FileCheck next = null;
+            int file = m_folder.Upper.Nodes.Length > 0 ? -1 : 0, asked = 0, taken = file;
+            long bytes = 0;
             try
             {
-                bool isRead = false;
-                m_read.Begin(path, 0, fileBytes);
-                yield return m_read.Done;
-                try
+                while (taken < m_folder.Chunks.Length)
                 {
-                    m_read.Complete();
-                    var header = m_read.Bytes.GetSubArray(0, FileHeader.SizeBytes).Reinterpret<FileHeader>(1)[0];
-                    string problem = StoreFile.FindProblem(header, magic, fileBytes);
-                    if (problem == null && header.CloudId != m_folder.Manifest.CloudId)
-                        problem = "is of another cloud";
+                    for (; asked < m_folder.Chunks.Length && tables.Count < TablesAhead; asked++)
+                        tables.Enqueue(Load(asked));
+                    if (next == null && file < m_folder.Chunks.Length && (file < 0 || tables.Peek().IsDone))
+                    {
+                        try
+                        {
+                            next = CheckOf(file, file < 0 ? m_folder.Upper : tables.Dequeue().Take());
+                        }
+                        catch (PointCloudException e)
+                        {
+                            inFlight.Enqueue((null, e.Message));
+                        }
+                        file++;
+                    }
+                    if (next != null && (inFlight.Count == 0 || bytes + next.Bytes <= MostBytes))
+                    {
+                        var begun = next;
+                        inFlight.Enqueue((begun, null));
+                        next = null;
+                        bytes += begun.Bytes;
+                        yield return Work.Of(begun.Begin(m_folder.Layout));
+                        continue;
+                    }
+                    if (inFlight.Count == 0)
+                    {
+                        yield return default;
+                        continue;
+                    }
+                    var (oldest, problem) = inFlight.Peek();
                     if (problem != null)
-                        m_result.Add(path + ": " + problem);
-                    isRead = problem == null;
+                    {
+                        m_result.Add(problem);
+                    }
+                    else
+                    {
+                        yield return oldest.Done;
+                        Take(oldest);
+                        bytes -= oldest.Bytes;
+                        oldest.Dispose();
+                    }
+                    inFlight.Dequeue();
+                    taken++;
+                    if (taken > 0)
+                        progress?.Report(taken / (double)m_folder.Chunks.Length, m_result.Points, 0);
                 }
-                catch (PointCloudException e)
-                {
-                    m_result.Add(e.Message);
-                }
-                if (!isRead)
-                    yield break;
-
-                job = new VerifyNodesJob
-                {
-                    File = m_read.Bytes,
-                    Nodes = table.Nodes,
-                    Planes = table.Planes,
-                    PlaneCount = table.PlaneCount,
-                    Columns = m_store.Columns,
-                    FirstColumnOfPlane = m_store.FirstColumnOfPlane,
-                    Shapes = m_store.Shapes,
-                    AverageOf = m_store.AverageOf,
-                    AttributeBytes = m_folder.Layout.AttributeBytes,
-                    Step = m_folder.Manifest.Grid.Step,
-                    Origin = m_folder.Manifest.Root.Corner,
-                    FirstSampled = spacing.FirstSampled,
-                    Sampled = spacing.Sampled,
-                    Results = verdicts,
-                }.Schedule(table.Nodes.Length, NodesPerBatch);
-                yield return job;
-                job.Complete();
-                for (int i = 0; i < verdicts.Length; i++)
-                    Take(path, i, table, verdicts[i]);
-                if (!m_result.Ok)
-                    yield break;
-                job = spacing.Schedule();
-                yield return job;
-                job.Complete();
-                spacing.Take(m_result.Levels, m_atSides);
             }
             finally
             {
-                job.Complete();
-                spacing.Dispose();
-                verdicts.Dispose();
+                next?.Dispose();
+                foreach (var (check, _) in inFlight)
+                    check?.Dispose();
+                foreach (var table in tables)
+                    table.Dispose();
             }
+        }
+
+        PoolWork<NodeTable> Load(int chunk)
+        {
+            var folder = m_folder;
+            var record = folder.Chunks[chunk];
+            string path = folder.ChunkPath(chunk);
+            return PoolWork.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
+        }
+
+        /// <param name="file">The chunk; negative for the upper levels.</param>
+        FileCheck CheckOf(int file, NodeTable table) => file < 0
+            ? new FileCheck(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Manifest, m_store, table,
+                m_folder.Manifest.Root, true)
+            : new FileCheck(m_folder.ChunkPath(file), m_folder.Chunks[file].FileBytes, m_folder.Manifest, m_store, table,
+                m_folder.Chunks[file].Cube, false);
+
+        void Take(FileCheck check)
+        {
+            try
+            {
+                string problem = check.FindProblem();
+                if (problem != null)
+                {
+                    m_result.Add(check.Path + ": " + problem);
+                    return;
+                }
+            }
+            catch (PointCloudException e)
+            {
+                m_result.Add(e.Message);
+                return;
+            }
+            int node = 0;
+            foreach (var verdict in check.Verdicts())
+                Take(check.Path, node++, check.Table, verdict);
+            if (m_result.Ok)
+                check.TakeDistances(m_result.Levels, m_atSides);
         }
 
         void Take(string path, int index, NodeTable table, in NodeCheckResult verdict)
@@ -206,40 +219,6 @@ namespace FastPoints.Verify
                 at.Spacing = at.Spacing == 0 ? spacing : Math.Min(at.Spacing, spacing);
             }
             m_result.Levels[level] = at;
-        }
-
-        /// <summary>Measures how near the sampled points of different chunks are: samplers only keep their distance inside
-        /// chunks.</summary>
-        IEnumerator<Work> MeasureAcrossChunks()
-        {
-            var smallest = new NativeReference<double>(Allocator.Persistent);
-            var near = new NativeReference<long>(Allocator.Persistent);
-            var job = default(JobHandle);
-            try
-            {
-                for (int level = 0; level < m_atSides.Count && m_result.Ok; level++)
-                {
-                    var at = m_result.Levels[level];
-                    job = new CountNearJob
-                    {
-                        Points = m_atSides[level],
-                        Spacing = at.Spacing,
-                        MinDistance = smallest,
-                        Near = near,
-                    }.Schedule();
-                    yield return job;
-                    job.Complete();
-                    at.MinDistanceAcrossChunks = smallest.Value;
-                    at.NearAcrossChunks = near.Value;
-                    m_result.Levels[level] = at;
-                }
-            }
-            finally
-            {
-                job.Complete();
-                smallest.Dispose();
-                near.Dispose();
-            }
         }
 
         static string Describe(NodeCheckResult.Fault fault)
@@ -329,27 +308,6 @@ namespace FastPoints.Verify
                 return false;
             }
             return true;
-        }
-    }
-
-    /// <summary>Counts the points that have another one nearer than a spacing, and finds the nearest two.</summary>
-    [BurstCompile]
-    internal unsafe struct CountNearJob : IJob
-    {
-        [ReadOnly] public NativeList<double3> Points;
-        public double Spacing;
-
-        /// <summary>Out: the smallest distance; infinity for fewer than two points.</summary>
-        public NativeReference<double> MinDistance;
-
-        /// <summary>Out: the number of these points.</summary>
-        public NativeReference<long> Near;
-
-        public void Execute()
-        {
-            var points = (double3*)Points.GetUnsafeReadOnlyPtr();
-            MinDistance.Value = ClosestPair.Distance(points, Points.Length);
-            Near.Value = MinDistance.Value < Spacing ? NearestNeighbours.CountWithin(points, Points.Length, Spacing) : 0;
         }
     }
 }

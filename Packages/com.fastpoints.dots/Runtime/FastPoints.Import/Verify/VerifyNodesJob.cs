@@ -8,11 +8,22 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>Reads every point of a file's nodes and checks hashes, shapes, cubes, bounds and sums. The table must have been
-    /// checked.</summary>
+    /// <summary>A slice of checking a file's nodes, whose table must have been checked: first the planes' hashes and shapes, then
+    /// every point's cube, bounds and sums.</summary>
+    /// <remarks>Slices of either kind run side by side and write to different elements.</remarks>
     [BurstCompile]
-    internal unsafe struct VerifyNodesJob : IJobParallelFor
+    internal unsafe struct VerifyNodesJob : IJob
     {
+        /// <summary>Points of a slice: about 2 ms. A node may have some times as many.</summary>
+        public const int PointsPerSlice = 64 * PlaneShape.MaxPointsPerBlock;
+
+        /// <summary>Whether planes of nodes are checked, or points of parts.</summary>
+        public bool ChecksPlanes;
+
+        /// <summary>The range of nodes, or of <see cref="Parts"/>.</summary>
+        public int First;
+        public int End;
+
         [ReadOnly] public NativeArray<byte> File;
         [ReadOnly] public NativeArray<NodeRecord> Nodes;
         [ReadOnly] public NativeArray<PlaneRange> Planes;
@@ -34,23 +45,24 @@ namespace FastPoints.Verify
         [ReadOnly] public NativeArray<int> FirstSampled;
 
         /// <summary>Out: positions of the sampled points in CRS units.</summary>
-        [NativeDisableParallelForRestriction] public NativeArray<double3> Sampled;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<double3> Sampled;
 
-        /// <summary>Indexed by node.</summary>
-        [NativeDisableParallelForRestriction] public NativeArray<NodeCheckResult> Results;
+        /// <summary>Of nodes in their order; none has more points than a slice.</summary>
+        [ReadOnly] public NativeArray<NodePart> Parts;
 
-        public void Execute(int index)
+        /// <summary>Indexed by node: what its own planes showed.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> PlaneResults;
+
+        /// <summary>Indexed by part.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> Results;
+
+        public void Execute()
         {
-            if (Nodes[index].Host != index)
-                return;
-            var verdict = default(NodeCheckResult);
-            CheckPlanes(index, ref verdict);
-            var node = Nodes[index];
-            Results[index] = CheckPoints(index, verdict);
-            // Only the host writes its guests' results.
-            for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
-                if (Nodes[child].Host == index)
-                    Results[child] = CheckPoints(child, verdict);
+            for (int i = First; i < End; i++)
+                if (ChecksPlanes)
+                    PlaneResults[i] = CheckPlanes(i);
+                else
+                    Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].Host]);
         }
 
         PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
@@ -62,8 +74,11 @@ namespace FastPoints.Verify
                 ShapeOf(plane, node.IsWide), node.HostedBlocks);
         }
 
-        void CheckPlanes(int index, ref NodeCheckResult verdict)
+        NodeCheckResult CheckPlanes(int index)
         {
+            var verdict = NodeCheckResult.Empty;
+            if (Nodes[index].Host != index)
+                return verdict;
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
             for (int p = 0; p < PlaneCount && verdict.What == NodeCheckResult.Fault.None; p++)
             {
@@ -75,10 +90,12 @@ namespace FastPoints.Verify
                     Nodes[index].HostedBlocks))
                     verdict.What = NodeCheckResult.Fault.PlaneShape;
             }
+            return verdict;
         }
 
-        NodeCheckResult CheckPoints(int index, NodeCheckResult verdict)
+        NodeCheckResult CheckPoints(NodePart part, NodeCheckResult verdict)
         {
+            int index = part.Node;
             if (verdict.What != NodeCheckResult.Fault.None)
                 return verdict;
             var node = Nodes[index];
@@ -90,11 +107,9 @@ namespace FastPoints.Verify
             var records = (byte*)UnsafeUtility.Malloc(math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock, 16,
                 Allocator.Temp);
             UnsafeUtility.MemClear(records, math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock);
-            var min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue);
-            var max = new Grid3(long.MinValue, long.MinValue, long.MinValue);
-            int done = 0;
-            int end = node.FirstBlock + node.BlockCount;
-            for (int b = node.FirstBlock; b < end && verdict.What == NodeCheckResult.Fault.None; b++)
+            // Blocks before are full, or their part has the fault.
+            int done = (part.FirstBlock - node.FirstBlock) * PlaneShape.MaxPointsPerBlock;
+            for (int b = part.FirstBlock; b < part.EndBlock && verdict.What == NodeCheckResult.Fault.None; b++)
             {
                 var position = ViewOf(node.Host, 0);
                 int count = position.PointsOf(b);
@@ -120,8 +135,8 @@ namespace FastPoints.Verify
                         break;
                     }
                     var offset = place - node.Corner;
-                    min = Grid3.Min(min, offset);
-                    max = Grid3.Max(max, offset);
+                    verdict.Min = Grid3.Min(verdict.Min, offset);
+                    verdict.Max = Grid3.Max(verdict.Max, offset);
                     if (points != null)
                     {
                         var fromOrigin = place - Origin;
@@ -131,13 +146,6 @@ namespace FastPoints.Verify
                     verdict.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
                 }
                 done += count;
-            }
-            if (verdict.What == NodeCheckResult.Fault.None)
-            {
-                int shift = node.BoundsShift;
-                if (node.MinX != min.X >> shift || node.MinY != min.Y >> shift || node.MinZ != min.Z >> shift ||
-                    node.MaxX != max.X >> shift || node.MaxY != max.Y >> shift || node.MaxZ != max.Z >> shift)
-                    verdict.What = NodeCheckResult.Fault.Bounds;
             }
             UnsafeUtility.Free(records, Allocator.Temp);
             return verdict;
@@ -174,7 +182,15 @@ namespace FastPoints.Verify
         }
     }
 
-    /// <summary>What reading one node's points showed. Blittable.</summary>
+    /// <summary>Some of a node's blocks. Blittable.</summary>
+    internal struct NodePart
+    {
+        public int Node;
+        public int FirstBlock;
+        public int EndBlock;
+    }
+
+    /// <summary>What reading a node, or some of its points, showed. Blittable.</summary>
     internal struct NodeCheckResult
     {
         /// <summary>What can be wrong with a node; 0 means nothing.</summary>
@@ -197,5 +213,37 @@ namespace FastPoints.Verify
         /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
         public ulong FirstSum;
         public ulong SecondSum;
+
+        /// <summary>Bounds of the points from the node's corner.</summary>
+        public Grid3 Min;
+        public Grid3 Max;
+
+        public static NodeCheckResult Empty => new NodeCheckResult
+        {
+            Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
+            Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+        };
+
+        /// <summary>Takes the next part of the same node along.</summary>
+        public void Include(in NodeCheckResult part)
+        {
+            if (What == Fault.None)
+            {
+                What = part.What;
+                Plane = part.Plane;
+            }
+            FirstSum += part.FirstSum;
+            SecondSum += part.SecondSum;
+            Min = Grid3.Min(Min, part.Min);
+            Max = Grid3.Max(Max, part.Max);
+        }
+
+        /// <summary>Whether the node claims these bounds.</summary>
+        public bool HasBoundsOf(in NodeRecord node)
+        {
+            int shift = node.BoundsShift;
+            return node.MinX == Min.X >> shift && node.MinY == Min.Y >> shift && node.MinZ == Min.Z >> shift &&
+                node.MaxX == Max.X >> shift && node.MaxY == Max.Y >> shift && node.MaxZ == Max.Z >> shift;
+        }
     }
 }

@@ -165,26 +165,19 @@ namespace FastPoints.Picture
             UpAxis = upAxis;
             var found = new NativeReference<ColumnQuantiles>[s_columns.Length];
             var bounds = new NativeReference<PositionBounds>(PositionBounds.Empty, Allocator.Persistent);
-            JobHandle all = default;
             try
             {
                 for (int i = 0; i < found.Length; i++)
                     if (points.Schema.Has(s_columns[i]))
                         found[i] = new NativeReference<ColumnQuantiles>(ColumnQuantiles.Empty, Allocator.Persistent);
-                for (int first = 0; first < points.Count; first += PointsPerSlice)
-                {
-                    all = MeasureSlice(points, transform, first, bounds, found);
-                    yield return all;
-                    all.Complete();
-                }
-                all = MeasureColumns(points, transform, found);
-                yield return all;
-                all.Complete();
+                int slices = (points.Count + PointsPerSlice - 1) / PointsPerSlice;
+                yield return Work.Of(Slices.Run(0, slices + 1, 1, (slice, _, after) => slice < slices
+                    ? MeasureSlice(points, transform, slice * PointsPerSlice, bounds, found, after)
+                    : MeasureColumns(points, transform, found, after)));
                 SetAll(points, transform, bounds.Value, found);
             }
             finally
             {
-                all.Complete();
                 bounds.Dispose();
                 for (int i = 0; i < found.Length; i++)
                     if (found[i].IsCreated)
@@ -193,7 +186,7 @@ namespace FastPoints.Picture
         }
 
         static JobHandle MeasureSlice(PointBatch points, PositionTransform transform, int first,
-            NativeReference<PositionBounds> bounds, NativeReference<ColumnQuantiles>[] found)
+            NativeReference<PositionBounds> bounds, NativeReference<ColumnQuantiles>[] found, JobHandle inputDeps)
         {
             int count = math.min(PointsPerSlice, points.Count - first);
             var all = new MeasureBoundsJob
@@ -204,7 +197,7 @@ namespace FastPoints.Picture
                 First = first,
                 Count = count,
                 Found = bounds,
-            }.Schedule();
+            }.Schedule(inputDeps);
             for (int i = 0; i < found.Length; i++)
                 if (found[i].IsCreated)
                     all = JobHandle.CombineDependencies(all, new MeasureRangeJob
@@ -214,14 +207,14 @@ namespace FastPoints.Picture
                         First = first,
                         Count = count,
                         Found = found[i],
-                    }.Schedule());
+                    }.Schedule(inputDeps));
             return all;
         }
 
         static JobHandle MeasureColumns(PointBatch points, PositionTransform transform,
-            NativeReference<ColumnQuantiles>[] found)
+            NativeReference<ColumnQuantiles>[] found, JobHandle inputDeps)
         {
-            var all = default(JobHandle);
+            var all = inputDeps;
             for (int i = 0; i < found.Length; i++)
             {
                 if (!found[i].IsCreated)
@@ -238,7 +231,7 @@ namespace FastPoints.Picture
                     LowShare = strays,
                     HighShare = 1 - strays,
                     Found = found[i],
-                }.Schedule());
+                }.Schedule(inputDeps));
             }
             return all;
         }

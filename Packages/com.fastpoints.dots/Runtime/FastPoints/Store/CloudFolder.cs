@@ -103,10 +103,11 @@ namespace FastPoints.Store
         }
 
         /// <summary>The nodes of one chunk; the caller disposes the table.</summary>
-        public NodeTable LoadTable(int chunk)
+        public NodeTable LoadTable(int chunk) => LoadTable(ChunkPath(chunk), Chunks[chunk]);
+
+        /// <summary>The same on any thread, even while the folder is disposed.</summary>
+        internal NodeTable LoadTable(string path, in ChunkRecord record)
         {
-            var record = Chunks[chunk];
-            string path = ChunkPath(chunk);
             var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);
             if (header.CloudId != Manifest.CloudId || header.Number != record.Number || header.NodeCount != record.NodeCount ||
                 header.PointCount != record.PointCount || header.FileBytes != record.FileBytes ||

@@ -1,0 +1,117 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.Threading;
+using FastPoints.Base;
+using FastPoints.Records;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>Frames beside work that a pump steps, as an editor or a game has them: a worker for each core but one, a tick a
+    /// frame, and a few small jobs in each, which it awaits before it ends.</summary>
+    public sealed class FrameLoop : IDisposable
+    {
+        const int JobsPerFrame = 4;
+
+        readonly double m_tickMs;
+        readonly int m_workersBefore = JobsUtility.JobWorkerCount;
+        readonly SliceTimes m_waits = new SliceTimes(Allocator.Persistent);
+        readonly SliceTimes m_ticks = new SliceTimes(Allocator.Persistent);
+        NativeArray<uint> m_values = new NativeArray<uint>(JobsPerFrame, Allocator.Persistent);
+
+        public FrameLoop(double tickMs)
+        {
+            m_tickMs = tickMs;
+            JobsUtility.JobWorkerCount = Math.Max(1, Environment.ProcessorCount - 1);
+        }
+
+        /// <summary>What 99 of 100 frames did not wait longer for their own jobs than.</summary>
+        public double WaitMs => m_waits.QuantileMs(0.99);
+
+        /// <summary>Waits and ticks of all frames.</summary>
+        public string Times => string.Format(CultureInfo.InvariantCulture, "frames waited for their own jobs {0:0.0} ms (p50), "
+            + "{1:0.0} (p99), {2:0.0} (max), and for the pump {3:0.00}, {4:0.0}, {5:0.0}", m_waits.QuantileMs(0.5), WaitMs,
+            m_waits.QuantileMs(1), m_ticks.QuantileMs(0.5), m_ticks.QuantileMs(0.99), m_ticks.QuantileMs(1));
+
+        /// <summary>Runs the work three times, and says how fast it was beside frames as a share of its speed alone.</summary>
+        /// <param name="work">Makes the work, and is disposed with what it needs after it.</param>
+        public string Compare(Func<IEnumerator<Work>> work)
+        {
+            double alone = Run(work(), 0), at60 = Run(work(), 1000.0 / 60), at10 = Run(work(), 100);
+            return string.Format(CultureInfo.InvariantCulture, "alone {0:0} ms; at 60 Hz {1:0} ms, {2:0} %; at 10 Hz {3:0} ms, "
+                + "{4:0} %; {5}", alone, at60, 100 * alone / at60, at10, 100 * alone / at10, Times);
+        }
+
+        /// <summary>Runs work to its end.</summary>
+        /// <param name="frameMs">0 for a main thread that does nothing else than step the work.</param>
+        /// <returns>Its time in milliseconds.</returns>
+        public double Run(IEnumerator<Work> work, double frameMs)
+        {
+            var all = Stopwatch.StartNew();
+            var pump = new WorkPump(work);
+            try
+            {
+                while (!pump.IsDone)
+                    if (frameMs > 0)
+                        RunFrame(pump, frameMs);
+                    else if (!pump.Tick(1000))
+                        Thread.Yield();
+            }
+            finally
+            {
+                pump.Cancel();
+            }
+            return all.Elapsed.TotalMilliseconds;
+        }
+
+        public void Dispose()
+        {
+            JobsUtility.JobWorkerCount = m_workersBefore;
+            m_waits.Dispose();
+            m_ticks.Dispose();
+            m_values.Dispose();
+        }
+
+        void RunFrame(WorkPump pump, double frameMs)
+        {
+            var frame = Stopwatch.StartNew();
+            var own = new SmallJob { Values = m_values }.Schedule(JobsPerFrame, 1);
+            JobHandle.ScheduleBatchedJobs();
+            long begin = SliceTimes.Begin();
+            pump.Tick(m_tickMs);
+            m_ticks.End(begin);
+            begin = SliceTimes.Begin();
+            own.Complete();
+            m_waits.End(begin);
+            int left = (int)(frameMs - frame.Elapsed.TotalMilliseconds);
+            if (left > 0 && !pump.IsDone)
+                Thread.Sleep(left);
+        }
+
+        /// <summary>About 50 us.</summary>
+        [BurstCompile]
+        struct SmallJob : IJobParallelFor
+        {
+            const int Steps = 20000;
+
+            public NativeArray<uint> Values;
+
+            public void Execute(int index)
+            {
+                uint value = Values[index] | 1;
+                for (int i = 0; i < Steps; i++)
+                {
+                    value ^= value << 13;
+                    value ^= value >> 17;
+                    value ^= value << 5;
+                }
+                Values[index] = value;
+            }
+        }
+    }
+}
