@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The package as Unity's compiler gives it, under Debian's Mono: its tests, and conversions that must give .NET's bytes.
-#   Headless/mono.sh [sgen|boehm|conversions]...   all of them where none is named
-# sgen and boehm are Mono's garbage collectors; Unity's is Boehm's. As root it installs Mono by apt-get. The last line is
-# "N passed, N failed, N skipped". MONO_TESTS=PATTERN runs tests whose full name contains PATTERN.
+#   Headless/mono.sh [sgen|boehm|conversions|bench]...   all but bench where none is named
+# sgen and boehm are Mono's garbage collectors; Unity's is Boehm's. bench prints what work beside frames takes of the main
+# thread, under .NET and under Mono; FASTPOINTS_DATA names the folder of real clouds. As root it installs Mono by apt-get. The
+# last line is "N passed, N failed, N skipped". MONO_TESTS=PATTERN runs tests whose full name contains PATTERN.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit 1
@@ -67,6 +68,23 @@ run_conversions() {
   echo "-- conversions, mono-sgen and .NET: $((SECONDS - start)) s"
 }
 
+# What the main thread takes; jobs are managed code under both.
+run_bench() {
+  local runner start
+  if [ -z "${FASTPOINTS_DATA:-}" ] && [ -d ../shared ]; then export FASTPOINTS_DATA=$root/../shared; fi
+  for runner in "dotnet $built/debug_net10.0" "mono-boehm $adapted"; do
+    start=$SECONDS
+    if timeout 1800 ${runner%% *} "${runner#* }/MonoTests.dll" bench "$scratch/bench" </dev/null; then
+      passed=$((passed + 1))
+    else
+      failed=$((failed + 1))
+      echo "FAILED: the workloads under ${runner%% *} broke off"
+    fi
+    echo "-- frames, ${runner%% *}: $((SECONDS - start)) s"
+    rm -rf "$scratch/bench"
+  done
+}
+
 if ! build >"$scratch/build.log" 2>&1; then
   echo "FAILED: build of the tests for Mono"
   tail -n 40 "$scratch/build.log"
@@ -77,7 +95,8 @@ for part in "${parts[@]}"; do
   case $part in
     sgen | boehm) run_tests "$part" ;;
     conversions) run_conversions ;;
-    *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+    bench) run_bench ;;
+    *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
   esac
 done
 echo "$passed passed, $failed failed, $skipped skipped"

@@ -15,6 +15,9 @@ namespace FastPoints.Draw
         /// scattered over upper.bin, which grows with the cloud.</summary>
         public const long MostBytesARead = 4 << 20;
 
+        /// <summary>Parts that are read while others are decoded.</summary>
+        const int PartsInFlight = 4;
+
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
         {
@@ -37,27 +40,65 @@ namespace FastPoints.Draw
         public static IEnumerator<Work> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
             StageProgress progress, long mostBytes = MostBytesARead)
         {
-            using (var read = new StoreRead())
+            var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
+            var loads = new List<FileLoad>();
+            var decoded = default(JobHandle);
+            try
             {
-                int done = 0;
+                int points = 0;
                 foreach (int file in selection.Files)
                 {
-                    using (var load = new FileLoad(folder, selection, file, batch, done, mostBytes))
+                    var load = new FileLoad(folder, selection, file, batch, points, mostBytes);
+                    loads.Add(load);
+                    points += load.Points;
+                    for (int part = 0; part < load.Parts.Count; part++)
                     {
-                        foreach (var part in load.Parts)
+                        StoreRead read = null;
+                        if (inFlight.Count == PartsInFlight)
                         {
-                            read.Begin(selection.PathOf(file), part.FirstByte, part.ByteCount);
-                            yield return read.Done;
-                            read.Complete();
-                            yield return load.Schedule(part, read.Bytes);
-                            load.Complete(part);
+                            yield return inFlight.Peek().Decoded;
+                            read = Complete(inFlight, selection, progress);
                         }
-                        done += load.Points;
+                        read ??= new StoreRead();
+                        read.Begin(selection.PathOf(file), load.Parts[part].FirstByte, load.Parts[part].ByteCount);
+                        decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
+                        inFlight.Enqueue((load, part, read, decoded));
                     }
-                    progress?.Report(done / (double)Math.Max(1, selection.Points), done, 0);
                 }
-                batch.Count = done;
+                while (inFlight.Count > 0)
+                {
+                    yield return inFlight.Peek().Decoded;
+                    Complete(inFlight, selection, progress).Dispose();
+                }
+                batch.Count = points;
             }
+            finally
+            {
+                decoded.Complete();
+                foreach (var left in inFlight)
+                    left.Read.Dispose();
+                foreach (var load in loads)
+                    load.Dispose();
+            }
+        }
+
+        /// <summary>Ends the oldest part.</summary>
+        /// <returns>Its read, which is free.</returns>
+        static StoreRead Complete(Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
+            NodeSelection selection, StageProgress progress)
+        {
+            // It stays in the queue, whose reads are disposed, until it is known to be sound.
+            var (load, part, read, decoded) = inFlight.Peek();
+            decoded.Complete();
+            read.Complete();
+            load.Check(part);
+            inFlight.Dequeue();
+            if (part == load.Parts.Count - 1)
+            {
+                load.Dispose();
+                progress?.Report(load.EndPoint / (double)Math.Max(1, selection.Points), load.EndPoint, 0);
+            }
+            return read;
         }
 
         /// <summary>Nodes whose planes lie near one another: one read around all of them, and one job.</summary>
@@ -84,7 +125,6 @@ namespace FastPoints.Draw
             NativeArray<StoredColumn> m_columns;
             NativeArray<PointColumn> m_targets;
             NativeArray<bool> m_isDamaged;
-            JobHandle m_job;
 
             public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
                 long mostBytes)
@@ -153,6 +193,7 @@ namespace FastPoints.Draw
                         ends[i] = Math.Max(ends[i], range.OffsetBytes + range.LengthBytes);
                     }
                 }
+                EndPoint = firstPoint + Points;
                 m_order = new int[nodes.Length];
                 for (int i = 0; i < m_order.Length; i++)
                     m_order[i] = i;
@@ -169,11 +210,15 @@ namespace FastPoints.Draw
             public List<Part> Parts { get; }
             public int Points { get; }
 
-            /// <param name="bytes">The part's bytes.</param>
-            public JobHandle Schedule(in Part part, NativeArray<byte> bytes)
+            /// <summary>The end of its points in the batch.</summary>
+            public int EndPoint { get; }
+
+            /// <param name="bytes">The part's bytes, after <paramref name="inputDeps"/>.</param>
+            public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
             {
+                var part = Parts[number];
                 var schema = m_batch.Schema;
-                m_job = new DecodeNodesJob
+                return new DecodeNodesJob
                 {
                     File = bytes,
                     FileOffset = part.FirstByte,
@@ -187,13 +232,13 @@ namespace FastPoints.Draw
                     Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
                     Batch = m_batch.Bytes,
                     IsDamaged = m_isDamaged.GetSubArray(part.FirstNode, part.NodeCount),
-                }.Schedule(part.NodeCount, 1);
-                return m_job;
+                }.Schedule(part.NodeCount, 1, inputDeps);
             }
 
-            public void Complete(in Part part)
+            /// <exception cref="PointCloudException">A node of the part is damaged.</exception>
+            public void Check(int number)
             {
-                m_job.Complete();
+                var part = Parts[number];
                 for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
                     if (m_isDamaged[i])
                         throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
@@ -203,7 +248,6 @@ namespace FastPoints.Draw
 
             public void Dispose()
             {
-                m_job.Complete();
                 if (!m_nodes.IsCreated)
                     return;
                 m_nodes.Dispose();

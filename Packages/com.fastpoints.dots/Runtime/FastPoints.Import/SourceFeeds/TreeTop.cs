@@ -10,6 +10,9 @@ namespace FastPoints.SourceFeeds
     /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
     internal static class TreeTop
     {
+        /// <summary>Blocks in flight.</summary>
+        const int MostSlots = 8;
+
         /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they
         /// have.</summary>
         /// <param name="attributes">Attributes besides the position; those that the source lacks are left out.</param>
@@ -31,21 +34,30 @@ namespace FastPoints.SourceFeeds
             names.AddRange(attributes);
             var schema = reader.Info.Schema.Select(names.ToArray());
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
+            var slots = new BlockRead[Math.Min(MostSlots, blocks.Count)];
             bool isDone = false;
             try
             {
-                using (var slot = reader.CreateRead(schema, most, Allocator.Persistent))
-                    foreach (int block in blocks)
+                for (int i = 0; i < blocks.Count + slots.Length; i++)
+                {
+                    int at = i % slots.Length;
+                    if (i >= slots.Length)
                     {
-                        slot.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                        yield return slot.Decoded;
-                        slot.Complete();
-                        Append(slot.Points, top);
+                        yield return slots[at].Decoded;
+                        slots[at].Complete();
+                        Append(slots[at].Points, top);
                     }
+                    if (i >= blocks.Count)
+                        continue;
+                    slots[at] ??= reader.CreateRead(schema, most, Allocator.Persistent);
+                    slots[at].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+                }
                 isDone = true;
             }
             finally
             {
+                foreach (var slot in slots)
+                    slot?.Dispose();
                 if (!isDone)
                     top.Dispose();
             }

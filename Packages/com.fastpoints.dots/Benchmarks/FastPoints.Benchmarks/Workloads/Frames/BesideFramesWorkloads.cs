@@ -10,27 +10,56 @@ namespace FastPoints.Benchmarks
 {
     /// <summary>Work that a pump steps beside frames: alone, at 60 Hz, and at 10 Hz, as an editor without focus has. The error is
     /// how long frames wait for their own jobs; the note has the shares of the speed alone, and the ticks.</summary>
-    public abstract class BesideFramesWorkload : IWorkload
+    public sealed class BesideFramesWorkload : IWorkload
     {
-        public abstract string Name { get; }
+        readonly double m_tickMs;
+        readonly Func<WorkloadContext, string> m_find;
+        readonly Func<string, IEnumerator<Work>> m_begin;
+        string m_path;
+        long m_points;
+
+        /// <param name="tickMs">Main-thread time of the work in a frame.</param>
+        /// <param name="find">The input's path; null where there is none.</param>
+        /// <param name="begin">Makes the work once more.</param>
+        BesideFramesWorkload(string name, double tickMs, Func<WorkloadContext, string> find,
+            Func<string, IEnumerator<Work>> begin)
+        {
+            Name = "frame beside " + name;
+            m_tickMs = tickMs;
+            m_find = find;
+            m_begin = begin;
+        }
+
+        public string Name { get; }
         public string LimitName => null;
 
-        /// <summary>Main-thread time of the work in a frame.</summary>
-        protected abstract double TickMs { get; }
+        public static IEnumerable<IWorkload> All() => new[]
+        {
+            new BesideFramesWorkload("verify", 4, TerrainBenchmarkFile.MakeConverted, Verify),
+            new BesideFramesWorkload("preview las", 2, TerrainBenchmarkFile.Make, Preview),
+            new BesideFramesWorkload("preview laz", 2, c => BenchmarkSamples.Find(c, BenchmarkSamples.LazLayered), Preview),
+        };
 
-        /// <summary>Points of one run; 0 where there is no input.</summary>
-        protected abstract long Points { get; }
-
-        public abstract void Prepare(WorkloadContext context);
+        public void Prepare(WorkloadContext context)
+        {
+            m_path = m_find(context);
+            m_points = context.Points;
+        }
 
         public WorkloadResult Run()
         {
-            if (Points == 0)
+            if (m_path == null)
                 return default;
-            using (var frames = new FrameLoop(TickMs))
+            using (var frames = new FrameLoop(m_tickMs))
             {
-                string note = frames.Compare(Begin);
-                return new WorkloadResult { Points = 3 * Points, Error = frames.WaitMs, ErrorUnit = "ms p99 wait", Note = note };
+                string note = frames.Compare(() => m_begin(m_path));
+                return new WorkloadResult
+                {
+                    Points = 3 * m_points,
+                    Error = frames.WaitMs,
+                    ErrorUnit = "ms p99 wait",
+                    Note = note,
+                };
             }
         }
 
@@ -38,69 +67,20 @@ namespace FastPoints.Benchmarks
         {
         }
 
-        /// <summary>Makes the work once more.</summary>
-        protected abstract IEnumerator<Work> Begin();
-    }
-
-    /// <summary>A converted cloud is verified.</summary>
-    public sealed class BesideVerifyWorkload : BesideFramesWorkload
-    {
-        string m_cloud;
-        WorkloadContext m_context;
-
-        public override string Name => "frame beside verify";
-        protected override double TickMs => 4;
-        protected override long Points => m_context.Points;
-
-        public override void Prepare(WorkloadContext context)
-        {
-            m_context = context;
-            m_cloud = TerrainBenchmarkFile.MakeConverted(context);
-        }
-
-        protected override IEnumerator<Work> Begin()
+        static IEnumerator<Work> Verify(string cloud)
         {
             var result = new VerifyResult();
-            yield return Work.Of(VerifyCloud.Run(m_cloud, Array.Empty<PointReader>(), result, null));
+            yield return Work.Of(VerifyCloud.Run(cloud, Array.Empty<PointReader>(), result, null));
             if (!result.Ok)
                 throw new InvalidOperationException(result.Problems[0]);
         }
-    }
 
-    /// <summary>A file's preview is taken, as a scene takes it.</summary>
-    public abstract class BesidePreviewWorkload : BesideFramesWorkload
-    {
-        string m_path;
-
-        protected override double TickMs => 2;
-        protected override long Points => m_path == null ? 0 : SourceFeed.PreviewPoints;
-
-        public override void Prepare(WorkloadContext context) => m_path = Find(context);
-
-        /// <returns>The file's path; null where there is none.</returns>
-        protected abstract string Find(WorkloadContext context);
-
-        protected override IEnumerator<Work> Begin()
+        /// <summary>As a scene takes it, and drawn.</summary>
+        static IEnumerator<Work> Preview(string file)
         {
-            using (var reader = PointReaders.Open(m_path))
+            using (var reader = PointReaders.Open(file))
             using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = SourceFeed.PreviewPoints }))
                 yield return Work.Of(preview.Run(null));
         }
-    }
-
-    /// <summary>A LAS file.</summary>
-    public sealed class BesidePreviewLasWorkload : BesidePreviewWorkload
-    {
-        public override string Name => "frame beside preview las";
-
-        protected override string Find(WorkloadContext context) => TerrainBenchmarkFile.Make(context);
-    }
-
-    /// <summary>A LAZ file, which is decoded whole.</summary>
-    public sealed class BesidePreviewLazWorkload : BesidePreviewWorkload
-    {
-        public override string Name => "frame beside preview laz";
-
-        protected override string Find(WorkloadContext context) => BenchmarkSamples.Find(context, BenchmarkSamples.LazLayered);
     }
 }
