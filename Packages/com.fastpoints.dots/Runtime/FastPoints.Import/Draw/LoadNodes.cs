@@ -124,7 +124,9 @@ namespace FastPoints.Draw
             NativeArray<PlaneShape> m_shapes;
             NativeArray<StoredColumn> m_columns;
             NativeArray<PointColumn> m_targets;
-            NativeArray<bool> m_isDamaged;
+
+            /// <summary>For each part that was scheduled.</summary>
+            readonly NativeArray<bool>[] m_isDamaged;
 
             public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
                 long mostBytes)
@@ -204,7 +206,7 @@ namespace FastPoints.Draw
                 m_shapes = new NativeArray<PlaneShape>(shapes.ToArray(), Allocator.Persistent);
                 m_columns = new NativeArray<StoredColumn>(columns.ToArray(), Allocator.Persistent);
                 m_targets = new NativeArray<PointColumn>(targets.ToArray(), Allocator.Persistent);
-                m_isDamaged = new NativeArray<bool>(nodes.Length, Allocator.Persistent);
+                m_isDamaged = new NativeArray<bool>[Parts.Count];
             }
 
             public List<Part> Parts { get; }
@@ -218,6 +220,7 @@ namespace FastPoints.Draw
             {
                 var part = Parts[number];
                 var schema = m_batch.Schema;
+                m_isDamaged[number] = new NativeArray<bool>(part.NodeCount, Allocator.Persistent);
                 return new DecodeNodesJob
                 {
                     File = bytes,
@@ -231,7 +234,7 @@ namespace FastPoints.Draw
                     Y = m_batch.Column(schema.IndexOf(AttributeNames.Y)),
                     Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
                     Batch = m_batch.Bytes,
-                    IsDamaged = m_isDamaged.GetSubArray(part.FirstNode, part.NodeCount),
+                    IsDamaged = m_isDamaged[number],
                 }.Schedule(part.NodeCount, 1, inputDeps);
             }
 
@@ -239,11 +242,11 @@ namespace FastPoints.Draw
             public void Check(int number)
             {
                 var part = Parts[number];
-                for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
-                    if (m_isDamaged[i])
+                for (int i = 0; i < part.NodeCount; i++)
+                    if (m_isDamaged[number][i])
                         throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
-                            m_ranges[m_nodes[i].FirstRange].OffsetBytes, "node " + m_selection.NodesOf(m_file)[m_order[i]] +
-                                " is damaged");
+                            m_ranges[m_nodes[part.FirstNode + i].FirstRange].OffsetBytes,
+                            "node " + m_selection.NodesOf(m_file)[m_order[part.FirstNode + i]] + " is damaged");
             }
 
             public void Dispose()
@@ -255,7 +258,9 @@ namespace FastPoints.Draw
                 m_shapes.Dispose();
                 m_columns.Dispose();
                 m_targets.Dispose();
-                m_isDamaged.Dispose();
+                foreach (var isDamaged in m_isDamaged)
+                    if (isDamaged.IsCreated)
+                        isDamaged.Dispose();
             }
 
             static List<Part> Cut(int[] order, long[] begins, long[] ends, long mostBytes)

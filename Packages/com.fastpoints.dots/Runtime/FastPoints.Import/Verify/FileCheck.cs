@@ -18,6 +18,8 @@ namespace FastPoints.Verify
 
         readonly CloudManifest m_manifest;
         readonly NativeStoreLayout m_store;
+
+        /// <summary>Contains all of the file's points.</summary>
         readonly GridCube m_cube;
         readonly bool m_isUpper;
         readonly long m_fileBytes;
@@ -35,19 +37,17 @@ namespace FastPoints.Verify
         /// <summary>Where slices of nodes, and of parts, begin; then their end.</summary>
         readonly List<int> m_nodeSlices = new List<int> { 0 }, m_partSlices = new List<int> { 0 };
 
+        /// <param name="chunk">The chunk; negative for the upper levels, which are not sampled in one go.</param>
         /// <param name="table">The file's table, which this owns unless it is that of the upper levels.</param>
-        /// <param name="cube">A cube that contains all of the file's points.</param>
-        /// <param name="isUpper">Whether it is the file of the upper levels, which are not sampled in one go.</param>
-        public FileCheck(string path, long fileBytes, CloudManifest manifest, NativeStoreLayout store, NodeTable table,
-            GridCube cube, bool isUpper)
+        public FileCheck(CloudFolder folder, int chunk, NativeStoreLayout store, NodeTable table)
         {
-            Path = path;
             Table = table;
-            m_fileBytes = fileBytes;
-            m_manifest = manifest;
+            m_manifest = folder.Manifest;
             m_store = store;
-            m_cube = cube;
-            m_isUpper = isUpper;
+            m_isUpper = chunk < 0;
+            Path = m_isUpper ? folder.UpperPath : folder.ChunkPath(chunk);
+            m_fileBytes = m_isUpper ? m_manifest.UpperBytes : folder.Chunks[chunk].FileBytes;
+            m_cube = m_isUpper ? m_manifest.Root : folder.Chunks[chunk].Cube;
             int sampled = ListGroups(out int largest);
             m_sampled = new NativeArray<double3>(sampled, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             m_scratch = new NativeArray<int>(checked((int)ClosestPair.ScratchOf(largest)), Allocator.Persistent,
@@ -68,7 +68,7 @@ namespace FastPoints.Verify
             4L * m_scratch.Length;
 
         /// <summary>Work for a pump: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
-        public IEnumerator<Work> Begin(StoreLayout layout)
+        public IEnumerator<Work> Begin()
         {
             m_read.Begin(Path, 0, m_fileBytes);
             var job = new VerifyNodesJob
@@ -81,7 +81,7 @@ namespace FastPoints.Verify
                 FirstColumnOfPlane = m_store.FirstColumnOfPlane,
                 Shapes = m_store.Shapes,
                 AverageOf = m_store.AverageOf,
-                AttributeBytes = layout.AttributeBytes,
+                AttributeBytes = m_store.Layout.AttributeBytes,
                 Step = m_manifest.Grid.Step,
                 Origin = m_manifest.Root.Corner,
                 FirstSampled = m_firstSampled,

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>Finds distances to nearest neighbours up to a limit, with a hash grid whose cells have the limit's size.</summary>
+    /// <summary>Finds distances to nearest neighbours up to a limit, with a hash grid whose cells are as large.</summary>
     internal unsafe struct NearestNeighbours
     {
         readonly double3* m_points;

@@ -104,7 +104,8 @@ namespace FastPoints.Verify
                     {
                         try
                         {
-                            next = CheckOf(file, file < 0 ? m_folder.Upper : tables.Dequeue().Take());
+                            next = new FileCheck(m_folder, file, m_store,
+                                file < 0 ? m_folder.Upper : tables.Dequeue().Take());
                         }
                         catch (PointCloudException e)
                         {
@@ -118,7 +119,7 @@ namespace FastPoints.Verify
                         inFlight.Enqueue((begun, null));
                         next = null;
                         bytes += begun.Bytes;
-                        yield return Work.Of(begun.Begin(m_folder.Layout));
+                        yield return Work.Of(begun.Begin());
                         continue;
                     }
                     if (inFlight.Count == 0)
@@ -161,13 +162,6 @@ namespace FastPoints.Verify
             string path = folder.ChunkPath(chunk);
             return PoolWork.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
         }
-
-        /// <param name="file">The chunk; negative for the upper levels.</param>
-        FileCheck CheckOf(int file, NodeTable table) => file < 0
-            ? new FileCheck(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Manifest, m_store, table,
-                m_folder.Manifest.Root, true)
-            : new FileCheck(m_folder.ChunkPath(file), m_folder.Chunks[file].FileBytes, m_folder.Manifest, m_store, table,
-                m_folder.Chunks[file].Cube, false);
 
         void Take(FileCheck check)
         {

@@ -5,8 +5,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Base
 {
-    /// <summary>Work on a range that is cut into short jobs. All of them are scheduled ahead: if each were awaited before the next
-    /// one, a tick of the pump would bring it on by one slice.</summary>
+    /// <summary>Work on a range that is cut into short jobs. All of them are scheduled ahead: if each were awaited before the
+    /// next one, a tick of the pump would bring it on by one slice.</summary>
     internal static class Slices
     {
         /// <summary>Jobs to schedule in one step: a fraction of a millisecond of the main thread.</summary>
