@@ -17,7 +17,8 @@ namespace FastPoints.MonoTests
                     return 0;
 #endif
                 default:
-                    Console.Error.WriteLine("usage: MonoTests tests [PATTERN] | conversions SCRATCH | bench SCRATCH | adapt FROM TO");
+                    Console.Error.WriteLine(
+                        "usage: MonoTests tests [PATTERN] | conversions SCRATCH | bench SCRATCH | adapt FROM TO");
                     return 2;
             }
         }

@@ -126,9 +126,9 @@ namespace FastPoints.Verify
         public int Near;
     }
 
-    /// <summary>A slice of counting the points that have another one nearer than a spacing, and of finding the nearest two. The
-    /// cells of the grid are as large as the spacing, or as the closest neighbours in the order of the points if these are farther
-    /// apart: the nearest two then are at most as far apart as a cell is large.</summary>
+    /// <summary>A slice of counting the points that have another one nearer than a spacing, and of finding the nearest two.
+    /// The cells of the grid are as large as the spacing, or as the closest neighbours in the order of the points if these are
+    /// farther apart: the nearest two then are at most as far apart as a cell is large.</summary>
     [BurstCompile]
     internal unsafe struct CountNearJob : IJob
     {
