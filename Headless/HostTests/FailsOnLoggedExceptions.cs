@@ -15,6 +15,5 @@ sealed class FailsOnLoggedExceptionsAttribute : Attribute, ITestAction
     public ActionTargets Targets => ActionTargets.Test;
 
     public void BeforeTest(ITest test) { }
-
     public void AfterTest(ITest test) => LoggedExceptions.ThrowFirst();
 }

@@ -7,10 +7,7 @@ public sealed class AssemblyTable
 {
     private readonly Dictionary<string, Asmdef> m_asmdefs;
 
-    public AssemblyTable(IEnumerable<Asmdef> asmdefs)
-    {
-        m_asmdefs = asmdefs.ToDictionary(a => a.Name);
-    }
+    public AssemblyTable(IEnumerable<Asmdef> asmdefs) => m_asmdefs = asmdefs.ToDictionary(a => a.Name);
 
     public IEnumerable<Asmdef> All => m_asmdefs.Values.OrderBy(a => a.Name, StringComparer.Ordinal);
 

@@ -100,32 +100,19 @@ public static class Program
         }
     }
 
-    private static ToolResult Run(string verb, Repository repository, bool check, string? tag, string? list)
+    private static ToolResult Run(string verb, Repository repository, bool check, string? tag, string? list) => verb switch
     {
-        switch (verb)
-        {
-            case "meta":
-                return new MetaFiles(repository.PackageRoot).Run(check);
-            case "api":
-                return ApiCommand.Run(repository, check);
-            case "threads":
-                return ThreadCommand.Run(repository, check);
-            case "hlsl":
-                return HlslCommand.Run(repository, check);
-            case "formats":
-                return FormatCommand.Run(repository);
-            case "behaviour":
-                return BehaviourCommand.Run(repository, check);
-            case "reference":
-                return ReferenceCommand.Run(repository, check);
-            case "house":
-                return HouseCommand.Run(repository, check, list);
-            case "package":
-                return PackageCommand.Run(repository, tag, NpmPack.OfFolder(repository.PackageRoot));
-            default:
-                throw new ArgumentException("no such verb", nameof(verb));
-        }
-    }
+        "meta" => new MetaFiles(repository.PackageRoot).Run(check),
+        "api" => ApiCommand.Run(repository, check),
+        "threads" => ThreadCommand.Run(repository, check),
+        "hlsl" => HlslCommand.Run(repository, check),
+        "formats" => FormatCommand.Run(repository),
+        "behaviour" => BehaviourCommand.Run(repository, check),
+        "reference" => ReferenceCommand.Run(repository, check),
+        "house" => HouseCommand.Run(repository, check, list),
+        "package" => PackageCommand.Run(repository, tag, NpmPack.OfFolder(repository.PackageRoot)),
+        _ => throw new ArgumentException("no such verb", nameof(verb)),
+    };
 
     private static int Guard(string standIn, string[] references)
     {

@@ -9,13 +9,9 @@ public sealed class Repository(string root)
     public static readonly string[] Generations = { "6000.0", "6000.3", "6000.5" };
 
     public string Root { get; } = Path.GetFullPath(root);
-
     public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
-
     public string Headless => Path.Combine(Root, "Headless");
-
     public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
-
     public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
 
     /// <summary>What Unity does that the package relies on.</summary>

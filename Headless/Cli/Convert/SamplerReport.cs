@@ -17,9 +17,7 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
     const double CloseUp = 0.2;
 
     sealed record Built(string Name, double Seconds, double BytesPerPoint, List<LevelQuality> Levels, List<Drawn> Pictures);
-
     sealed record Drawn(string View, long Budget, long Points, double Seconds, ImageError Error);
-
     sealed record View(string Name, PictureOptions Options, RgbaImage Reference);
 
     public void Write()

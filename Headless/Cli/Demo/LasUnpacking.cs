@@ -7,7 +7,6 @@ public static class LasUnpacking
     sealed class Appending(LasWriter writer) : IBlockConsumer
     {
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) => decoded;
-
         public void Completed(BlockRead read, int slot) => writer.Append(read.Points);
     }
 

@@ -12,11 +12,7 @@ public sealed class CameraPath
     readonly double3 m_up;
     readonly double m_fovDegrees;
 
-    CameraPath(double3 up, double fovDegrees)
-    {
-        m_up = up;
-        m_fovDegrees = fovDegrees;
-    }
+    CameraPath(double3 up, double fovDegrees) => (m_up, m_fovDegrees) = (up, fovDegrees);
 
     public int FrameCount => m_keys[^1].Frame + 1;
 

@@ -49,13 +49,6 @@ public static class Human
         return value.ToString("N" + decimals, CultureInfo.InvariantCulture);
     }
 
-    /// <summary>All that a step or an offset may have: shortest text that reads back the same, without an exponent where it
-    /// can.</summary>
-    public static string Exact(double value) =>
-        value != 0 && (Math.Abs(value) < 1e-9 || Math.Abs(value) >= 1e15)
-            ? value.ToString("R", CultureInfo.InvariantCulture)
-            : value.ToString("0.############", CultureInfo.InvariantCulture);
-
     /// <summary>To four digits: more of a measured figure is noise.</summary>
     public static string Measured(double value) => value == 0 ? "0"
         : Math.Abs(value) is >= 1e-4 and < 1e6

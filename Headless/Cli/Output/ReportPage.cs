@@ -26,11 +26,8 @@ public sealed class ReportPage(string title)
     readonly StringBuilder m_body = new();
 
     static string Escape(string text) => WebUtility.HtmlEncode(text);
-
     public void Heading(string text) => m_body.Append("<h2>").Append(Escape(text)).Append("</h2>\n");
-
     public void Paragraph(string text) => m_body.Append("<p>").Append(Escape(text)).Append("</p>\n");
-
     public void Warning(string text) => m_body.Append("<p class=\"warning\">").Append(Escape(text)).Append("</p>\n");
 
     public void Facts(IEnumerable<(string Name, string Value)> facts)

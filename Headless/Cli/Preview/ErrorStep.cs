@@ -17,13 +17,10 @@ public sealed class ErrorStep
     readonly SampleTakers m_takers;
     readonly Dictionary<int, RgbaImage[]> m_viewsOfScan = [];
 
-    ErrorStep(CliRun run, CompareSamples comparison, SampleTakers takers)
-    {
+    ErrorStep(CliRun run, CompareSamples comparison, SampleTakers takers) =>
         (m_run, m_comparison, m_takers) = (run, comparison, takers);
-    }
 
     public List<ErrorCurve> Curves { get; } = [];
-
     public long PointsInCloud => m_comparison.PointCount;
     public RgbaImage[] FullViews => m_comparison.FullViews;
 

@@ -63,7 +63,6 @@ public static class StabilityCases
         new([StabilityFiles.Las(folder, "cloud", count, scale, offset, placeOf)], count);
 
     static Unity.Mathematics.Random Random(int i) => Unity.Mathematics.Random.CreateFromIndex((uint)i);
-
     static int3 Uniform(int i) => Random(i).NextInt3(Side);
 
     static int3 Surface(int i, int count)

@@ -18,12 +18,8 @@ public sealed class StabilityRun
     readonly string m_folder;
     readonly Sampler m_sampler;
 
-    StabilityRun(StabilityCase stabilityCase, string folder, Sampler sampler)
-    {
-        m_case = stabilityCase;
-        m_folder = folder;
-        m_sampler = sampler;
-    }
+    StabilityRun(StabilityCase stabilityCase, string folder, Sampler sampler) =>
+        (m_case, m_folder, m_sampler) = (stabilityCase, folder, sampler);
 
     public string Name => m_case.Name;
     public List<StageResult> Stages { get; } = [];

@@ -14,7 +14,6 @@ public sealed class InfoVerb : Verb
     };
 
     readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
-
     readonly SourceSettings m_source;
 
     public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "

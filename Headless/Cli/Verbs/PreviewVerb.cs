@@ -39,7 +39,6 @@ public sealed class PreviewVerb : Verb
         Description = "Where --report goes (default: ./NAME-preview-report).",
     };
     readonly PictureSettings m_picture;
-
     readonly SourceSettings m_source;
 
     public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))

@@ -16,7 +16,6 @@ public sealed class DocIdTests
         }
 
         public static implicit operator int(Sample<T> sample) => 0;
-
         public static Sample<T> operator +(Sample<T> a, in int b) => a;
 
         public ref readonly T Take<U>(ref T[] a, out U* b, in Dictionary<T, List<U>>.Enumerator c) where U : unmanaged

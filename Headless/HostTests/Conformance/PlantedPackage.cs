@@ -53,9 +53,7 @@ internal sealed class PlantedPackage : IDisposable
     }
 
     internal ModuleDefinition Module { get; }
-
     internal AssemblyNameReference Things { get; }
-
     internal TypeDefinition User { get; }
 
     public void Dispose() => m_assembly.Dispose();
@@ -86,7 +84,6 @@ internal sealed class PlantedPackage : IDisposable
     }
 
     internal void Emit(OpCode code, MethodReference method) => m_method.Body.GetILProcessor().Emit(code, method);
-
     internal void Emit(OpCode code, FieldReference field) => m_method.Body.GetILProcessor().Emit(code, field);
 
     /// <summary>A class or struct in the planted assembly.</summary>
@@ -136,7 +133,6 @@ internal sealed class PlantedPackage : IDisposable
             name.Name == "Unity.Things" && Assembly != null ? Assembly : throw new AssemblyResolutionException(name);
 
         public AssemblyDefinition Resolve(AssemblyNameReference name, ReaderParameters parameters) => Resolve(name);
-
         public void Dispose() => Assembly?.Dispose();
     }
 }

@@ -14,7 +14,6 @@ public sealed class BuildSessionTests
     public void DeleteProject() => m_project.Dispose();
 
     BuildSession Begin() => new BuildSession(new[] { m_project.Source }, m_project.Target(), ImportProject.Settings());
-
     static void UpdateUntil(BuildSession session, Func<bool> isDone) => ImportProject.Updates(() => session.Tick(1), isDone);
 
     [Test]
@@ -126,7 +125,6 @@ public sealed class BuildSessionTests
         public string this[int index] => throw new InvalidOperationException("planted");
 
         public IEnumerator<string> GetEnumerator() => throw new InvalidOperationException("planted");
-
         IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
     }
 

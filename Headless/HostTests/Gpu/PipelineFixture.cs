@@ -15,7 +15,6 @@ public abstract class PipelineFixture : GraphicsFixture
     PipelineHost m_pipeline;
 
     protected PointCloudSystemGroup Group { get; private set; }
-
     internal PointScene Scene { get; private set; }
 
     protected void Begin(string pipeline) => m_pipeline = PipelineHost.Make(pipeline);

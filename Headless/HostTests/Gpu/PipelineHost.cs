@@ -12,7 +12,6 @@ abstract class PipelineHost : IDisposable
     };
 
     public abstract void Render(Camera camera);
-
     public abstract void Dispose();
 
     protected static void Clear(Camera camera, CommandBuffer commands)

@@ -9,7 +9,6 @@ namespace Unity.Burst.CompilerServices
     internal static class Loop
     {
         internal static void ExpectVectorized() { }
-
         internal static void ExpectNotVectorized() { }
     }
 }
@@ -67,7 +66,6 @@ namespace FastPoints.HostTests.Hpc
                 source.Read(key, new StructValue());
 
             internal static bool IsClass<T>() => default(T) is null;
-
             internal static bool IsInt<T>() => typeof(T) == typeof(int);
 
             [BurstDiscard]

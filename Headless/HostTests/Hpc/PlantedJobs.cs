@@ -51,9 +51,7 @@ internal static class PlantedJobs
     internal static class Helpers
     {
         internal static int Outer(int x) => Inner(x) + 1;
-
         private static int Inner(int x) => new object() == null ? x : 0;
-
         internal static float AreaOf<T>(T shape) where T : struct, IShape => shape.Area();
 
         [Conditional("DEBUG")]
@@ -188,7 +186,6 @@ internal static class PlantedJobs
         public int Value;
 
         public void Execute() => Value = Get(null);
-
         private static int Get(Node node) => node.Get();
     }
 

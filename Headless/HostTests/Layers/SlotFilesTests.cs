@@ -4,7 +4,6 @@ namespace FastPoints.HostTests.Layers;
 public sealed class SlotFilesTests
 {
     static readonly Regex s_slot = new Regex(@"\bclass \w+ : (BlockRead|SlotRead|RunRead|EptRead|PotreeRead|PlyRead)\b");
-
     static readonly Regex s_managedFile = new Regex(@"\b(FileSource|FileInfo|FileStream|Directory|LasReader\.Open|System\.IO)\b");
 
     [Test]

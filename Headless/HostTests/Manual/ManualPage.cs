@@ -4,15 +4,10 @@ namespace FastPoints.HostTests.Manual;
 sealed class ManualPage
 {
     /// <param name="path">Below the repository, with '/'.</param>
-    public ManualPage(string path, string text)
-    {
-        Path = path;
-        Text = text;
-    }
+    public ManualPage(string path, string text) => (Path, Text) = (path, text);
 
     public string Path { get; }
     public string Text { get; }
-
     public string Name => System.IO.Path.GetFileName(Path);
 
     /// <summary>The manual, the readmes and those of samples and projects.</summary>

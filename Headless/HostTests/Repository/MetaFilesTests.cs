@@ -127,9 +127,7 @@ public sealed class MetaFilesTests
         Assert.That(new MetaFiles(Checkout.Repository.PackageRoot).Run(true).Problems, Is.Empty);
 
     private System.Collections.Generic.IReadOnlyList<string> Check() => new MetaFiles(m_root).Run(true).Problems;
-
     private string Read(string path) => File.ReadAllText(Path.Combine(m_root, path));
-
     private void Move(string from, string to) => File.Move(Path.Combine(m_root, from), Path.Combine(m_root, to));
 
     private void Put(string path, string text)

@@ -32,7 +32,6 @@ internal struct PlantedWithByte
 internal struct PlantedWithGap
 {
     [FieldOffset(0)] public uint Count;
-
     [FieldOffset(8)] public uint Width;
 }
 

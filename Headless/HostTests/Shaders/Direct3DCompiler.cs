@@ -17,9 +17,7 @@ static class Direct3DCompiler
         + @"(vertex|fragment|kernel|target|require|multi_compile\w*|shader_feature\w*)\b.*$", RegexOptions.Multiline);
 
     static string Folder => Path.Combine(Checkout.Repository.Root, "Headless", "artifacts", "direct3d");
-
     static string Project => Path.Combine(Checkout.Repository.Root, "Headless", "Direct3D");
-
     static string Wine => Tool.Find("wine64", "/usr/lib/wine");
 
     // NuGet's folder, as Direct3D.csproj fills it.

@@ -146,13 +146,9 @@ public sealed class EntityTests
     abstract class Noting : SystemBase
     {
         protected override void OnCreate() => s_calls.Add("+" + GetType().Name);
-
         protected override void OnStartRunning() => s_calls.Add(">" + GetType().Name);
-
         protected override void OnUpdate() => s_calls.Add(GetType().Name);
-
         protected override void OnStopRunning() => s_calls.Add("<" + GetType().Name);
-
         protected override void OnDestroy() => s_calls.Add("-" + GetType().Name);
     }
 
@@ -203,7 +199,6 @@ public sealed class EntityTests
     sealed class E : Noting
     {
         protected override void OnUpdate() => throw new ArithmeticException("thrown in a system");
-
         protected override void OnDestroy() => throw new ArithmeticException("thrown at the end");
     }
 

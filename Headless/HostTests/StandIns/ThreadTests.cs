@@ -9,7 +9,6 @@ namespace FastPoints.HostTests.StandIns;
 public sealed unsafe class ThreadTests
 {
     static void OnThePool(Action call) => Task.Run(call).GetAwaiter().GetResult();
-
     static TestCaseData Container(string name, Action<Allocator> make) => new TestCaseData(make).SetArgDisplayNames(name);
 
     static readonly TestCaseData[] s_containers =

@@ -49,14 +49,12 @@ namespace FastPoints.HostTests.Threads
             }
 
             public virtual void Rest() => Thread.Yield();
-
             protected abstract void Step();
         }
 
         internal sealed class AskingWalk : Walk
         {
             public override void Rest() => Ask();
-
             protected override void Step() => Ask();
         }
 
@@ -191,7 +189,6 @@ namespace FastPoints.HostTests.Threads
         internal static class ThroughAParameter
         {
             internal static Task Begin() => Hand(() => Ask());
-
             private static Task Hand(Func<bool> work) => Task.Run(work);
         }
 
@@ -325,7 +322,6 @@ namespace FastPoints.HostTests.Threads
         internal sealed class ByTheSerializer : ISerializationCallbackReceiver
         {
             public void OnBeforeSerialize() { }
-
             public void OnAfterDeserialize() => Ask();
         }
 
@@ -388,7 +384,6 @@ namespace FastPoints.HostTests.Threads
             internal InAGeneric(T step) => m_step = step;
 
             internal static InAGeneric<AskingStep> Make() => new InAGeneric<AskingStep>(new AskingStep());
-
             internal void Begin(Task task) => task.ContinueWith(t => m_step.Take());
         }
 
@@ -396,7 +391,6 @@ namespace FastPoints.HostTests.Threads
         internal sealed class InAGenericThatIsKnown<T> where T : IStep
         {
             internal static InAGenericThatIsKnown<QuietStep> Make() => new InAGenericThatIsKnown<QuietStep>();
-
             internal void Begin(Task<T> task) => task.ContinueWith(t => (t.Result as IStep)?.Take());
         }
 
@@ -408,7 +402,6 @@ namespace FastPoints.HostTests.Threads
             internal ByACallbackOfAGeneric(Action<T> done) => m_done = done;
 
             internal static ByACallbackOfAGeneric<AskingStep> Make() => new ByACallbackOfAGeneric<AskingStep>(s => s.Take());
-
             internal void Begin(Task<T> task) => task.ContinueWith(t => m_done(t.Result));
         }
 
@@ -515,7 +508,6 @@ namespace UnityEngine
     internal interface ISerializationCallbackReceiver
     {
         void OnBeforeSerialize();
-
         void OnAfterDeserialize();
     }
 }

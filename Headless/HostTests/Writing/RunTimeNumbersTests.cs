@@ -35,11 +35,8 @@ public sealed class RunTimeNumbersTests
     private static class Planted
     {
         internal static string Digits(double value) => value.ToString("R", CultureInfo.InvariantCulture);
-
         internal static string Beside(float value) => "at " + value;
-
         internal static string Formatted(double value) => string.Format(CultureInfo.InvariantCulture, "{0:R}", value);
-
         internal static string Built(double value) => new StringBuilder().Append(value).ToString();
 
         internal static bool Read(string text) =>

@@ -13,9 +13,7 @@ public sealed record ApiRow(
     public const string Header = "#id\tassembly\tkind\ttype\tflags\tdetail\tconstraints\tobsolete\tin\tvaried";
 
     public bool IsType => Id.StartsWith("T:", StringComparison.Ordinal);
-
     public bool IsStatic => Has("static") || Kind == "const" || Kind == "enumvalue";
-
     public bool IsInterfaceBody => Has("default-impl");
 
     public static ApiRow Parse(string line)
@@ -79,19 +77,16 @@ public sealed record ApiRow(
         return row;
     }
 
-    private ApiRow With(string column, string value)
+    private ApiRow With(string column, string value) => column switch
     {
-        switch (column)
-        {
-            case "type": return this with { Type = value };
-            case "flags": return this with { Flags = value };
-            case "detail": return this with { Detail = value };
-            case "constraints": return this with { Constraints = value };
-            case "assembly": return this with { Assembly = value };
-            case "kind": return this with { Kind = value };
-            default: return this;
-        }
-    }
+        "type" => this with { Type = value },
+        "flags" => this with { Flags = value },
+        "detail" => this with { Detail = value },
+        "constraints" => this with { Constraints = value },
+        "assembly" => this with { Assembly = value },
+        "kind" => this with { Kind = value },
+        _ => this,
+    };
 
     /// <summary>A member's parameters: the by-reference kind ("", ref, out, in) and whether the caller may leave it
     /// out.</summary>

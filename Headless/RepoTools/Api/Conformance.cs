@@ -260,6 +260,5 @@ public sealed class Conformance(UnityApi api, string generation, AssemblyTable a
         row.Has("ref-return") || row.Has("ref-readonly-return") ? row.Type + "@" : row.Type;
 
     private void Add(string problem) => m_problems.Add(Line($"{problem} (named in {m_site})"));
-
     private string Line(string problem) => $"{m_generation} {m_assembly}: {problem}";
 }

@@ -39,9 +39,7 @@ public sealed class GenerationBuilds : IDisposable
     }
 
     public string Generation { get; }
-
     public IReadOnlyList<ModuleDefinition> Package { get; }
-
     public IReadOnlyList<ModuleDefinition> StandIns { get; }
 
     public void Dispose()

@@ -35,20 +35,14 @@ internal sealed class TypeArguments(UnityApi api, string generation)
         // In the signature of Unity's own member its parameters stand for themselves.
         if (argument is GenericParameter { Owner: not (TypeDefinition or MethodDefinition) })
             return true;
-        switch (constraint)
+        return constraint switch
         {
-            case "struct":
-                return IsValue(argument);
-            case "unmanaged":
-                return IsUnmanaged(argument);
-            case "class":
-                return !IsValue(argument);
-            case "new()":
-            case "notnull":
-                return true;
-            default:
-                return Implements(argument, constraint);
-        }
+            "struct" => IsValue(argument),
+            "unmanaged" => IsUnmanaged(argument),
+            "class" => !IsValue(argument),
+            "new()" or "notnull" => true,
+            _ => Implements(argument, constraint),
+        };
     }
 
     private static bool IsValue(TypeReference argument) => argument switch

@@ -14,10 +14,7 @@ public sealed class UnityApi
         new Dictionary<string, List<ApiRow>>(StringComparer.Ordinal);
     private readonly SortedDictionary<string, ApiRow> m_touched = new SortedDictionary<string, ApiRow>(StringComparer.Ordinal);
 
-    private UnityApi(string name)
-    {
-        Name = name;
-    }
+    private UnityApi(string name) => Name = name;
 
     /// <summary>For messages: where a signature that is missing was looked for.</summary>
     public string Name { get; }

@@ -15,13 +15,9 @@ public sealed class BehaviourLedger
 
     private readonly List<string[]> m_rows;
 
-    private BehaviourLedger(List<string[]> rows)
-    {
-        m_rows = rows;
-    }
+    private BehaviourLedger(List<string[]> rows) => m_rows = rows;
 
     public int Count => m_rows.Count;
-
     public int UnverifiedCount => m_rows.Count(r => r[5] == Unverified);
 
     /// <summary>Reads the file's text; throws ToolException where a line is no row.</summary>

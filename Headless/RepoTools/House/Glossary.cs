@@ -11,10 +11,8 @@ public sealed class Glossary
 
     private readonly List<string[]> m_phrases;
 
-    private Glossary(IEnumerable<string> phrases)
-    {
+    private Glossary(IEnumerable<string> phrases) =>
         m_phrases = phrases.Select(p => Parts(p).ToArray()).Where(p => p.Length > 0).ToList();
-    }
 
     public int Count => m_phrases.Count;
 

@@ -20,7 +20,6 @@ public sealed class HouseReport
     }
 
     public IReadOnlyList<string> Problems => m_problems;
-
     public IReadOnlyDictionary<string, long> Figures => m_figures.ToDictionary(f => f.Measure.Name, f => f.Value);
 
     /// <summary>How many figures are at their goals.</summary>

@@ -19,15 +19,10 @@ public sealed class HouseSources
     }
 
     public IReadOnlyList<SourceFile> Code { get; }
-
     public IReadOnlyList<SourceFile> CSharp { get; }
-
     public IReadOnlyList<SourceFile> Product { get; }
-
     public IReadOnlyList<SourceFile> Manual { get; }
-
     public Glossary Glossary { get; }
-
     public bool HasGlossary { get; }
 
     // A record would hash its whole text.

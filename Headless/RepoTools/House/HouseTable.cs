@@ -12,13 +12,9 @@ public sealed class HouseTable
 
     private readonly List<HouseRow> m_rows;
 
-    private HouseTable(List<HouseRow> rows)
-    {
-        m_rows = rows;
-    }
+    private HouseTable(List<HouseRow> rows) => m_rows = rows;
 
     public IEnumerable<HouseRow> Exceptions => m_rows.Where(r => r.Where != Anywhere);
-
     private IEnumerable<HouseRow> Limits => m_rows.Where(r => r.Where == Anywhere);
 
     /// <summary>Reads the file's text; throws ToolException where a line is no row.</summary>

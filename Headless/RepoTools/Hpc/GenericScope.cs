@@ -8,11 +8,8 @@ internal sealed class GenericScope
     private readonly IReadOnlyList<TypeReference> m_ofType;
     private readonly IReadOnlyList<TypeReference> m_ofMethod;
 
-    private GenericScope(IReadOnlyList<TypeReference> ofType, IReadOnlyList<TypeReference> ofMethod)
-    {
-        m_ofType = ofType;
-        m_ofMethod = ofMethod;
-    }
+    private GenericScope(IReadOnlyList<TypeReference> ofType, IReadOnlyList<TypeReference> ofMethod) =>
+        (m_ofType, m_ofMethod) = (ofType, ofMethod);
 
     /// <summary>The scope of a method that is called from this one.</summary>
     internal GenericScope Of(MethodReference called) => new GenericScope(

@@ -14,10 +14,7 @@ public sealed class HpcVerifier
     private string m_entry = "";
 
     /// <param name="modules">What is walked; whatever else is called is a boundary.</param>
-    public HpcVerifier(IEnumerable<ModuleDefinition> modules)
-    {
-        m_modules = modules.ToHashSet();
-    }
+    public HpcVerifier(IEnumerable<ModuleDefinition> modules) => m_modules = modules.ToHashSet();
 
     /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
     public int WalkedCount { get; private set; }

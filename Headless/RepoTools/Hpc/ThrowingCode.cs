@@ -26,20 +26,14 @@ internal static class ThrowingCode
     private static bool LeadsOnlyTo(Instruction instruction, HashSet<Instruction> throwing)
     {
         bool Next() => instruction.Next != null && throwing.Contains(instruction.Next);
-        switch (instruction.OpCode.FlowControl)
+        return instruction.OpCode.FlowControl switch
         {
-            case FlowControl.Throw:
-                return true;
-            case FlowControl.Return:
-                return false;
-            case FlowControl.Branch:
-                return throwing.Contains((Instruction)instruction.Operand);
-            case FlowControl.Cond_Branch when instruction.Operand is Instruction target:
-                return Next() && throwing.Contains(target);
-            case FlowControl.Cond_Branch:
-                return Next() && System.Array.TrueForAll((Instruction[])instruction.Operand, throwing.Contains);
-            default:
-                return Next();
-        }
+            FlowControl.Throw => true,
+            FlowControl.Return => false,
+            FlowControl.Branch => throwing.Contains((Instruction)instruction.Operand),
+            FlowControl.Cond_Branch when instruction.Operand is Instruction target => Next() && throwing.Contains(target),
+            FlowControl.Cond_Branch => Next() && System.Array.TrueForAll((Instruction[])instruction.Operand, throwing.Contains),
+            _ => Next(),
+        };
     }
 }

@@ -8,10 +8,8 @@ public static class AssemblyReferences
     private static readonly string[] s_dots = { "Unity.Burst", "Unity.Collections", "Unity.Mathematics" };
     private static readonly string[] s_view = s_dots.Append("FastPoints").ToArray();
     private static readonly string[] s_shared = s_view.Append("FastPoints.Import").ToArray();
-
     private static readonly string[] s_drawing = { "FastPoints", "FastPoints.Rendering" };
     private static readonly string[] s_entities = { "Unity.Entities", "Unity.Entities.Hybrid", "Unity.Transforms" };
-
     private static readonly string[] s_testRunner = { "UnityEngine.TestRunner", "UnityEditor.TestRunner" };
 
     private static readonly Dictionary<string, string[]> s_mayReference = new Dictionary<string, string[]>

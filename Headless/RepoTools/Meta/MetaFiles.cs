@@ -81,7 +81,6 @@ public sealed class MetaFiles(string packageRoot)
         File.WriteAllText(PathOf(asset + Extension), MetaText.Compose(guid, ImporterOf(asset)));
 
     private Importer ImporterOf(string asset) => Importer.Of(asset, Directory.Exists(PathOf(asset)));
-
     private string PathOf(string asset) => Path.Combine(m_root, asset);
 
     /// <summary>A hash of the path; of the path and a number where a file that was born here lives elsewhere now.</summary>

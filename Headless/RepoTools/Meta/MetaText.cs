@@ -5,11 +5,7 @@ public sealed class MetaText
 {
     private readonly string m_text;
 
-    private MetaText(string text, string? guid)
-    {
-        m_text = text;
-        Guid = guid;
-    }
+    private MetaText(string text, string? guid) => (m_text, Guid) = (text, guid);
 
     /// <summary>32 lower-case hex digits; null where the file has none that Unity would take.</summary>
     public string? Guid { get; }

@@ -16,7 +16,6 @@ public sealed class NpmPack
     }
 
     public long PackedBytes { get; }
-
     public long InstalledBytes { get; }
 
     /// <summary>Null where npm is not installed.</summary>

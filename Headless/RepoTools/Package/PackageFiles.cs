@@ -18,9 +18,7 @@ public sealed class PackageFiles
     public IEnumerable<string> Top => All.Select(f => f.Split('/')[0]).Distinct();
 
     public bool Has(string file) => All.Contains(file);
-
     public string Read(string file) => File.ReadAllText(Path.Combine(m_root, file));
-
     public string PathOf(string file) => Path.Combine(m_root, file);
 
     public IEnumerable<string> With(string extension) =>

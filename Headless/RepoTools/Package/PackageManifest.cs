@@ -21,9 +21,7 @@ public sealed class PackageManifest
     }
 
     public string Name => Text(m_root, "name");
-
     public string Version => Text(m_root, "version");
-
     public IReadOnlyList<PackageSample> Samples { get; }
 
     public static PackageManifest Load(PackageFiles files)

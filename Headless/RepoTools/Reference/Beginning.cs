@@ -8,7 +8,6 @@ public static class Beginning
     private const int MostMembers = 2;
     private const int MostFields = 3;
     private const int MostValues = 6;
-
     private const int FieldRank = 4;
 
     /// <summary>C# of the members.</summary>

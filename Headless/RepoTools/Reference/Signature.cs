@@ -46,28 +46,20 @@ public static class Signature
         method.ReturnType.FullName == type.FullName ||
         !(type.IsAbstract && type.IsSealed) && Name(method.ReturnType) == "IEnumerator<Work>";
 
-    public static string Name(TypeReference type)
+    public static string Name(TypeReference type) => type switch
     {
-        switch (type)
-        {
-            case RequiredModifierType modified:
-                return Name(modified.ElementType);
-            case ByReferenceType byReference:
-                return Name(byReference.ElementType);
-            case ArrayType array:
-                return Name(array.ElementType) + "[]";
-            case PointerType pointer:
-                return Name(pointer.ElementType) + "*";
-            case GenericInstanceType { ElementType: { FullName: "System.Nullable`1" } } nullable:
-                return Name(nullable.GenericArguments[0]) + "?";
-            case GenericInstanceType generic:
-                return $"{Plain(generic.ElementType)}<{string.Join(", ", generic.GenericArguments.Select(Name))}>";
-            case TypeDefinition { HasGenericParameters: true } open:
-                return $"{Plain(open)}<{string.Join(", ", open.GenericParameters.Select(p => p.Name))}>";
-            default:
-                return s_keywords.GetValueOrDefault(type.FullName) ?? Plain(type);
-        }
-    }
+        RequiredModifierType modified => Name(modified.ElementType),
+        ByReferenceType byReference => Name(byReference.ElementType),
+        ArrayType array => Name(array.ElementType) + "[]",
+        PointerType pointer => Name(pointer.ElementType) + "*",
+        GenericInstanceType { ElementType: { FullName: "System.Nullable`1" } } nullable =>
+            Name(nullable.GenericArguments[0]) + "?",
+        GenericInstanceType generic =>
+            $"{Plain(generic.ElementType)}<{string.Join(", ", generic.GenericArguments.Select(Name))}>",
+        TypeDefinition { HasGenericParameters: true } open =>
+            $"{Plain(open)}<{string.Join(", ", open.GenericParameters.Select(p => p.Name))}>",
+        _ => s_keywords.GetValueOrDefault(type.FullName) ?? Plain(type),
+    };
 
     private static string Plain(TypeReference type)
     {

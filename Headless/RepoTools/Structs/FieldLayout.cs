@@ -6,12 +6,8 @@ public sealed record LaidOutField(string Name, TypeReference Type, int Count, in
 /// <summary>Offsets and sizes of a blittable struct's fields, from its IL.</summary>
 public sealed class FieldLayout
 {
-    private FieldLayout(IReadOnlyList<LaidOutField> fields, int size, int alignment)
-    {
-        Fields = fields;
-        Size = size;
-        Alignment = alignment;
-    }
+    private FieldLayout(IReadOnlyList<LaidOutField> fields, int size, int alignment) =>
+        (Fields, Size, Alignment) = (fields, size, alignment);
 
     public IReadOnlyList<LaidOutField> Fields { get; }
 

@@ -34,7 +34,6 @@ internal sealed class CodeIndex
     }
 
     internal IReadOnlyList<TypeDefinition> Types => m_types;
-
     internal IEnumerable<MethodDefinition> Methods => m_types.SelectMany(t => t.Methods).Where(m => m.HasBody);
 
     /// <summary>Where a delegate is made.</summary>

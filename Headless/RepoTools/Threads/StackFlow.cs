@@ -128,18 +128,12 @@ internal sealed class StackFlow
         }
     }
 
-    private static int PushCount(Instruction at)
+    private static int PushCount(Instruction at) => at.OpCode.StackBehaviourPush switch
     {
-        switch (at.OpCode.StackBehaviourPush)
-        {
-            case StackBehaviour.Push0:
-                return 0;
-            case StackBehaviour.Varpush:
-                return IsVoid(((IMethodSignature)at.Operand).ReturnType) ? 0 : 1;
-            default:
-                return 1;
-        }
-    }
+        StackBehaviour.Push0 => 0,
+        StackBehaviour.Varpush => IsVoid(((IMethodSignature)at.Operand).ReturnType) ? 0 : 1,
+        _ => 1,
+    };
 
     private static bool IsVoid(TypeReference type) =>
         (type is IModifierType modifier ? modifier.ElementType : type).MetadataType == MetadataType.Void;

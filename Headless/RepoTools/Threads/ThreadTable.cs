@@ -51,7 +51,6 @@ public sealed class ThreadTable
     }
 
     public ThreadRow? Find(FieldReference field) => Find(DocId.OfField(field));
-
     public ThreadRow? Find(MethodReference method) => Find(method.DeclaringType, method);
 
     /// <summary>The line of a method, or of the property or event whose accessor it is, on a type or, as C# lets one

@@ -73,7 +73,6 @@ public sealed class ThreadVerifier
         private Instruction? m_at;
 
         private MethodDefinition Method => m_visit!.Method;
-
         private GenericScope Scope => m_visit!.Scope;
 
         internal void Run()

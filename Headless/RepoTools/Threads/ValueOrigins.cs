@@ -64,7 +64,6 @@ internal sealed class ValueOrigins(CodeIndex code)
         private readonly HashSet<string> m_keys = new HashSet<string>();
 
         internal List<Value> Found { get; } = new List<Value>();
-
         private CodeIndex Il => m_origins.m_code;
 
         internal void All(MethodDefinition method, Value? self, IEnumerable<Instruction> producers)
@@ -174,9 +173,7 @@ internal sealed class ValueOrigins(CodeIndex code)
                 }
             }
             else if (definition != null)
-            {
                 isWhole = Returned(definition, null);
-            }
             if (!isWhole)
                 Any(GenericScope.None.Of(called).Concrete(called.ReturnType), method);
         }

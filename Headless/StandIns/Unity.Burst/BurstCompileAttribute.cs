@@ -6,11 +6,8 @@ public class BurstCompileAttribute : Attribute
 {
     public BurstCompileAttribute() { }
 
-    public BurstCompileAttribute(FloatPrecision floatPrecision, FloatMode floatMode)
-    {
-        FloatPrecision = floatPrecision;
-        FloatMode = floatMode;
-    }
+    public BurstCompileAttribute(FloatPrecision floatPrecision, FloatMode floatMode) =>
+        (FloatPrecision, FloatMode) = (floatPrecision, floatMode);
 
     public FloatMode FloatMode { get; set; }
     public FloatPrecision FloatPrecision { get; set; }

@@ -9,11 +9,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     internal EntityStore Store;
     World m_world;
 
-    internal EntityManager(World world, EntityStore store)
-    {
-        m_world = world;
-        Store = store;
-    }
+    internal EntityManager(World world, EntityStore store) => (m_world, Store) = (world, store);
 
     public World World => m_world;
 

@@ -9,11 +9,7 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
     EntityStore m_store;
     QueryTerms m_terms;
 
-    internal EntityQuery(EntityStore store, QueryTerms terms)
-    {
-        m_store = store;
-        m_terms = terms;
-    }
+    internal EntityQuery(EntityStore store, QueryTerms terms) => (m_store, m_terms) = (store, terms);
 
     public bool IsEmpty => CalculateEntityCount() == 0;
 

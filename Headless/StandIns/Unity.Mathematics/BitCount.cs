@@ -8,30 +8,16 @@ namespace Unity.Mathematics;
 internal static class BitCount
 {
 #if NET
-    [MethodImpl(Inlining.Always)]
-    internal static int LeadingZeros(uint x) => BitOperations.LeadingZeroCount(x);
-
-    [MethodImpl(Inlining.Always)]
-    internal static int LeadingZeros(ulong x) => BitOperations.LeadingZeroCount(x);
-
-    [MethodImpl(Inlining.Always)]
-    internal static int TrailingZeros(uint x) => BitOperations.TrailingZeroCount(x);
-
-    [MethodImpl(Inlining.Always)]
-    internal static int TrailingZeros(ulong x) => BitOperations.TrailingZeroCount(x);
-
-    [MethodImpl(Inlining.Always)]
-    internal static int Ones(uint x) => BitOperations.PopCount(x);
-
-    [MethodImpl(Inlining.Always)]
-    internal static int Ones(ulong x) => BitOperations.PopCount(x);
+    [MethodImpl(Inline)] internal static int LeadingZeros(uint x) => BitOperations.LeadingZeroCount(x);
+    [MethodImpl(Inline)] internal static int LeadingZeros(ulong x) => BitOperations.LeadingZeroCount(x);
+    [MethodImpl(Inline)] internal static int TrailingZeros(uint x) => BitOperations.TrailingZeroCount(x);
+    [MethodImpl(Inline)] internal static int TrailingZeros(ulong x) => BitOperations.TrailingZeroCount(x);
+    [MethodImpl(Inline)] internal static int Ones(uint x) => BitOperations.PopCount(x);
+    [MethodImpl(Inline)] internal static int Ones(ulong x) => BitOperations.PopCount(x);
 #else
     internal static int LeadingZeros(uint x) => 32 - Ones(Smear(x));
-
     internal static int LeadingZeros(ulong x) => 64 - Ones(Smear(x));
-
     internal static int TrailingZeros(uint x) => Ones(~x & (x - 1));
-
     internal static int TrailingZeros(ulong x) => Ones(~x & (x - 1));
 
     internal static int Ones(uint x)
@@ -42,20 +28,6 @@ internal static class BitCount
     }
 
     internal static int Ones(ulong x) => Ones((uint)x) + Ones((uint)(x >> 32));
-#endif
-
-    internal static uint CeilPowerOfTwo(uint x) => Smear(x - 1) + 1;
-
-    internal static ulong CeilPowerOfTwo(ulong x) => Smear(x - 1) + 1;
-
-    private static uint Smear(uint x)
-    {
-        x |= x >> 1;
-        x |= x >> 2;
-        x |= x >> 4;
-        x |= x >> 8;
-        return x | (x >> 16);
-    }
 
     private static ulong Smear(ulong x)
     {
@@ -65,5 +37,17 @@ internal static class BitCount
         x |= x >> 8;
         x |= x >> 16;
         return x | (x >> 32);
+    }
+#endif
+
+    internal static uint CeilPowerOfTwo(uint x) => Smear(x - 1) + 1;
+
+    private static uint Smear(uint x)
+    {
+        x |= x >> 1;
+        x |= x >> 2;
+        x |= x >> 4;
+        x |= x >> 8;
+        return x | (x >> 16);
     }
 }

@@ -1,13 +1,14 @@
-using System.Diagnostics;
-
 namespace Unity.Mathematics;
 
 internal static class Components
 {
-    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
-    internal static void Check(int index, int count)
+    [MethodImpl(Inline)]
+    internal static int Checked(int index, int count)
     {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
         if ((uint)index >= count)
             throw new ArgumentException($"index must be between[0...{count - 1}]");
+#endif
+        return index;
     }
 }

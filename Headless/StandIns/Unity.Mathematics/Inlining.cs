@@ -2,5 +2,5 @@ namespace Unity.Mathematics;
 
 internal static class Inlining
 {
-    internal const MethodImplOptions Always = MethodImplOptions.AggressiveInlining;
+    internal const MethodImplOptions Inline = MethodImplOptions.AggressiveInlining;
 }

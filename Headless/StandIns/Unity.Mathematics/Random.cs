@@ -8,7 +8,7 @@ public struct Random
 {
     public uint state;
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public Random(uint seed)
     {
         state = seed;
@@ -40,7 +40,7 @@ public struct Random
 
     public uint NextUInt() => NextState() - 1u;
     public uint NextUInt(uint max) => (uint)((NextState() * (ulong)max) >> 32);
-    [MethodImpl(Inlining.Always)] public float NextFloat() => math.asfloat(0x3F800000u | (NextState() >> 9)) - 1.0f;
+    [MethodImpl(Inline)] public float NextFloat() => math.asfloat(0x3F800000u | (NextState() >> 9)) - 1.0f;
     public float NextFloat(float max) => NextFloat() * max;
     public float NextFloat(float min, float max) => NextFloat() * (max - min) + min;
 
@@ -72,7 +72,7 @@ public struct Random
         return n ^ (n >> 15);
     }
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     private uint NextState()
     {
         CheckState();

@@ -6,9 +6,9 @@ public struct bool3 : IEquatable<bool3>
     [MarshalAs(UnmanagedType.U1)] public bool y;
     [MarshalAs(UnmanagedType.U1)] public bool z;
 
-    [MethodImpl(Inlining.Always)] public bool3(bool x, bool y, bool z) => (this.x, this.y, this.z) = (x, y, z);
+    [MethodImpl(Inline)] public bool3(bool x, bool y, bool z) => (this.x, this.y, this.z) = (x, y, z);
 
-    [MethodImpl(Inlining.Always)] public bool Equals(bool3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
+    [MethodImpl(Inline)] public bool Equals(bool3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is bool3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

@@ -7,13 +7,12 @@ public struct bool4 : IEquatable<bool4>
     [MarshalAs(UnmanagedType.U1)] public bool z;
     [MarshalAs(UnmanagedType.U1)] public bool w;
 
-    [MethodImpl(Inlining.Always)]
-    public bool4(bool x, bool y, bool z, bool w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    [MethodImpl(Inline)] public bool4(bool x, bool y, bool z, bool w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool4 operator &(bool4 lhs, bool4 rhs) => new bool4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
 
-    [MethodImpl(Inlining.Always)] public bool Equals(bool4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
+    [MethodImpl(Inline)] public bool Equals(bool4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is bool4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(

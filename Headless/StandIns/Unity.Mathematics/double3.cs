@@ -4,102 +4,78 @@ public struct double3 : IEquatable<double3>, IFormattable
 {
     public double x, y, z;
 
-    [MethodImpl(Inlining.Always)] internal double3(double v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] public double3(double x, double y, double z) => (this.x, this.y, this.z) = (x, y, z);
-    [MethodImpl(Inlining.Always)] public double3(int v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] public double3(float v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] public double3(uint v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] public double3(double2 xy, double z) => (x, y, this.z) = (xy.x, xy.y, z);
-    [MethodImpl(Inlining.Always)] public double3(float3 v) => (x, y, z) = (v.x, v.y, v.z);
-    [MethodImpl(Inlining.Always)] public double3(int3 v) => (x, y, z) = (v.x, v.y, v.z);
+    [MethodImpl(Inline)] internal double3(double v) => x = y = z = v;
+    [MethodImpl(Inline)] public double3(double x, double y, double z) => (this.x, this.y, this.z) = (x, y, z);
+    [MethodImpl(Inline)] public double3(int v) => x = y = z = v;
+    [MethodImpl(Inline)] public double3(float v) => x = y = z = v;
+    [MethodImpl(Inline)] public double3(uint v) => x = y = z = v;
+    [MethodImpl(Inline)] public double3(double2 xy, double z) => (x, y, this.z) = (xy.x, xy.y, z);
+    [MethodImpl(Inline)] public double3(float3 v) => (x, y, z) = (v.x, v.y, v.z);
+    [MethodImpl(Inline)] public double3(int3 v) => (x, y, z) = (v.x, v.y, v.z);
 
-    [MethodImpl(Inlining.Always)] public static implicit operator double3(double v) => new double3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator double3(int v) => new double3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator double3(float v) => new double3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator double3(uint v) => new double3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator double3(float3 v) => new double3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator double3(int3 v) => new double3(v);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator +(double lhs, double3 rhs) => new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator +(double3 lhs, double rhs) => new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static implicit operator double3(double v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator double3(int v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator double3(float v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator double3(uint v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator double3(float3 v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator double3(int3 v) => new(v);
+    [MethodImpl(Inline)] public static double3 operator +(double lhs, double3 rhs) => new(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    [MethodImpl(Inline)] public static double3 operator +(double3 lhs, double rhs) => new(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    [MethodImpl(Inline)]
     public static double3 operator +(double3 lhs, double3 rhs) => new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator /(double lhs, double3 rhs) => new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator /(double3 lhs, double rhs) => new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static double3 operator /(double lhs, double3 rhs) => new(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+    [MethodImpl(Inline)] public static double3 operator /(double3 lhs, double rhs) => new(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+    [MethodImpl(Inline)]
     public static double3 operator /(double3 lhs, double3 rhs) => new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator ==(double lhs, double3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator ==(double3 lhs, double rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator ==(double3 lhs, double3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(double lhs, double3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(double3 lhs, double rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static bool3 operator >(double lhs, double3 rhs) => new(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+    [MethodImpl(Inline)] public static bool3 operator >(double3 lhs, double rhs) => new(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    [MethodImpl(Inline)]
     public static bool3 operator >(double3 lhs, double3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator >=(double lhs, double3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator >=(double3 lhs, double rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator >=(double3 lhs, double3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator !=(double lhs, double3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator !=(double3 lhs, double rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator !=(double3 lhs, double3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(double lhs, double3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(double3 lhs, double rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static bool3 operator <(double lhs, double3 rhs) => new(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+    [MethodImpl(Inline)] public static bool3 operator <(double3 lhs, double rhs) => new(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    [MethodImpl(Inline)]
     public static bool3 operator <(double3 lhs, double3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator <=(double lhs, double3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator <=(double3 lhs, double rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool3 operator <=(double3 lhs, double3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator *(double lhs, double3 rhs) => new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator *(double3 lhs, double rhs) => new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static double3 operator *(double lhs, double3 rhs) => new(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+    [MethodImpl(Inline)] public static double3 operator *(double3 lhs, double rhs) => new(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    [MethodImpl(Inline)]
     public static double3 operator *(double3 lhs, double3 rhs) => new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator -(double lhs, double3 rhs) => new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static double3 operator -(double3 lhs, double rhs) => new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static double3 operator -(double lhs, double3 rhs) => new(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+    [MethodImpl(Inline)] public static double3 operator -(double3 lhs, double rhs) => new(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+    [MethodImpl(Inline)]
     public static double3 operator -(double3 lhs, double3 rhs) => new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-    [MethodImpl(Inlining.Always)] public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
+    [MethodImpl(Inline)] public static double3 operator -(double3 val) => new(-val.x, -val.y, -val.z);
 
     public unsafe double this[int index]
     {
-        [MethodImpl(Inlining.Always)]
-        get
-        {
-            Components.Check(index, 3);
-            fixed (double* first = &x)
-                return first[index];
-        }
-        [MethodImpl(Inlining.Always)]
-        set
-        {
-            Components.Check(index, 3);
-            fixed (double* first = &x)
-                first[index] = value;
-        }
+        [MethodImpl(Inline)] get { fixed (double* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)] set { fixed (double* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
-    [MethodImpl(Inlining.Always)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
+    [MethodImpl(Inline)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is double3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(
@@ -113,31 +89,24 @@ public struct double3 : IEquatable<double3>, IFormattable
 
     public double2 xy
     {
-        [MethodImpl(Inlining.Always)]
-        get => new double2(x, y);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; y = value.y; }
+        [MethodImpl(Inline)] get => new double2(x, y);
+        [MethodImpl(Inline)] set { x = value.x; y = value.y; }
     }
 
     public double2 xz
     {
-        [MethodImpl(Inlining.Always)]
-        get => new double2(x, z);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; z = value.y; }
+        [MethodImpl(Inline)] get => new double2(x, z);
+        [MethodImpl(Inline)] set { x = value.x; z = value.y; }
     }
 
     public double2 yz
     {
-        [MethodImpl(Inlining.Always)]
-        get => new double2(y, z);
-        [MethodImpl(Inlining.Always)]
-        set { y = value.x; z = value.y; }
+        [MethodImpl(Inline)] get => new double2(y, z);
+        [MethodImpl(Inline)] set { y = value.x; z = value.y; }
     }
 
     internal double3 yzx
     {
-        [MethodImpl(Inlining.Always)]
-        get => new double3(y, z, x);
+        [MethodImpl(Inline)] get => new double3(y, z, x);
     }
 }

@@ -9,27 +9,21 @@ public struct double3x3 : IEquatable<double3x3>, IFormattable
         0.0, 1.0, 0.0,
         0.0, 0.0, 1.0);
 
-    [MethodImpl(Inlining.Always)]
-    public double3x3(double3 c0, double3 c1, double3 c2) => (this.c0, this.c1, this.c2) = (c0, c1, c2);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public double3x3(double3 c0, double3 c1, double3 c2) => (this.c0, this.c1, this.c2) = (c0, c1, c2);
+    [MethodImpl(Inline)]
     public double3x3(
         double m00, double m01, double m02,
         double m10, double m11, double m12,
         double m20, double m21, double m22) =>
         (c0, c1, c2) = (new double3(m00, m10, m20), new double3(m01, m11, m21), new double3(m02, m12, m22));
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static double3x3 operator *(double3x3 lhs, double rhs) => new double3x3(lhs.c0 * rhs, lhs.c1 * rhs, lhs.c2 * rhs);
 
     public unsafe ref double3 this[int index]
     {
-        [MethodImpl(Inlining.Always)]
-        get
-        {
-            Components.Check(index, 3);
-            fixed (double3x3* array = &this)
-                return ref ((double3*)array)[index];
-        }
+        [MethodImpl(Inline)]
+        get { fixed (double3x3* array = &this) return ref ((double3*)array)[Components.Checked(index, 3)]; }
     }
 
     public bool Equals(double3x3 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2);

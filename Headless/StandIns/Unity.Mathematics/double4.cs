@@ -4,40 +4,26 @@ public struct double4 : IEquatable<double4>, IFormattable
 {
     public double x, y, z, w;
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public double4(double x, double y, double z, double w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
-    [MethodImpl(Inlining.Always)] public double4(double3 xyz, double w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
-    [MethodImpl(Inlining.Always)] internal double4(float4 v) => (x, y, z, w) = (v.x, v.y, v.z, v.w);
+    [MethodImpl(Inline)] public double4(double3 xyz, double w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
+    [MethodImpl(Inline)] internal double4(float4 v) => (x, y, z, w) = (v.x, v.y, v.z, v.w);
 
-    [MethodImpl(Inlining.Always)] public static implicit operator double4(float4 v) => new double4(v);
-    [MethodImpl(Inlining.Always)]
-    public static double4 operator +(double4 lhs, double4 rhs) =>
-        new double4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static implicit operator double4(float4 v) => new(v);
+    [MethodImpl(Inline)]
+    public static double4 operator +(double4 lhs, double4 rhs) => new(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
+    [MethodImpl(Inline)]
     public static double4 operator *(double4 lhs, double rhs) => new double4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
-    [MethodImpl(Inlining.Always)]
-    public static double4 operator -(double4 lhs, double4 rhs) =>
-        new double4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
+    [MethodImpl(Inline)]
+    public static double4 operator -(double4 lhs, double4 rhs) => new(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
 
     public unsafe double this[int index]
     {
-        [MethodImpl(Inlining.Always)]
-        get
-        {
-            Components.Check(index, 4);
-            fixed (double* first = &x)
-                return first[index];
-        }
-        [MethodImpl(Inlining.Always)]
-        set
-        {
-            Components.Check(index, 4);
-            fixed (double* first = &x)
-                first[index] = value;
-        }
+        [MethodImpl(Inline)] get { fixed (double* first = &x) return first[Components.Checked(index, 4)]; }
+        [MethodImpl(Inline)] set { fixed (double* first = &x) first[Components.Checked(index, 4)] = value; }
     }
 
-    [MethodImpl(Inlining.Always)] public bool Equals(double4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
+    [MethodImpl(Inline)] public bool Equals(double4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is double4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(
@@ -51,9 +37,7 @@ public struct double4 : IEquatable<double4>, IFormattable
 
     public double3 xyz
     {
-        [MethodImpl(Inlining.Always)]
-        get => new double3(x, y, z);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)] get => new double3(x, y, z);
+        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
     }
 }

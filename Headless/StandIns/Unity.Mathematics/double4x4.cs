@@ -7,9 +7,9 @@ public struct double4x4 : IEquatable<double4x4>, IFormattable
     public static readonly double4x4 identity = new double4x4(
         new double4(1, 0, 0, 0), new double4(0, 1, 0, 0), new double4(0, 0, 1, 0), new double4(0, 0, 0, 1));
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public double4x4(double4 c0, double4 c1, double4 c2, double4 c3) => (this.c0, this.c1, this.c2, this.c3) = (c0, c1, c2, c3);
-    [MethodImpl(Inlining.Always)] public double4x4(float4x4 v) => (c0, c1, c2, c3) = (v.c0, v.c1, v.c2, v.c3);
+    [MethodImpl(Inline)] public double4x4(float4x4 v) => (c0, c1, c2, c3) = (v.c0, v.c1, v.c2, v.c3);
 
     public bool Equals(double4x4 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2) && c3.Equals(rhs.c3);
     public override bool Equals(object o) => o is double4x4 converted && Equals(converted);

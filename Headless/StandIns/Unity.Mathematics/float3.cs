@@ -6,70 +6,46 @@ public struct float3 : IEquatable<float3>, IFormattable
 
     public static readonly float3 zero;
 
-    [MethodImpl(Inlining.Always)] public float3(int v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] internal float3(float v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] public float3(float x, float y, float z) => (this.x, this.y, this.z) = (x, y, z);
-    [MethodImpl(Inlining.Always)] internal float3(uint v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] internal float3(double3 v) => (x, y, z) = ((float)v.x, (float)v.y, (float)v.z);
-    [MethodImpl(Inlining.Always)] public float3(float2 xy, float z) => (x, y, this.z) = (xy.x, xy.y, z);
+    [MethodImpl(Inline)] public float3(int v) => x = y = z = v;
+    [MethodImpl(Inline)] internal float3(float v) => x = y = z = v;
+    [MethodImpl(Inline)] public float3(float x, float y, float z) => (this.x, this.y, this.z) = (x, y, z);
+    [MethodImpl(Inline)] internal float3(uint v) => x = y = z = v;
+    [MethodImpl(Inline)] internal float3(double3 v) => (x, y, z) = ((float)v.x, (float)v.y, (float)v.z);
+    [MethodImpl(Inline)] public float3(float2 xy, float z) => (x, y, this.z) = (xy.x, xy.y, z);
 
-    [MethodImpl(Inlining.Always)] public static explicit operator float3(double3 v) => new float3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator float3(int v) => new float3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator float3(float v) => new float3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator float3(uint v) => new float3(v);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator +(float lhs, float3 rhs) => new float3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator +(float3 lhs, float rhs) => new float3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static explicit operator float3(double3 v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator float3(int v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator float3(float v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator float3(uint v) => new(v);
+    [MethodImpl(Inline)] public static float3 operator +(float lhs, float3 rhs) => new(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    [MethodImpl(Inline)] public static float3 operator +(float3 lhs, float rhs) => new(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    [MethodImpl(Inline)]
     public static float3 operator +(float3 lhs, float3 rhs) => new float3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator /(float lhs, float3 rhs) => new float3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator /(float3 lhs, float rhs) => new float3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static float3 operator /(float lhs, float3 rhs) => new(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+    [MethodImpl(Inline)] public static float3 operator /(float3 lhs, float rhs) => new(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+    [MethodImpl(Inline)]
     public static float3 operator /(float3 lhs, float3 rhs) => new float3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(float3 lhs, float rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(float3 lhs, float rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(float3 lhs, float rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(float3 lhs, float rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator *(float lhs, float3 rhs) => new float3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator *(float3 lhs, float rhs) => new float3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static bool3 operator >(float3 lhs, float rhs) => new(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    [MethodImpl(Inline)] public static bool3 operator >=(float3 lhs, float rhs) => new(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+    [MethodImpl(Inline)] public static bool3 operator <(float3 lhs, float rhs) => new(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    [MethodImpl(Inline)] public static bool3 operator <=(float3 lhs, float rhs) => new(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+    [MethodImpl(Inline)] public static float3 operator *(float lhs, float3 rhs) => new(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+    [MethodImpl(Inline)] public static float3 operator *(float3 lhs, float rhs) => new(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    [MethodImpl(Inline)]
     public static float3 operator *(float3 lhs, float3 rhs) => new float3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator -(float lhs, float3 rhs) => new float3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static float3 operator -(float3 lhs, float rhs) => new float3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static float3 operator -(float lhs, float3 rhs) => new(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+    [MethodImpl(Inline)] public static float3 operator -(float3 lhs, float rhs) => new(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+    [MethodImpl(Inline)]
     public static float3 operator -(float3 lhs, float3 rhs) => new float3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-    [MethodImpl(Inlining.Always)] public static float3 operator -(float3 val) => new float3(-val.x, -val.y, -val.z);
+    [MethodImpl(Inline)] public static float3 operator -(float3 val) => new(-val.x, -val.y, -val.z);
 
     public unsafe float this[int index]
     {
-        [MethodImpl(Inlining.Always)]
-        get
-        {
-            Components.Check(index, 3);
-            fixed (float* first = &x)
-                return first[index];
-        }
-        [MethodImpl(Inlining.Always)]
-        set
-        {
-            Components.Check(index, 3);
-            fixed (float* first = &x)
-                first[index] = value;
-        }
+        [MethodImpl(Inline)] get { fixed (float* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)] set { fixed (float* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
-    [MethodImpl(Inlining.Always)] public bool Equals(float3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
+    [MethodImpl(Inline)] public bool Equals(float3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is float3 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(
@@ -82,15 +58,12 @@ public struct float3 : IEquatable<float3>, IFormattable
 
     public float2 xy
     {
-        [MethodImpl(Inlining.Always)]
-        get => new float2(x, y);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; y = value.y; }
+        [MethodImpl(Inline)] get => new float2(x, y);
+        [MethodImpl(Inline)] set { x = value.x; y = value.y; }
     }
 
     internal float3 yzx
     {
-        [MethodImpl(Inlining.Always)]
-        get => new float3(y, z, x);
+        [MethodImpl(Inline)] get => new float3(y, z, x);
     }
 }

@@ -4,14 +4,12 @@ public struct float4 : IEquatable<float4>, IFormattable
 {
     public float x, y, z, w;
 
-    [MethodImpl(Inlining.Always)]
-    public float4(float x, float y, float z, float w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
-    [MethodImpl(Inlining.Always)]
-    internal float4(double4 v) => (x, y, z, w) = ((float)v.x, (float)v.y, (float)v.z, (float)v.w);
-    [MethodImpl(Inlining.Always)] internal float4(float3 xyz, float w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
+    [MethodImpl(Inline)] public float4(float x, float y, float z, float w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    [MethodImpl(Inline)] internal float4(double4 v) => (x, y, z, w) = ((float)v.x, (float)v.y, (float)v.z, (float)v.w);
+    [MethodImpl(Inline)] internal float4(float3 xyz, float w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
 
-    [MethodImpl(Inlining.Always)] public static explicit operator float4(double4 v) => new float4(v);
-    [MethodImpl(Inlining.Always)] public bool Equals(float4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
+    [MethodImpl(Inline)] public static explicit operator float4(double4 v) => new(v);
+    [MethodImpl(Inline)] public bool Equals(float4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is float4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(
@@ -25,9 +23,7 @@ public struct float4 : IEquatable<float4>, IFormattable
 
     public float3 xyz
     {
-        [MethodImpl(Inlining.Always)]
-        get => new float3(x, y, z);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)] get => new float3(x, y, z);
+        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
     }
 }

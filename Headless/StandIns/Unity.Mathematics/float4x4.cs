@@ -7,7 +7,7 @@ public struct float4x4 : IEquatable<float4x4>, IFormattable
     public static readonly float4x4 identity = new float4x4(
         new float4(1, 0, 0, 0), new float4(0, 1, 0, 0), new float4(0, 0, 1, 0), new float4(0, 0, 0, 1));
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public float4x4(float4 c0, float4 c1, float4 c2, float4 c3) => (this.c0, this.c1, this.c2, this.c3) = (c0, c1, c2, c3);
 
     public static float4x4 Translate(float3 vector) => new float4x4(

@@ -4,67 +4,42 @@ public struct int3 : IEquatable<int3>, IFormattable
 {
     public int x, y, z;
 
-    [MethodImpl(Inlining.Always)] public int3(int v) => x = y = z = v;
-    [MethodImpl(Inlining.Always)] public int3(int x, int y, int z) => (this.x, this.y, this.z) = (x, y, z);
-    [MethodImpl(Inlining.Always)] internal int3(double3 v) => (x, y, z) = ((int)v.x, (int)v.y, (int)v.z);
-    [MethodImpl(Inlining.Always)] internal int3(float3 v) => (x, y, z) = ((int)v.x, (int)v.y, (int)v.z);
-    [MethodImpl(Inlining.Always)] public int3(int2 xy, int z) => (x, y, this.z) = (xy.x, xy.y, z);
-    [MethodImpl(Inlining.Always)] public int3(int3 xyz) => (x, y, z) = (xyz.x, xyz.y, xyz.z);
+    [MethodImpl(Inline)] public int3(int v) => x = y = z = v;
+    [MethodImpl(Inline)] public int3(int x, int y, int z) => (this.x, this.y, this.z) = (x, y, z);
+    [MethodImpl(Inline)] internal int3(double3 v) => (x, y, z) = ((int)v.x, (int)v.y, (int)v.z);
+    [MethodImpl(Inline)] internal int3(float3 v) => (x, y, z) = ((int)v.x, (int)v.y, (int)v.z);
+    [MethodImpl(Inline)] public int3(int2 xy, int z) => (x, y, this.z) = (xy.x, xy.y, z);
+    [MethodImpl(Inline)] public int3(int3 xyz) => (x, y, z) = (xyz.x, xyz.y, xyz.z);
 
-    [MethodImpl(Inlining.Always)] public static explicit operator int3(double3 v) => new int3(v);
-    [MethodImpl(Inlining.Always)] public static explicit operator int3(float3 v) => new int3(v);
-    [MethodImpl(Inlining.Always)] public static implicit operator int3(int v) => new int3(v);
-    [MethodImpl(Inlining.Always)]
-    public static int3 operator +(int lhs, int3 rhs) => new int3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static int3 operator +(int3 lhs, int rhs) => new int3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-    [MethodImpl(Inlining.Always)]
-    public static int3 operator +(int3 lhs, int3 rhs) => new int3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(int lhs, int3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator ==(int3 lhs, int rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static explicit operator int3(double3 v) => new(v);
+    [MethodImpl(Inline)] public static explicit operator int3(float3 v) => new(v);
+    [MethodImpl(Inline)] public static implicit operator int3(int v) => new(v);
+    [MethodImpl(Inline)] public static int3 operator +(int lhs, int3 rhs) => new(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+    [MethodImpl(Inline)] public static int3 operator +(int3 lhs, int rhs) => new(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+    [MethodImpl(Inline)] public static int3 operator +(int3 lhs, int3 rhs) => new(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    [MethodImpl(Inline)] public static bool3 operator ==(int lhs, int3 rhs) => new(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+    [MethodImpl(Inline)] public static bool3 operator ==(int3 lhs, int rhs) => new(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+    [MethodImpl(Inline)]
     public static bool3 operator ==(int3 lhs, int3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator >(int3 lhs, int rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator >=(int3 lhs, int rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(int lhs, int3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator !=(int3 lhs, int rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)] public static bool3 operator >(int3 lhs, int rhs) => new(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+    [MethodImpl(Inline)] public static bool3 operator >=(int3 lhs, int rhs) => new(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+    [MethodImpl(Inline)] public static bool3 operator !=(int lhs, int3 rhs) => new(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+    [MethodImpl(Inline)] public static bool3 operator !=(int3 lhs, int rhs) => new(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+    [MethodImpl(Inline)]
     public static bool3 operator !=(int3 lhs, int3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator <(int3 lhs, int rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool3 operator <=(int3 lhs, int rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-    [MethodImpl(Inlining.Always)]
-    public static int3 operator %(int3 lhs, int rhs) => new int3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
-    [MethodImpl(Inlining.Always)]
-    public static int3 operator *(int3 lhs, int rhs) => new int3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-    [MethodImpl(Inlining.Always)] public static int3 operator >>(int3 x, int n) => new int3(x.x >> n, x.y >> n, x.z >> n);
+    [MethodImpl(Inline)] public static bool3 operator <(int3 lhs, int rhs) => new(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+    [MethodImpl(Inline)] public static bool3 operator <=(int3 lhs, int rhs) => new(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+    [MethodImpl(Inline)] public static int3 operator %(int3 lhs, int rhs) => new(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
+    [MethodImpl(Inline)] public static int3 operator *(int3 lhs, int rhs) => new(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+    [MethodImpl(Inline)] public static int3 operator >>(int3 x, int n) => new(x.x >> n, x.y >> n, x.z >> n);
 
     public unsafe int this[int index]
     {
-        [MethodImpl(Inlining.Always)]
-        get
-        {
-            Components.Check(index, 3);
-            fixed (int* first = &x)
-                return first[index];
-        }
-        [MethodImpl(Inlining.Always)]
-        set
-        {
-            Components.Check(index, 3);
-            fixed (int* first = &x)
-                first[index] = value;
-        }
+        [MethodImpl(Inline)] get { fixed (int* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)] set { fixed (int* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
-    [MethodImpl(Inlining.Always)] public bool Equals(int3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
+    [MethodImpl(Inline)] public bool Equals(int3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is int3 converted && Equals(converted);
 
     public override int GetHashCode() =>
@@ -77,17 +52,13 @@ public struct int3 : IEquatable<int3>, IFormattable
 
     public int2 xy
     {
-        [MethodImpl(Inlining.Always)]
-        get => new int2(x, y);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; y = value.y; }
+        [MethodImpl(Inline)] get => new int2(x, y);
+        [MethodImpl(Inline)] set { x = value.x; y = value.y; }
     }
 
     public int3 xyz
     {
-        [MethodImpl(Inlining.Always)]
-        get => new int3(x, y, z);
-        [MethodImpl(Inlining.Always)]
-        set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)] get => new int3(x, y, z);
+        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
     }
 }

@@ -2,11 +2,10 @@ namespace Unity.Mathematics;
 
 public static partial class math
 {
-    [MethodImpl(Inlining.Always)] public static double3 mul(double3x3 a, double3 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z;
-    [MethodImpl(Inlining.Always)]
-    public static double3x3 mul(double3x3 a, double3x3 b) => new double3x3(mul(a, b.c0), mul(a, b.c1), mul(a, b.c2));
+    [MethodImpl(Inline)] public static double3 mul(double3x3 a, double3 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z;
+    [MethodImpl(Inline)] public static double3x3 mul(double3x3 a, double3x3 b) => new(mul(a, b.c0), mul(a, b.c1), mul(a, b.c2));
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static double3x3 transpose(double3x3 v) =>
         new double3x3(
             v.c0.x, v.c0.y, v.c0.z,
@@ -26,6 +25,5 @@ public static partial class math
         return new double3x3(r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, r2.x, r2.y, r2.z) * rcpDet;
     }
 
-    [MethodImpl(Inlining.Always)]
-    public static double4 mul(double4x4 a, double4 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z + a.c3 * b.w;
+    [MethodImpl(Inline)] public static double4 mul(double4x4 a, double4 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z + a.c3 * b.w;
 }

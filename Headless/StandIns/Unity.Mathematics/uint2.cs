@@ -4,9 +4,9 @@ public struct uint2 : IEquatable<uint2>, IFormattable
 {
     public uint x, y;
 
-    [MethodImpl(Inlining.Always)] public uint2(uint x, uint y) => (this.x, this.y) = (x, y);
+    [MethodImpl(Inline)] public uint2(uint x, uint y) => (this.x, this.y) = (x, y);
 
-    [MethodImpl(Inlining.Always)] public bool Equals(uint2 rhs) => x == rhs.x && y == rhs.y;
+    [MethodImpl(Inline)] public bool Equals(uint2 rhs) => x == rhs.x && y == rhs.y;
     public override bool Equals(object o) => o is uint2 converted && Equals(converted);
     public override int GetHashCode() => (int)(x * 0x4473BBB1u + y * 0xCBA11D5Fu + 0x685835CFu);
     public override string ToString() => ToString(null, null);

@@ -4,42 +4,27 @@ public struct uint4 : IEquatable<uint4>, IFormattable
 {
     public uint x, y, z, w;
 
-    [MethodImpl(Inlining.Always)]
-    internal uint4(uint x, uint y, uint z, uint w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
+    [MethodImpl(Inline)] internal uint4(uint x, uint y, uint z, uint w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
 
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static uint4 operator |(uint4 lhs, uint4 rhs) => new uint4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
     public static bool4 operator ==(uint4 lhs, uint rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool4 operator ==(uint4 lhs, uint4 rhs) =>
-        new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-    [MethodImpl(Inlining.Always)]
+    [MethodImpl(Inline)]
+    public static bool4 operator ==(uint4 lhs, uint4 rhs) => new(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
+    [MethodImpl(Inline)]
     public static bool4 operator !=(uint4 lhs, uint rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
-    [MethodImpl(Inlining.Always)]
-    public static bool4 operator !=(uint4 lhs, uint4 rhs) =>
-        new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
-    [MethodImpl(Inlining.Always)] public static uint4 operator ~(uint4 val) => new uint4(~val.x, ~val.y, ~val.z, ~val.w);
+    [MethodImpl(Inline)]
+    public static bool4 operator !=(uint4 lhs, uint4 rhs) => new(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
+    [MethodImpl(Inline)] public static uint4 operator ~(uint4 val) => new(~val.x, ~val.y, ~val.z, ~val.w);
 
     public unsafe uint this[int index]
     {
-        [MethodImpl(Inlining.Always)]
-        get
-        {
-            Components.Check(index, 4);
-            fixed (uint* first = &x)
-                return first[index];
-        }
-        [MethodImpl(Inlining.Always)]
-        set
-        {
-            Components.Check(index, 4);
-            fixed (uint* first = &x)
-                first[index] = value;
-        }
+        [MethodImpl(Inline)] get { fixed (uint* first = &x) return first[Components.Checked(index, 4)]; }
+        [MethodImpl(Inline)] set { fixed (uint* first = &x) first[Components.Checked(index, 4)] = value; }
     }
 
-    [MethodImpl(Inlining.Always)] public bool Equals(uint4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
+    [MethodImpl(Inline)] public bool Equals(uint4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is uint4 converted && Equals(converted);
 
     public override int GetHashCode() =>

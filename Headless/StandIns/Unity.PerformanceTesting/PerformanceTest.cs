@@ -5,10 +5,7 @@ public class PerformanceTest
 {
     public List<SampleGroup> SampleGroups = new List<SampleGroup>();
 
-    public PerformanceTest()
-    {
-        Active = this;
-    }
+    public PerformanceTest() => Active = this;
 
     public static PerformanceTest Active { get; set; }
 

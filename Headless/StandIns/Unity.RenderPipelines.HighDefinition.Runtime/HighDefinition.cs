@@ -17,13 +17,8 @@ public struct CustomPassContext
     public readonly RTHandle cameraColorBuffer;
     public readonly RTHandle cameraDepthBuffer;
 
-    internal CustomPassContext(CommandBuffer commands, HDCamera camera, RTHandle color, RTHandle depth)
-    {
-        cmd = commands;
-        hdCamera = camera;
-        cameraColorBuffer = color;
-        cameraDepthBuffer = depth;
-    }
+    internal CustomPassContext(CommandBuffer commands, HDCamera camera, RTHandle color, RTHandle depth) =>
+        (cmd, hdCamera, cameraColorBuffer, cameraDepthBuffer) = (commands, camera, color, depth);
 }
 
 public abstract class CustomPass

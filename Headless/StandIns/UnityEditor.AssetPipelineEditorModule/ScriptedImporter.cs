@@ -7,11 +7,8 @@ public class ScriptedImporterAttribute : Attribute
 {
     public ScriptedImporterAttribute(int version, string ext) : this(version, new[] { ext }, null) { }
 
-    public ScriptedImporterAttribute(int version, string[] exts, string[] overrideExts)
-    {
-        fileExtensions = exts;
-        overrideFileExtensions = overrideExts;
-    }
+    public ScriptedImporterAttribute(int version, string[] exts, string[] overrideExts) =>
+        (fileExtensions, overrideFileExtensions) = (exts, overrideExts);
 
     public bool AllowCaching;
 

@@ -7,10 +7,7 @@ public class AssetImportContext
     internal readonly List<string> Warnings = new List<string>();
     readonly Dictionary<string, Object> m_objects = new Dictionary<string, Object>();
 
-    internal AssetImportContext(string assetPath)
-    {
-        this.assetPath = assetPath;
-    }
+    internal AssetImportContext(string assetPath) => this.assetPath = assetPath;
 
     public string assetPath { get; }
     public Object mainObject { get; private set; }

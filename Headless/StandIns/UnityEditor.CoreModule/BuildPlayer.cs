@@ -24,10 +24,7 @@ namespace UnityEditor.Build
 
         readonly Dictionary<string, string> m_files = new Dictionary<string, string>();
 
-        internal BuildPlayerContext(BuildPlayerOptions options)
-        {
-            BuildPlayerOptions = options;
-        }
+        internal BuildPlayerContext(BuildPlayerOptions options) => BuildPlayerOptions = options;
 
         public BuildPlayerOptions BuildPlayerOptions { get; }
 

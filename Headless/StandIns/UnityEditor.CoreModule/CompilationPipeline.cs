@@ -4,11 +4,7 @@ public enum AssembliesType { Editor = 0, Player = 1, PlayerWithoutTestAssemblies
 
 public class Assembly
 {
-    internal Assembly(string name, params string[] sourceFiles)
-    {
-        this.name = name;
-        this.sourceFiles = sourceFiles;
-    }
+    internal Assembly(string name, params string[] sourceFiles) => (this.name, this.sourceFiles) = (name, sourceFiles);
 
     public string name { get; }
     public string[] sourceFiles { get; }

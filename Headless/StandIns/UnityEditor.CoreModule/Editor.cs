@@ -75,12 +75,8 @@ public sealed class MenuItem : Attribute
 
     public MenuItem(string itemName) : this(itemName, false, 1000) { }
 
-    public MenuItem(string itemName, bool isValidateFunction, int priority)
-    {
-        menuItem = itemName;
-        validate = isValidateFunction;
-        this.priority = priority;
-    }
+    public MenuItem(string itemName, bool isValidateFunction, int priority) =>
+        (menuItem, validate, this.priority) = (itemName, isValidateFunction, priority);
 }
 
 [AttributeUsage(AttributeTargets.Class)]

@@ -25,10 +25,7 @@ public static class TypeCache
     {
         readonly MethodInfo[] m_methods;
 
-        internal MethodCollection(MethodInfo[] methods)
-        {
-            m_methods = methods;
-        }
+        internal MethodCollection(MethodInfo[] methods) => m_methods = methods;
 
         public int Count => m_methods.Length;
 

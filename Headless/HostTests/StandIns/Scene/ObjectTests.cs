@@ -130,30 +130,20 @@ public sealed class ObjectTests
         public int Kept;
 
         void Awake() => s_told.Add("Awake");
-
         void OnEnable() => s_told.Add("OnEnable");
-
         void Reset() => s_told.Add("Reset");
-
         void Start() => s_told.Add("Start");
-
         void Update() => s_told.Add("Update");
-
         void OnDisable() => s_told.Add("OnDisable");
-
         void OnDestroy() => s_told.Add("OnDestroy");
     }
 
     sealed class Told : MonoBehaviour
     {
         void Awake() => s_told.Add("Awake");
-
         void OnEnable() => s_told.Add("OnEnable");
-
         void Reset() => s_told.Add("Reset");
-
         void OnDisable() => s_told.Add("OnDisable");
-
         void OnDestroy() => s_told.Add("OnDestroy");
     }
 

@@ -27,10 +27,7 @@ namespace Unity.Collections
         }
 
         public NativeReference(T value, AllocatorManager.AllocatorHandle allocator)
-            : this(allocator, NativeArrayOptions.UninitializedMemory)
-        {
-            *m_Data = value;
-        }
+            : this(allocator, NativeArrayOptions.UninitializedMemory) => *m_Data = value;
 
         public T Value
         {

@@ -7,10 +7,7 @@ public readonly struct FileHandle
     readonly int m_Index;
     readonly int m_Version;
 
-    internal FileHandle(OpenFile file)
-    {
-        (m_Index, m_Version) = All.Add(file);
-    }
+    internal FileHandle(OpenFile file) => (m_Index, m_Version) = All.Add(file);
 
     /// <summary>Done when the file is open, or could not be opened.</summary>
     public JobHandle JobHandle => Find("JobHandle").Opened;

@@ -31,7 +31,6 @@ sealed unsafe class OpenFile
     }
 
     internal FileStatus Status { get; private set; }
-
     internal JobHandle Opened { get; }
 
     internal static OpenFile Begin(string path)

@@ -5,19 +5,13 @@ public unsafe struct ReadHandle : IDisposable
     internal int m_Index;
     internal int m_Version;
 
-    internal ReadHandle(ReadRequest request)
-    {
-        (m_Index, m_Version) = ReadRequest.All.Add(request);
-    }
+    internal ReadHandle(ReadRequest request) => (m_Index, m_Version) = ReadRequest.All.Add(request);
 
     public JobHandle JobHandle => Find("JobHandle").JobHandle;
-
     public ReadStatus Status => Find("Status").Status;
-
     public long ReadCount => Find("ReadCount").Count;
 
     public bool IsValid() => ReadRequest.All.Find(m_Index, m_Version) != null;
-
     public void Cancel() => Find("Cancel").Cancel();
 
     /// <summary>Bytes of all commands.</summary>

@@ -40,17 +40,11 @@ sealed unsafe class ReadRequest
         return request;
     }
 
-    ReadRequest()
-    {
-        m_read = Read;
-    }
+    ReadRequest() => m_read = Read;
 
     internal JobHandle JobHandle { get; private set; }
-
     internal int Count => m_count;
-
     internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
-
     internal ulong* BytesRead => m_bytesRead;
 
     internal void Cancel() => Volatile.Write(ref m_cancelled, true);
@@ -68,7 +62,6 @@ sealed unsafe class ReadRequest
     }
 
     internal void Enqueue() => IoThreads.Enqueue(m_read);
-
     internal void EnqueueInfo(FileInfoResult* result) => IoThreads.Enqueue(() => ReadInfo(result));
 
     internal void Free()

@@ -86,18 +86,6 @@ static unsafe class AllocationLedger
         }
     }
 
-    /// <summary>Bytes alive, of all allocators.</summary>
-    internal static long LiveBytes()
-    {
-        lock (s_lock)
-        {
-            long bytes = 0;
-            foreach (Entry entry in s_entries.Values)
-                bytes += entry.Size;
-            return bytes;
-        }
-    }
-
     /// <summary>Ends a frame on the main thread; the host's stand-in for the player loop.</summary>
     /// <exception cref="InvalidOperationException">TempJob memory is older than it may be; Unity logs the same.</exception>
     internal static void AdvanceFrame()

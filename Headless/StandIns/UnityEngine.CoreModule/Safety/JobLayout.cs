@@ -85,9 +85,7 @@ sealed class JobLayout
                 Add(fieldType, path);
             }
             else if (fieldType.IsValueType && !fieldType.IsPrimitive && !fieldType.IsEnum)
-            {
                 Walk(fieldType, path, ref refusal);
-            }
             path.RemoveAt(path.Count - 1);
         }
     }

@@ -20,11 +20,7 @@ sealed unsafe class JobRecord
     static long s_visit;
     static readonly Stack<JobRecord> s_stack = new Stack<JobRecord>();
 
-    JobRecord(string name, JobRecord[] dependencies)
-    {
-        Name = name;
-        m_dependencies = dependencies;
-    }
+    JobRecord(string name, JobRecord[] dependencies) => (Name, m_dependencies) = (name, dependencies);
 
     internal JobHandle Handle { get; private set; }
 

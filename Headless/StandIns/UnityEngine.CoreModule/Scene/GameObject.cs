@@ -14,23 +14,8 @@ public sealed class GameObject : Object
         SceneLoop.Objects.Add(this);
     }
 
-    public Transform transform
-    {
-        get
-        {
-            CheckIsThere();
-            return m_transform;
-        }
-    }
-
-    public bool activeSelf
-    {
-        get
-        {
-            CheckIsThere();
-            return m_isActive;
-        }
-    }
+    public Transform transform => There(m_transform);
+    public bool activeSelf => There(m_isActive);
 
     public bool activeInHierarchy =>
         activeSelf && (m_transform.Parent is null || m_transform.Parent.gameObject.activeInHierarchy);

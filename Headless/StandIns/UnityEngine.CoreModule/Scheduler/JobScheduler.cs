@@ -174,9 +174,7 @@ static unsafe class JobScheduler
             version = node.Version;
         }
         else if (!JobQueue.TryPop(out node, out version))
-        {
             return false;
-        }
         RunBatches(node, version);
         return true;
     }

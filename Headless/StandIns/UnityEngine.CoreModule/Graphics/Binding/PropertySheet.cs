@@ -10,8 +10,6 @@ sealed class PropertySheet
     readonly Dictionary<int, float[]> m_arrays = new Dictionary<int, float[]>();
     readonly Dictionary<int, PropertyValue> m_values = new Dictionary<int, PropertyValue>();
 
-    internal bool IsEmpty => m_values.Count == 0;
-
     internal void Clear() => m_values.Clear();
 
     internal void CopyFrom(PropertySheet other)

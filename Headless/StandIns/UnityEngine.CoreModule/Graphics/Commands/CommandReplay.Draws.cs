@@ -44,20 +44,12 @@ sealed unsafe partial class CommandReplay
             Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
     }
 
-    static VkPrimitiveTopology TopologyOf(MeshTopology topology)
+    static VkPrimitiveTopology TopologyOf(MeshTopology topology) => topology switch
     {
-        switch (topology)
-        {
-            case MeshTopology.Triangles:
-                return VkPrimitiveTopology.TriangleList;
-            case MeshTopology.Lines:
-                return VkPrimitiveTopology.LineList;
-            case MeshTopology.LineStrip:
-                return VkPrimitiveTopology.LineStrip;
-            case MeshTopology.Points:
-                return VkPrimitiveTopology.PointList;
-            default:
-                throw new NotSupportedException($"MeshTopology.{topology}: not every API has it");
-        }
-    }
+        MeshTopology.Triangles => VkPrimitiveTopology.TriangleList,
+        MeshTopology.Lines => VkPrimitiveTopology.LineList,
+        MeshTopology.LineStrip => VkPrimitiveTopology.LineStrip,
+        MeshTopology.Points => VkPrimitiveTopology.PointList,
+        _ => throw new NotSupportedException($"MeshTopology.{topology}: not every API has it"),
+    };
 }

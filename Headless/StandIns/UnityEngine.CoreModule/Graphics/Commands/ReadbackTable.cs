@@ -38,13 +38,6 @@ static unsafe class ReadbackTable
         return entry.Data<T>(layer);
     }
 
-    internal static void WaitAll()
-    {
-        // A callback may ask for another.
-        for (int i = 0; i < s_ids.Count; i++)
-            Find(s_ids[i]).Wait();
-    }
-
     /// <summary>Looks which are done; the data of those that were done before this frame goes.</summary>
     internal static void EndFrame()
     {

@@ -9,12 +9,7 @@ sealed unsafe class GpuBuffer
     /// <summary>The last submission that may touch it.</summary>
     internal ulong LastUse;
 
-    GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation)
-    {
-        Handle = handle;
-        Bytes = bytes;
-        Allocation = allocation;
-    }
+    GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation) => (Handle, Bytes, Allocation) = (handle, bytes, allocation);
 
     internal byte* Mapped => Allocation.Mapped;
 

@@ -35,8 +35,6 @@ sealed unsafe class GpuMemory
         }
     }
 
-    internal VkPhysicalDeviceMemoryProperties Properties => m_properties;
-
     /// <summary>A part that fits, or one with no memory where there is none.</summary>
     /// <param name="wanted">What the memory must be; <paramref name="liked"/> what it had better be.</param>
     internal GpuAllocation Allocate(VkMemoryRequirements needs, bool isImage, VkMemoryPropertyFlags wanted,

@@ -17,11 +17,7 @@ public class Object
 
     public string name
     {
-        get
-        {
-            CheckIsThere();
-            return m_name;
-        }
+        get => There(m_name);
         set
         {
             CheckIsThere();
@@ -31,11 +27,7 @@ public class Object
 
     public HideFlags hideFlags
     {
-        get
-        {
-            CheckIsThere();
-            return m_hideFlags;
-        }
+        get => There(m_hideFlags);
         set
         {
             CheckIsThere();
@@ -84,6 +76,12 @@ public class Object
         if (m_isDestroyed)
             throw new MissingReferenceException("The object of type '" + GetType().FullName +
                 "' has been destroyed but you are still trying to access it.");
+    }
+
+    internal T There<T>(T value)
+    {
+        CheckIsThere();
+        return value;
     }
 
     /// <summary>Whether it is null or destroyed. An asset that is destroyed may have come back, which only the main thread

@@ -24,5 +24,4 @@ public sealed class SystemInfo
     };
 
     static bool HasDevice => GpuDevice.TryGet(out _) != null;
-    static int StorageBuffers => (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
 }

@@ -5,10 +5,7 @@ public struct AsyncGPUReadbackRequest
 {
     int m_id;
 
-    internal AsyncGPUReadbackRequest(int id)
-    {
-        m_id = id;
-    }
+    internal AsyncGPUReadbackRequest(int id) => m_id = id;
 
     /// <summary>Looked up each time; a request whose data is gone is done, with an error.</summary>
     public bool done => ReadbackTable.Find(m_id)?.IsDone ?? true;

@@ -2,10 +2,7 @@ namespace UnityEngine.Rendering;
 
 public readonly struct LocalKeyword
 {
-    internal LocalKeyword(string name)
-    {
-        this.name = name;
-    }
+    internal LocalKeyword(string name) => this.name = name;
 
     public string name { get; }
 }
@@ -15,10 +12,7 @@ public readonly struct LocalKeywordSpace
 {
     readonly ShaderLabSource m_source;
 
-    internal LocalKeywordSpace(ShaderLabSource source)
-    {
-        m_source = source;
-    }
+    internal LocalKeywordSpace(ShaderLabSource source) => m_source = source;
 
     public LocalKeyword[] keywords => m_source.Passes.SelectMany(p => p.Keywords).SelectMany(g => g.Keywords)
         .Where(k => k != null).Distinct().Select(k => new LocalKeyword(k)).ToArray();

@@ -10,12 +10,7 @@ sealed class KeywordGroup
 
     readonly string m_stage;
 
-    KeywordGroup(string[] keywords, bool isLocal, string stage)
-    {
-        Keywords = keywords;
-        IsLocal = isLocal;
-        m_stage = stage;
-    }
+    KeywordGroup(string[] keywords, bool isLocal, string stage) => (Keywords, IsLocal, m_stage) = (keywords, isLocal, stage);
 
     /// <summary>Reads a pragma's words; null where it declares no keywords.</summary>
     internal static KeywordGroup TryRead(string[] words)

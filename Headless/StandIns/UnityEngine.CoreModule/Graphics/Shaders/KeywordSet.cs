@@ -22,6 +22,4 @@ sealed class KeywordSet
         m_names.Clear();
         m_names.UnionWith(other.m_names);
     }
-
-    internal void Clear() => m_names.Clear();
 }

@@ -96,57 +96,32 @@ sealed class RenderState
     };
 
     // Near is 1 here and far 0: what is less far is greater.
-    static VkCompareOp Reversed(int test)
+    static VkCompareOp Reversed(int test) => test switch
     {
-        switch (test)
-        {
-            case 1:
-                return VkCompareOp.Never;
-            case 2:
-                return VkCompareOp.Greater;
-            case 3:
-                return VkCompareOp.Equal;
-            case 4:
-                return VkCompareOp.GreaterOrEqual;
-            case 5:
-                return VkCompareOp.Less;
-            case 6:
-                return VkCompareOp.NotEqual;
-            case 7:
-                return VkCompareOp.LessOrEqual;
-            default:
-                return VkCompareOp.Always;
-        }
-    }
+        1 => VkCompareOp.Never,
+        2 => VkCompareOp.Greater,
+        3 => VkCompareOp.Equal,
+        4 => VkCompareOp.GreaterOrEqual,
+        5 => VkCompareOp.Less,
+        6 => VkCompareOp.NotEqual,
+        7 => VkCompareOp.LessOrEqual,
+        _ => VkCompareOp.Always,
+    };
 
-    static VkBlendFactor Factor(int factor)
+    static VkBlendFactor Factor(int factor) => factor switch
     {
-        switch (factor)
-        {
-            case 0:
-                return VkBlendFactor.Zero;
-            case 1:
-                return VkBlendFactor.One;
-            case 2:
-                return VkBlendFactor.DstColor;
-            case 3:
-                return VkBlendFactor.SrcColor;
-            case 4:
-                return VkBlendFactor.OneMinusDstColor;
-            case 5:
-                return VkBlendFactor.SrcAlpha;
-            case 6:
-                return VkBlendFactor.OneMinusSrcColor;
-            case 7:
-                return VkBlendFactor.DstAlpha;
-            case 8:
-                return VkBlendFactor.OneMinusDstAlpha;
-            case 9:
-                return VkBlendFactor.SrcAlphaSaturate;
-            default:
-                return VkBlendFactor.OneMinusSrcAlpha;
-        }
-    }
+        0 => VkBlendFactor.Zero,
+        1 => VkBlendFactor.One,
+        2 => VkBlendFactor.DstColor,
+        3 => VkBlendFactor.SrcColor,
+        4 => VkBlendFactor.OneMinusDstColor,
+        5 => VkBlendFactor.SrcAlpha,
+        6 => VkBlendFactor.OneMinusSrcColor,
+        7 => VkBlendFactor.DstAlpha,
+        8 => VkBlendFactor.OneMinusDstAlpha,
+        9 => VkBlendFactor.SrcAlphaSaturate,
+        _ => VkBlendFactor.OneMinusSrcAlpha,
+    };
 
     void ReadBlend(ShaderLabTokens tokens)
     {

@@ -9,10 +9,7 @@ sealed class ShaderLabReader
     readonly ShaderLabTokens m_tokens;
     ShaderLabSource m_shader;
 
-    ShaderLabReader(string path)
-    {
-        m_tokens = new ShaderLabTokens(path, File.ReadAllText(path));
-    }
+    ShaderLabReader(string path) => m_tokens = new ShaderLabTokens(path, File.ReadAllText(path));
 
     /// <exception cref="InvalidDataException">Names the file and the line.</exception>
     internal static ShaderLabSource Read(string path) => new ShaderLabReader(path).ReadShader(new ShaderFiles(path));

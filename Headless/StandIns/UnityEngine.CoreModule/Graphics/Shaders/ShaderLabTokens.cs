@@ -86,17 +86,12 @@ sealed class ShaderLabTokens
         int end = at;
         while (end < text.Length && IsPartOfWord(text[end]))
             end++;
-        switch (text[at..end])
+        return text[at..end] switch
         {
-            case "HLSLPROGRAM":
-            case "HLSLINCLUDE":
-                return After(text, "ENDHLSL", end);
-            case "CGPROGRAM":
-            case "CGINCLUDE":
-                return After(text, "ENDCG", end);
-            default:
-                return end;
-        }
+            "HLSLPROGRAM" or "HLSLINCLUDE" => After(text, "ENDHLSL", end),
+            "CGPROGRAM" or "CGINCLUDE" => After(text, "ENDCG", end),
+            _ => end,
+        };
     }
 
     static int After(string text, string word, int from)

@@ -17,28 +17,17 @@ static class SpirvImageFormats
     static readonly HashSet<uint> s_assumed = new HashSet<uint> { 1, 6, 3 };
 
     /// <summary>Formats of SPIR-V that a shader can name; Undefined for those that the stand-ins do not know.</summary>
-    internal static VkFormat Vulkan(uint format)
+    internal static VkFormat Vulkan(uint format) => format switch
     {
-        switch (format)
-        {
-            case 1:
-                return VkFormat.R32g32b32a32Sfloat;
-            case 2:
-                return VkFormat.R16g16b16a16Sfloat;
-            case 3:
-                return VkFormat.R32Sfloat;
-            case 4:
-                return VkFormat.R8g8b8a8Unorm;
-            case 24:
-                return VkFormat.R32Sint;
-            case 30:
-                return VkFormat.R32g32b32a32Uint;
-            case 33:
-                return VkFormat.R32Uint;
-            default:
-                return VkFormat.Undefined;
-        }
-    }
+        1 => VkFormat.R32g32b32a32Sfloat,
+        2 => VkFormat.R16g16b16a16Sfloat,
+        3 => VkFormat.R32Sfloat,
+        4 => VkFormat.R8g8b8a8Unorm,
+        24 => VkFormat.R32Sint,
+        30 => VkFormat.R32g32b32a32Uint,
+        33 => VkFormat.R32Uint,
+        _ => VkFormat.Undefined,
+    };
 
     /// <summary>The code without the claims; the same where there are none.</summary>
     internal static byte[] WithoutAssumed(byte[] code)

@@ -7,11 +7,7 @@ readonly struct StateValue
     // One more than the property's, so that the default is none.
     readonly int m_name;
 
-    StateValue(int number, int name)
-    {
-        m_number = number;
-        m_name = name;
-    }
+    StateValue(int number, int name) => (m_number, m_name) = (number, name);
 
     internal static StateValue Of(int number) => new StateValue(number, 0);
 

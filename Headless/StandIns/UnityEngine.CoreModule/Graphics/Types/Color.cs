@@ -7,14 +7,7 @@ public struct Color : IEquatable<Color>, IFormattable
     public float b;
     public float a;
 
-    public Color(float r, float g, float b, float a)
-    {
-        this.r = r;
-        this.g = g;
-        this.b = b;
-        this.a = a;
-    }
-
+    public Color(float r, float g, float b, float a) => (this.r, this.g, this.b, this.a) = (r, g, b, a);
     public Color(float r, float g, float b) : this(r, g, b, 1) { }
 
     public static Color black => new Color(0, 0, 0);
@@ -35,6 +28,4 @@ public struct Color : IEquatable<Color>, IFormattable
 
     public readonly string ToString(string format, IFormatProvider formatProvider) =>
         "RGBA" + ((Vector4)this).ToString(format, formatProvider);
-
-    static float ToLinear(float value) => value <= 0.04045f ? value / 12.92f : MathF.Pow((value + 0.055f) / 1.055f, 2.4f);
 }

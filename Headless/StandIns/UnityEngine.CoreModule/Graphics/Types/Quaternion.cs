@@ -7,13 +7,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
     public float z;
     public float w;
 
-    public Quaternion(float x, float y, float z, float w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
+    public Quaternion(float x, float y, float z, float w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
 
     /// <summary>Degrees: around Z first, then X, then Y.</summary>
     public static Quaternion Euler(float x, float y, float z) =>

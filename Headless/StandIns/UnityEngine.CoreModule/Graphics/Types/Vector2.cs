@@ -5,11 +5,7 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
     public float x;
     public float y;
 
-    public Vector2(float x, float y)
-    {
-        this.x = x;
-        this.y = y;
-    }
+    public Vector2(float x, float y) => (this.x, this.y) = (x, y);
 
     public float sqrMagnitude => x * x + y * y;
 

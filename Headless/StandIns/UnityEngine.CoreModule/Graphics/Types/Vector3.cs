@@ -6,13 +6,7 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public float y;
     public float z;
 
-    public Vector3(float x, float y, float z)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-    }
-
+    public Vector3(float x, float y, float z) => (this.x, this.y, this.z) = (x, y, z);
     public Vector3(float x, float y) : this(x, y, 0) { }
 
     public static Vector3 zero => default;

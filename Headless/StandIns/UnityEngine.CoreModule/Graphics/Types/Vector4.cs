@@ -7,14 +7,7 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
     public float z;
     public float w;
 
-    public Vector4(float x, float y, float z, float w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
-
+    public Vector4(float x, float y, float z, float w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
     public Vector4(float x, float y) : this(x, y, 0, 0) { }
     public Vector4(float x, float y, float z) : this(x, y, z, 0) { }
 
