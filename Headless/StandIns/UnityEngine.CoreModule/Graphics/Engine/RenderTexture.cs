@@ -27,7 +27,9 @@ public class RenderTexture : Texture
 
     public RenderTexture(int width, int height, int depth, RenderTextureFormat format, RenderTextureReadWrite readWrite)
         : this(new RenderTextureDescriptor(width, height, TextureFormats.Of(format, readWrite),
-            TextureFormats.DepthOf(format == RenderTextureFormat.Depth ? Math.Max(depth, 32) : depth))) { }
+            TextureFormats.DepthOf(format == RenderTextureFormat.Depth ? Math.Max(depth, 32) : depth)))
+    {
+    }
 
     public RenderTexture(int width, int height, int depth, GraphicsFormat format)
         : this(new RenderTextureDescriptor(width, height, format, depth)) { }
