@@ -48,6 +48,73 @@ namespace FastPoints.Verify
         /// <summary>Includes the first <paramref name="count"/> values of a column of this type.</summary>
         public unsafe void IncludeColumn(byte* column, int count)
         {
+            int bytes = Type.SizeOf();
+            if (count > 0 && bytes <= 4 && !Type.IsFloat())
+                IncludeIntegers(column, bytes, count, Type.IsSigned() ? 1u << 8 * bytes - 1 : 0);
+            else
+                IncludeWide(column, count);
+        }
+
+        /// <param name="bias">Added to the values, so that they order as unsigned ones.</param>
+        unsafe void IncludeIntegers(byte* column, int bytes, int count, uint bias)
+        {
+            ulong sum = 0;
+            uint min = uint.MaxValue, max = 0;
+            if (bytes == 1)
+                IncludeBytes(column, count, (byte)bias, ref sum, ref min, ref max);
+            else if (bytes == 2)
+                for (int i = 0; i < count; i++)
+                {
+                    uint value = ((ushort*)column)[i] ^ bias;
+                    sum += value;
+                    min = value < min ? value : min;
+                    max = value > max ? value : max;
+                }
+            else
+                for (int i = 0; i < count; i++)
+                {
+                    uint value = ((uint*)column)[i] ^ bias;
+                    sum += value;
+                    min = value < min ? value : min;
+                    max = value > max ? value : max;
+                }
+            Sum += sum - (ulong)count * bias;
+            m_minOrdered = math.min(m_minOrdered, min + SignBit - bias);
+            m_maxOrdered = math.max(m_maxOrdered, max + SignBit - bias);
+            Finite += count;
+        }
+
+        /// <summary>Eight bytes like the eight before them are looked at no closer: most columns of bytes are flags and codes that
+        /// seldom change.</summary>
+        static unsafe void IncludeBytes(byte* column, int count, byte bias, ref ulong sum, ref uint min, ref uint max)
+        {
+            ulong last = 0, sumOfLast = 0;
+            int i = 0;
+            for (; i + 8 <= count; i += 8)
+            {
+                ulong word = *(ulong*)(column + i);
+                if (i == 0 || word != last)
+                {
+                    last = word;
+                    sumOfLast = 0;
+                    for (int k = 0; k < 8; k++)
+                        Include((byte)(word >> 8 * k ^ bias), ref sumOfLast, ref min, ref max);
+                }
+                sum += sumOfLast;
+            }
+            for (; i < count; i++)
+                Include((byte)(column[i] ^ bias), ref sum, ref min, ref max);
+        }
+
+        static void Include(uint value, ref ulong sum, ref uint min, ref uint max)
+        {
+            sum += value;
+            min = value < min ? value : min;
+            max = value > max ? value : max;
+        }
+
+        unsafe void IncludeWide(byte* column, int count)
+        {
             const int RunLength = ColumnValues.RunLength;
             ulong* bits = stackalloc ulong[RunLength];
             double* values = stackalloc double[RunLength];
@@ -57,10 +124,6 @@ namespace FastPoints.Verify
             {
                 int run = math.min(RunLength, count - done);
                 ColumnValues.ToBits(column, Type, done, run, bits);
-                ulong sum = 0;
-                for (int i = 0; i < run; i++)
-                    sum += bits[i];
-                Sum += sum;
                 if (isFloat)
                     ColumnValues.ToDoubles(column, Type, done, run, values);
                 IncludeRange(bits, values, run, isFloat, flip);
@@ -69,10 +132,11 @@ namespace FastPoints.Verify
 
         unsafe void IncludeRange(ulong* bits, double* values, int count, bool isFloat, ulong flip)
         {
-            ulong min = m_minOrdered, max = m_maxOrdered;
+            ulong min = m_minOrdered, max = m_maxOrdered, sum = 0;
             int finite = 0;
             for (int i = 0; i < count; i++)
             {
+                sum += bits[i];
                 if (isFloat && values[i] - values[i] != 0)
                     continue;
                 finite++;
@@ -82,6 +146,7 @@ namespace FastPoints.Verify
             }
             m_minOrdered = min;
             m_maxOrdered = max;
+            Sum += sum;
             Finite += finite;
             NonFinite += count - finite;
         }

@@ -7,6 +7,7 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
@@ -24,6 +25,9 @@ namespace FastPoints.Verify
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
         readonly bool m_hasPositions;
+
+        /// <summary>Whether the bounds follow from the axes' ranges: whole numbers become places in their own order.</summary>
+        readonly bool m_areRangesBounds;
         SlotState[] m_slots;
 
         public SummariseCloud(PointReader reader)
@@ -31,6 +35,7 @@ namespace FastPoints.Verify
             m_reader = reader;
             m_schema = reader.Info.Schema;
             m_hasPositions = m_schema.Has(AttributeNames.X) && m_schema.Has(AttributeNames.Y) && m_schema.Has(AttributeNames.Z);
+            m_areRangesBounds = m_hasPositions && HaveWholeNumbers(m_schema, reader.Info.Transform);
             Summary = new CloudSummary { Schema = m_schema, Columns = new ColumnSummary[m_schema.Count] };
             for (int i = 0; i < m_schema.Count; i++)
                 Summary.Columns[i] = ColumnSummary.EmptyOf(m_schema[i].Type);
@@ -56,6 +61,8 @@ namespace FastPoints.Verify
             try
             {
                 yield return Work.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
+                if (m_areRangesBounds && Summary.Points > 0)
+                    TakeRanges();
             }
             finally
             {
@@ -82,7 +89,7 @@ namespace FastPoints.Verify
                 Columns = state.Columns,
                 Result = read.Result,
                 Transform = m_reader.Info.Transform,
-                HasPositions = m_hasPositions,
+                HasPositions = m_hasPositions && !m_areRangesBounds,
                 Positions = m_hasPositions ? PositionColumns.Of(read.Points) : default,
                 SummaryOfColumn = state.SummaryOfColumn,
                 Bounds = state.Bounds,
@@ -100,6 +107,26 @@ namespace FastPoints.Verify
             bounds.Include(found.Bounds);
             Summary.Bounds = bounds;
             Summary.NonFinite += found.NonFinite;
+        }
+
+        static bool HaveWholeNumbers(PointSchema schema, in PositionTransform transform)
+        {
+            // Within these no 64-bit number becomes an infinity.
+            bool isSafe = math.all(math.abs(transform.Scale) < 1e200) && math.all(math.abs(transform.Offset) < 1e200);
+            foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
+                isSafe &= !schema[schema.IndexOf(axis)].Type.IsFloat();
+            return isSafe;
+        }
+
+        void TakeRanges()
+        {
+            var x = Summary.Columns[m_schema.IndexOf(AttributeNames.X)];
+            var y = Summary.Columns[m_schema.IndexOf(AttributeNames.Y)];
+            var z = Summary.Columns[m_schema.IndexOf(AttributeNames.Z)];
+            var bounds = BoundsGeo.Empty;
+            bounds.Include(m_reader.Info.Transform.ToGeo(new double3(x.Min, y.Min, z.Min)));
+            bounds.Include(m_reader.Info.Transform.ToGeo(new double3(x.Max, y.Max, z.Max)));
+            Summary.Bounds = bounds;
         }
 
         static SlotState NewState(PointBatch batch)
@@ -142,7 +169,7 @@ namespace FastPoints.Verify
         [ReadOnly] public NativeReference<DecodeResult> Result;
         public PositionTransform Transform;
 
-        /// <summary>False for a source without X, Y or Z, whose bounds stay empty.</summary>
+        /// <summary>Otherwise bounds stay empty: the source has no X, Y or Z, or bounds come from its ranges.</summary>
         public bool HasPositions;
 
         public PositionColumns Positions;

@@ -81,6 +81,69 @@ namespace FastPoints.Tests.Verify
         }
 
         [Test]
+        public void IncludeColumn_SeededValuesOfEachType_AreThoseOneByOne(
+            [Values(1, 7, 8, 9, 300)] int count, [Values(1, 3, 1000)] int valuesAlike)
+        {
+            var random = new System.Random(count * valuesAlike);
+            foreach (AttributeType type in Enum.GetValues(typeof(AttributeType)))
+            {
+                int size = type.SizeOf();
+                var column = new byte[count * size];
+                for (int i = 0; i < count; i++)
+                {
+                    if (i % valuesAlike == 0)
+                        random.NextBytes(column.AsSpan(i * size, size));
+                    else
+                        column.AsSpan((i - 1) * size, size).CopyTo(column.AsSpan(i * size, size));
+                }
+                var whole = ColumnSummary.EmptyOf(type);
+                var single = ColumnSummary.EmptyOf(type);
+                unsafe
+                {
+                    fixed (byte* first = column)
+                    {
+                        whole.IncludeColumn(first, count);
+                        for (int i = 0; i < count; i++)
+                            Add(ref single, type, first + i * size);
+                    }
+                }
+                Assert.That((whole.Sum, whole.MinText, whole.MaxText, whole.Finite, whole.NonFinite),
+                    Is.EqualTo((single.Sum, single.MinText, single.MaxText, single.Finite, single.NonFinite)), type.ToString());
+                Assert.That(whole.Finite + whole.NonFinite, Is.EqualTo(count));
+                if (type == AttributeType.Int16 || type == AttributeType.UInt8)
+                {
+                    long sum = 0, min = long.MaxValue, max = long.MinValue;
+                    for (int i = 0; i < count; i++)
+                    {
+                        long value = type == AttributeType.UInt8 ? column[i] : BitConverter.ToInt16(column, 2 * i);
+                        (sum, min, max) = (sum + value, Math.Min(min, value), Math.Max(max, value));
+                    }
+                    Assert.That((whole.Sum, whole.Min, whole.Max), Is.EqualTo(((ulong)sum, (double)min, (double)max)));
+                }
+            }
+        }
+
+        /// <summary>One value at a time, joined.</summary>
+        static unsafe void Add(ref ColumnSummary summary, AttributeType type, byte* value)
+        {
+            var one = ColumnSummary.EmptyOf(type);
+            one.IncludeColumn(value, 1);
+            summary.Include(one);
+        }
+
+        [TestCase(0.01, 5e5), TestCase(-0.25, -3), TestCase(0, 7), TestCase(double.NaN, 0), TestCase(1e308, 0)]
+        public void Run_WholeNumbers_HaveTheBoundsOfTheirPlaces(double scale, double offset)
+        {
+            var batch = TestBatches.Scan(500, 9);
+            using var reader = new MemoryPointReader(batch, 77);
+            var (x, y) = (new double3(scale, 1, 1), new double3(offset, 0, 0));
+            reader.Info.Transform = new PositionTransform { Scale = x, Offset = y };
+            var expected = PositionBounds.RunImmediate(batch, reader.Info.Transform);
+            var summary = Summarise(reader, 3);
+            Assert.That((summary.Bounds, summary.NonFinite), Is.EqualTo((expected.Bounds, expected.NonFinite)));
+        }
+
+        [Test]
         public void Run_NonFiniteValues_AreInTheSumAndNotInTheRange()
         {
             var batch = TestBatches.OfPositions(new double3(1, 2, 3), new double3(double.NaN, 50, 60), new double3(7, 8, 9));
