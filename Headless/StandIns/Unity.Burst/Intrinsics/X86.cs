@@ -25,9 +25,13 @@ namespace Unity.Burst.Intrinsics
 #if NET
             public static v256 mm256_loadu_si256(void* ptr) => new v256(Vector256.Load((uint*)ptr));
 
+            public static v256 mm256_set1_epi32(int a) => new v256(Vector256.Create((uint)a));
+
             public static void mm256_storeu_si256(void* ptr, v256 v) => v.Bits.Store((uint*)ptr);
 #else
             public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_set1_epi32(int a) => throw new System.PlatformNotSupportedException();
 
             public static void mm256_storeu_si256(void* ptr, v256 v) => throw new System.PlatformNotSupportedException();
 #endif
@@ -40,15 +44,39 @@ namespace Unity.Burst.Intrinsics
 #if NET
             public static bool IsAvx2Supported => Net.IsSupported;
 
+            public static int mm256_movemask_epi8(v256 a) => Net.MoveMask(a.Bits.AsByte());
+
+            public static v256 mm256_add_epi32(v256 a, v256 b) => new v256(Net.Add(a.Bits, b.Bits));
+
+            public static v256 mm256_cmpgt_epi32(v256 a, v256 b) => new v256(Net.CompareGreaterThan(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
+
+            public static v256 mm256_madd_epi16(v256 a, v256 b) => new v256(Net.MultiplyAddAdjacent(a.Bits.AsInt16(), b.Bits.AsInt16()).AsUInt32());
+
             public static v256 mm256_max_epu32(v256 a, v256 b) => new v256(Net.Max(a.Bits, b.Bits));
 
+            public static v256 mm256_min_epi32(v256 a, v256 b) => new v256(Net.Min(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
+
             public static v256 mm256_min_epu32(v256 a, v256 b) => new v256(Net.Min(a.Bits, b.Bits));
+
+            public static v256 mm256_sub_epi16(v256 a, v256 b) => new v256(Net.Subtract(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
 #else
             public static bool IsAvx2Supported => false;
 
+            public static int mm256_movemask_epi8(v256 a) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_add_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_cmpgt_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_madd_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
             public static v256 mm256_max_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 
+            public static v256 mm256_min_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
             public static v256 mm256_min_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_sub_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif
         }
     }

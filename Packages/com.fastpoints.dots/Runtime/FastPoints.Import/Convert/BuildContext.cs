@@ -101,7 +101,7 @@ namespace FastPoints.Convert
         public ChunkIndexer CreateIndexer(NativeStoreLayout store, CloudManifest manifest) =>
             new ChunkIndexer(Records, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
 
-        public IndexLane CreateLane(NativeStoreLayout store) => new IndexLane(Records, store, Settings.Sampler);
+        public IndexLane CreateLane(NativeStoreLayout store) => new IndexLane(Records, store);
 
         public void Dispose()
         {

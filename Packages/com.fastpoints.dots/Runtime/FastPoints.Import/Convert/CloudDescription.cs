@@ -6,6 +6,7 @@ using FastPoints.Files;
 using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
+using FastPoints.Samplers;
 using FastPoints.Store;
 using Unity.Mathematics;
 
@@ -28,7 +29,7 @@ namespace FastPoints.Convert
             manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
                 (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
                 (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
-                (ulong)build.Settings.MaxPointsPerLeaf;
+                (ulong)build.Settings.MaxPointsPerLeaf ^ (ulong)NodeSizes.Rules << 24;
             return manifest;
         }
 

@@ -54,8 +54,8 @@ namespace FastPoints.Convert
         /// each.</summary>
         public long PointsPerPartition { get; private set; }
 
-        /// <summary>Bytes that a point takes while its chunk is indexed: keys twice, order, node, cube, priority and number, its
-        /// record in both orders, and what is written of it.</summary>
+        /// <summary>Bytes that a point takes while its chunk is indexed: keys twice, order, node, what ranges offer, cube, priority
+        /// and number, its record in both orders, and what is written of it.</summary>
         public long IndexBytesPerPoint { get; private set; }
 
         /// <summary>Points of the sample that represents what is not built yet.</summary>
@@ -71,7 +71,7 @@ namespace FastPoints.Convert
                 ReadBytes = Math.Min(Files.SourceScan.MaxSlotBytes, memoryBytes / 4),
                 IndexBytes = memoryBytes / 10 * 9,
                 PointsPerChunk = pointsPerChunk,
-                IndexBytesPerPoint = 37 + 3 * (long)strideBytes +
+                IndexBytesPerPoint = 41 + 3 * (long)strideBytes +
                     (settings.Sampler == Sampler.Random ? 0 : PoissonBytesPerPoint) +
                     (settings.Sampler == Sampler.Average ? AverageBytesPerPoint : 0),
             };

@@ -11,11 +11,6 @@ namespace FastPoints.Nodes
     /// owns what comes of a chunk; what the jobs need meanwhile is the lane's.</summary>
     internal sealed class ChunkIndexer : IDisposable
     {
-        // The samplers visit a point this often in most clouds.
-        const int UsualLevels = 12;
-        const int UsualLooks = 32;
-        const int UsualLooksOfAverage = 96;
-
         readonly RecordLayout m_records;
         readonly NativeStoreLayout m_store;
         readonly Grid3 m_rootCorner;
@@ -201,35 +196,15 @@ namespace FastPoints.Nodes
         JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<ChunkTop> tops,
             JobHandle inputDeps)
         {
-            if (m_sampler == Sampler.Random)
-            {
-                var random = new SampleRandomJob
-                {
-                    Slices = m_slices,
-                    Count = count,
-                    RootSideLog2 = cube.SideLog2,
-                    Sizes = m_sizes,
-                    CommonCubeLog2 = m_lane.Common,
-                    Priority = m_lane.Priority,
-                    GivesWayLog2 = m_lane.GivesWay,
-                    Scratch = m_lane.Random,
-                    PointsPerSlice = SampleRandomJob.PointsOfSlice,
-                    Tops = tops,
-                    NodeOfPoint = m_lane.NodeOfPoint,
-                    Nodes = Drafts,
-                };
-                for (long looked = 0; looked < (long)count * UsualLevels; looked += random.PointsPerSlice)
-                    inputDeps = random.Schedule(inputDeps);
-                random.PointsPerSlice = int.MaxValue;
-                return random.Schedule(inputDeps);
-            }
-            var job = new SamplePoissonJob
+            bool isRandom = m_sampler == Sampler.Random;
+            var job = new SampleNodesJob
             {
                 Slices = m_slices,
                 Count = count,
                 RootSideLog2 = cube.SideLog2,
                 Sizes = m_sizes,
                 Layout = layout,
+                IsRandom = isRandom,
                 Corner = cube.Corner,
                 Records = records,
                 CommonCubeLog2 = m_lane.Common,
@@ -238,14 +213,14 @@ namespace FastPoints.Nodes
                 NodeOfPoint = m_lane.NodeOfPoint,
                 Nodes = Drafts,
                 Averaged = Averaged,
-                Scratch = m_lane.Poisson,
-                PointsPerSlice = SamplePoissonJob.PointsOfSlice,
+                Scratch = m_lane.Sampling,
+                CostPerSlice = SampleNodesJob.CostOfSlice,
             };
             // Slices that come after the end have nothing to do; one takes what is left where levels are many.
-            int looks = m_sampler == Sampler.Average ? UsualLooksOfAverage : UsualLooks;
-            for (long looked = 0; looked < (long)count * looks; looked += job.PointsPerSlice)
+            long usual = (long)count * (isRandom ? SampleNodesJob.UsualCost : SampleNodesJob.UsualCostOfDarts);
+            for (long done = 0; done < usual; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            job.PointsPerSlice = int.MaxValue;
+            job.CostPerSlice = int.MaxValue;
             return job.Schedule(inputDeps);
         }
 

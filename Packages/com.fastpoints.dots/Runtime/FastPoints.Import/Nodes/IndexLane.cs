@@ -13,7 +13,6 @@ namespace FastPoints.Nodes
     {
         readonly int m_strideBytes;
         readonly bool m_hasAverages;
-        readonly Sampler m_sampler;
         int m_capacity;
 
         internal OrderScratch Ordering;
@@ -21,21 +20,17 @@ namespace FastPoints.Nodes
         internal NativeArray<byte> Sorted;
         internal NativeArray<byte> Common;
         internal NativeArray<uint> Priority;
-        internal NativeArray<byte> GivesWay;
         internal NativeArray<int> NodeOfPoint;
         internal NativeArray<int> AverageOfPoint;
         internal NativeList<PointAverage> Averages;
         internal WriteScratch Writing;
-        internal RandomScratch Random;
-        internal PoissonScratch Poisson;
+        internal SampleScratch Sampling;
 
-        public IndexLane(RecordLayout records, NativeStoreLayout store, Sampler sampler)
+        public IndexLane(RecordLayout records, NativeStoreLayout store)
         {
             m_strideBytes = records.StrideBytes;
             m_hasAverages = store.HasAverages;
-            m_sampler = sampler;
-            Random = new RandomScratch(Allocator.Persistent);
-            Poisson = new PoissonScratch(Allocator.Persistent);
+            Sampling = new SampleScratch(Allocator.Persistent);
             Writing = new WriteScratch(Allocator.Persistent);
             Averages = new NativeList<PointAverage>(16, Allocator.Persistent);
         }
@@ -61,7 +56,6 @@ namespace FastPoints.Nodes
             Sorted = new NativeArray<byte>(checked(m_capacity * m_strideBytes), Allocator.Persistent, raw);
             Common = new NativeArray<byte>(m_capacity, Allocator.Persistent, raw);
             Priority = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
-            GivesWay = new NativeArray<byte>(m_sampler == Sampler.Random ? m_capacity : 0, Allocator.Persistent, raw);
             NodeOfPoint = new NativeArray<int>(m_capacity, Allocator.Persistent, raw);
             AverageOfPoint = new NativeArray<int>(m_hasAverages ? m_capacity : 0, Allocator.Persistent, raw);
         }
@@ -73,8 +67,7 @@ namespace FastPoints.Nodes
             return new ResetLaneJob
             {
                 Ordering = Ordering.Now,
-                Random = Random.Now,
-                Poisson = Poisson.Now,
+                Sampling = Sampling.Now,
                 Writing = Writing.Now,
             }.Schedule(JobHandle.CombineDependencies(ready, Last));
         }
@@ -87,8 +80,7 @@ namespace FastPoints.Nodes
             FreePoints();
             Averages.Dispose();
             Writing.Dispose();
-            Random.Dispose();
-            Poisson.Dispose();
+            Sampling.Dispose();
         }
 
         void FreePoints()
@@ -100,7 +92,6 @@ namespace FastPoints.Nodes
             Sorted.Dispose();
             Common.Dispose();
             Priority.Dispose();
-            GivesWay.Dispose();
             NodeOfPoint.Dispose();
             AverageOfPoint.Dispose();
         }
@@ -110,15 +101,13 @@ namespace FastPoints.Nodes
         struct ResetLaneJob : IJob
         {
             public NativeReference<OrderScratch.State> Ordering;
-            public NativeReference<RandomScratch.State> Random;
-            public NativeReference<PoissonScratch.State> Poisson;
+            public NativeReference<SampleScratch.State> Sampling;
             public NativeReference<WriteScratch.State> Writing;
 
             public void Execute()
             {
                 Ordering.Value = default;
-                Random.Value = default;
-                Poisson.Value = default;
+                Sampling.Value = default;
                 Writing.Value = default;
             }
         }

@@ -6,13 +6,13 @@ namespace FastPoints.Samplers
         // There is one for each side from a step's to the largest cube's, and one beyond all.
         public const int Sides = Points.GridCube.MaxSideLog2 + 3;
 
-        /// <summary>Number of points that are in no node yet.</summary>
+        /// <summary>Number of points.</summary>
         public int Left;
 
         /// <summary>log2 of the side of the smallest cube with all of them.</summary>
         public int Largest;
 
-        /// <summary>Number of cells of any size without a point of a node above, apart from those below.</summary>
+        /// <summary>Number of cells of any size, apart from those below.</summary>
         public int AnyCell;
 
         /// <summary>For each log2 of a side: how many more such cells there are if cells are smaller than this.</summary>
@@ -20,7 +20,7 @@ namespace FastPoints.Samplers
 
         /// <summary>The finest cells with which a node does not become too large: those that the sizes give, or coarser ones in a
         /// filled volume.</summary>
-        /// <param name="cells">The number of cells with points of which none is in a node above.</param>
+        /// <param name="cells">The number of cells with points.</param>
         public readonly int FinestCell(in NodeSizes sizes, out int cells)
         {
             int finest = Largest > sizes.CellsLog2 ? Largest - sizes.CellsLog2 : 0;

@@ -227,7 +227,7 @@ namespace FastPoints.Tests.Convert
         [Test]
         public void Convert_OneTwoSevenWorkers_WriteTheSameBytes([Values] Sampler sampler)
         {
-            var places = Uniform(120000, 3000);
+            var places = Uniform(240000, 3000);
             for (int i = 0; i < places.Length; i++)
                 places[i].z /= 1000;
             var before = new Dictionary<string, byte[]>();

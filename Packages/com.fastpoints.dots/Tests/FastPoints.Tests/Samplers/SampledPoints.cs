@@ -21,15 +21,13 @@ namespace FastPoints.Tests.Samplers
         public NodeDraft[] Nodes;
 
         public static unsafe SampledPoints Run(IReadOnlyList<Grid3> places, Sampler sampler, NodeSizes sizes,
-            int pointsPerSlice = int.MaxValue)
+            int costPerSlice = int.MaxValue)
         {
             var sorted = Sorted(places, out int side);
             var result = new SampledPoints { Places = sorted };
             int count = sorted.Length;
             var layout = new RecordLayout(side > 32, default, 0);
-            using var scratch = new PoissonScratch(Allocator.Persistent);
-            using var random = new RandomScratch(Allocator.Persistent);
-            using var givesWay = new NativeArray<byte>(count, Allocator.Persistent);
+            using var scratch = new SampleScratch(Allocator.Persistent);
             using var records = new NativeArray<byte>(count * layout.StrideBytes, Allocator.Persistent);
             using var common = new NativeArray<byte>(count, Allocator.Persistent);
             using var priority = new NativeArray<uint>(count, Allocator.Persistent);
@@ -47,50 +45,27 @@ namespace FastPoints.Tests.Samplers
             for (int i = 0; i < count; i++)
                 layout.SetPlace(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
             Sampling.Prepare(record, 0, count, layout, default, (byte*)common.GetUnsafePtr(), (uint*)priority.GetUnsafePtr());
-            if (sampler == Sampler.Random)
+            var job = new SampleNodesJob
             {
-                var job = new SampleRandomJob
-                {
-                    Count = count,
-                    RootSideLog2 = side,
-                    Sizes = sizes,
-                    CommonCubeLog2 = common,
-                    Priority = priority,
-                    GivesWayLog2 = givesWay,
-                    Tops = tops,
-                    NodeOfPoint = nodeOfPoint,
-                    Nodes = nodes,
-                    Slices = slices,
-                    Scratch = random,
-                    PointsPerSlice = pointsPerSlice,
-                };
-                do
-                    job.Schedule().Complete();
-                while (!random.IsDone);
-            }
-            else
-            {
-                var job = new SamplePoissonJob
-                {
-                    Count = count,
-                    RootSideLog2 = side,
-                    Sizes = sizes,
-                    Layout = layout,
-                    Records = records,
-                    CommonCubeLog2 = common,
-                    Priority = priority,
-                    Tops = tops,
-                    NodeOfPoint = nodeOfPoint,
-                    Nodes = nodes,
-                    Averaged = averaged,
-                    Slices = slices,
-                    Scratch = scratch,
-                    PointsPerSlice = pointsPerSlice,
-                };
-                do
-                    job.Schedule().Complete();
-                while (!scratch.IsDone);
-            }
+                Count = count,
+                RootSideLog2 = side,
+                Sizes = sizes,
+                Layout = layout,
+                IsRandom = sampler == Sampler.Random,
+                Records = records,
+                CommonCubeLog2 = common,
+                Priority = priority,
+                Tops = tops,
+                NodeOfPoint = nodeOfPoint,
+                Nodes = nodes,
+                Averaged = averaged,
+                Slices = slices,
+                Scratch = scratch,
+                CostPerSlice = costPerSlice,
+            };
+            do
+                job.Schedule().Complete();
+            while (!scratch.IsDone);
             result.Priority = priority.ToArray();
             result.NodeOfPoint = nodeOfPoint.ToArray();
             result.Nodes = nodes.AsArray().ToArray();

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using FastPoints.Points;
 using FastPoints.Samplers;
 using FastPoints.Store;
@@ -8,28 +9,67 @@ using NUnit.Framework;
 namespace FastPoints.Tests.Samplers
 {
     [Category("Smoke")]
-    public class SamplePoissonTests
+    public class SampleNodesTests
     {
         static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 100, MaxPointsPerNode = 300 };
 
         [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
         public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] places)
         {
-            var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
-            var reference = new PoissonReference(sampled.Places, s_small, PoissonReference.OrderOf(sampled.Priority), true);
-            for (int i = 0; i < sampled.Places.Length; i++)
-                Assert.That(sampled.IsSampled(i) ? sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 : -2,
-                    Is.EqualTo(reference.CellOfPoint[i]), "point " + i);
-            CheckNodes(sampled, s_small);
+            foreach (var sampler in new[] { Sampler.Random, Sampler.Poisson })
+            {
+                var sampled = SampledPoints.Run(places, sampler, s_small);
+                var reference = new SamplingReference(sampled.Places, sampled.Priority, s_small, sampler);
+                for (int i = 0; i < sampled.Places.Length; i++)
+                    Assert.That(sampled.IsSampled(i) ? sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 : -2,
+                        Is.EqualTo(reference.CellOfPoint[i]), sampler + ", point " + i);
+                CheckNodes(sampled, s_small);
+            }
         }
 
         [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
         public void Sample_InSlices_IsTheSame(Grid3[] places)
         {
-            var whole = SampledPoints.Run(places, Sampler.Poisson, s_small);
-            var sliced = SampledPoints.Run(places, Sampler.Poisson, s_small, 50);
-            Assert.That(sliced.NodeOfPoint, Is.EqualTo(whole.NodeOfPoint));
-            Assert.That(sliced.Nodes, Is.EqualTo(whole.Nodes));
+            foreach (var sampler in new[] { Sampler.Random, Sampler.Poisson })
+            {
+                var whole = SampledPoints.Run(places, sampler, s_small);
+                var sliced = SampledPoints.Run(places, sampler, s_small, 200);
+                Assert.That(sliced.NodeOfPoint, Is.EqualTo(whole.NodeOfPoint));
+                Assert.That(sliced.Nodes, Is.EqualTo(whole.Nodes));
+            }
+        }
+
+        // 16 cells along an edge: of 280 places in a volume a node would take all but a few, of so many on two lines 64 at most.
+        [TestCase(Sampler.Random)]
+        [TestCase(Sampler.Poisson)]
+        public void Sample_CubeThatANodeWouldTakeAlmostWhole_IsALeaf(Sampler sampler)
+        {
+            var scattered = SampledPoints.Run(SamplingClouds.Volume(280, 1 << 20), sampler, s_small);
+            Assert.That(scattered.Nodes, Has.Length.EqualTo(1));
+            Assert.That(scattered.Nodes[0].IsLeaf, Is.True);
+            var lines =
+                SampledPoints.Run(SamplingClouds.Make(280, (r, i) => (new Grid3(r.NextInt(1 << 20), 0, i % 2 << 19), r)), sampler,
+                s_small);
+            Assert.That(lines.Nodes.Length, Is.GreaterThan(1));
+            Assert.That(lines.Nodes[0].IsLeaf, Is.False);
+            var more = SampledPoints.Run(SamplingClouds.Volume(301, 1 << 20), sampler, s_small);
+            Assert.That(more.Nodes.Length, Is.GreaterThan(1));
+        }
+
+        /// <summary>A scanner's dead pixels: the time must not grow with the square of their number.</summary>
+        [Test]
+        public void Sample_ManyEqualPoints_TakesBoundedTime([Values] Sampler sampler)
+        {
+            if (sampler == Sampler.Average)
+                return;
+            var places = SamplingClouds.Make(400000, (r, i) => (i % 3 == 0
+                ? new Grid3(r.NextInt(1 << 20), r.NextInt(1 << 20), r.NextInt(1 << 12))
+                : new Grid3(77777, 88888, 99), r));
+            var watch = System.Diagnostics.Stopwatch.StartNew();
+            var sampled = SampledPoints.Run(places, sampler, NodeSizes.Default, SampleNodesJob.CostOfSlice);
+            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30));
+            CheckNodes(sampled, NodeSizes.Default);
+            Assert.That(sampled.Nodes.Where(n => n.SideLog2 == 0).Sum(n => n.Count), Is.EqualTo(266666).Within(30));
         }
 
         [TestCase(40), TestCase(61)]
@@ -76,21 +116,40 @@ namespace FastPoints.Tests.Samplers
             foreach (var places in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })
             {
                 var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
-                var order = new int[places.Length];
-                for (int i = 0; i < order.Length; i++)
-                    order[i] = i;
-                Array.Sort((uint[])sampled.Priority.Clone(), order);
-                var reference = new PoissonReference(sampled.Places, sizes, order, false);
                 // All that is drawn of the two widest spacings, as a picture from afar would have it.
                 int widest = 0;
                 foreach (var node in sampled.Nodes)
                     widest = Math.Max(widest, node.CellLog2);
+                var thrown = Thrown(sampled, widest);
                 double own = Unevenness(sampled,
                     i => sampled.IsSampled(i) && sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 >= widest - 1);
-                double wanted = Unevenness(sampled, i => reference.CellOfPoint[i] >= widest - 1);
+                double wanted = Unevenness(sampled, i => thrown[i]);
                 TestContext.WriteLine(own + " against " + wanted);
                 Assert.That(own, Is.LessThanOrEqualTo(1.1 * wanted));
             }
+        }
+
+        /// <summary>Plain dart throwing in the order of priority at the widest spacing, then at half of it.</summary>
+        static bool[] Thrown(SampledPoints sampled, int widest)
+        {
+            var order = new int[sampled.Places.Length];
+            for (int i = 0; i < order.Length; i++)
+                order[i] = i;
+            Array.Sort((uint[])sampled.Priority.Clone(), order);
+            Array.Reverse(order);
+            var thrown = new bool[order.Length];
+            var taken = new List<int>();
+            for (int cell = widest; cell >= widest - 1; cell--)
+            {
+                foreach (int point in order)
+                {
+                    if (thrown[point] || taken.Any(t => sampled.DistanceOf(t, point) < Math.Pow(2, cell)))
+                        continue;
+                    thrown[point] = true;
+                    taken.Add(point);
+                }
+            }
+            return thrown;
         }
 
         /// <summary>Coefficient of variation of the distances to the nearest neighbour.</summary>

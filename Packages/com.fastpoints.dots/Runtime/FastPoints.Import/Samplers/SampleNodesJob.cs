@@ -1,0 +1,801 @@
+using System.Runtime.CompilerServices;
+using FastPoints.Points;
+using FastPoints.Records;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Samplers
+{
+    /// <summary>The samplers: they divide a chunk's points into ranges, one a cube, and choose from the finest spacing up. Each
+    /// range takes some of what its parts offer (leaves offer all their points) and offers these to the range above; a point's
+    /// node is the coarsest that takes it.</summary>
+    /// <remarks>
+    /// The random sampler takes the point of highest priority from each cell: the best of those that won the cells below.
+    ///
+    /// The Poisson-disk sampler throws darts (Cook 1986): a point is taken if no taken point is nearer than the spacing. Ranges
+    /// of one spacing are sampled against one another, so that the distance holds across their borders. Points are tried tile
+    /// by tile along the Morton curve (cubes of <see cref="DartGrid.TileSpacingsLog2"/>), those of a tile in the order of their
+    /// priority: everything near a dart is in the cache, and the sample is as even as one in the order of priority alone (a
+    /// test holds it).
+    ///
+    /// Points are in Morton order, so that cubes and cells are ranges. Cubes with points in one octant only are skipped, and so
+    /// is a node that gets no point: its children are attached to the node above. A node's cells are as fine as the sizes
+    /// allow, and coarser if that made it too large: in a filled volume. Which points a node has depends only on the points
+    /// themselves. One run of the job is a slice; the job runs again until it is done.
+    /// </remarks>
+    [BurstCompile]
+    internal unsafe struct SampleNodesJob : IJob
+    {
+        /// <summary>What the next slice continues.</summary>
+        public enum Stage
+        {
+            Start,
+            Plan,
+            Fill,
+            NextSpacing,
+            TakeCells,
+            Gather,
+            Throw,
+            Bar,
+            Average,
+            Count,
+            Renumber,
+            Done,
+        }
+
+        /// <summary>A slice takes about 4 ms. Costs are about nanoseconds.</summary>
+        public const int CostOfSlice = 2500000;
+
+        /// <summary>What a point costs in most clouds.</summary>
+        public const int UsualCost = 60;
+        public const int UsualCostOfDarts = 150;
+
+        const int CostOfLook = 2;
+        const int CostOfCandidate = 5;
+        const int CostOfGather = 12;
+        const int CostOfDart = 25;
+        const int CostOfBar = 10;
+        const int CostOfAverage = 60;
+
+        /// <summary>See <see cref="SampleScratch.Counts"/>.</summary>
+        public const int CountTables = 4;
+        public const int CountsOfTable = 256;
+
+        public int Count;
+        public int RootSideLog2;
+        public NodeSizes Sizes;
+        public RecordLayout Layout;
+        public bool IsRandom;
+
+        /// <summary>Corner of a cube that contains all the points.</summary>
+        public Grid3 Corner;
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<byte> CommonCubeLog2;
+        [ReadOnly] public NativeArray<uint> Priority;
+
+        /// <summary>The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole
+        /// points.</summary>
+        public NativeArray<ChunkTop> Tops;
+
+        /// <summary>Out: the node of each point. Before the end, its range.</summary>
+        public NativeArray<int> NodeOfPoint;
+
+        /// <summary>Out: drafts, parents before children.</summary>
+        public NativeList<NodeDraft> Nodes;
+
+        /// <summary>Averages over the points that each sampled point represents: what is nearer to it than to any other at its
+        /// spacing, with all that this represents at finer ones. Off for the plain samplers.</summary>
+        public AveragedColumns Averaged;
+
+        /// <summary>Its <see cref="SampleScratch.Now"/> is reset before the first slice.</summary>
+        public SampleScratch Scratch;
+
+        /// <summary>About this much is done in one run.</summary>
+        public int CostPerSlice;
+        public SliceTimes Slices;
+
+        [NativeDisableUnsafePtrRestriction] byte* m_records;
+        [NativeDisableUnsafePtrRestriction] int* m_rangeOfPoint;
+        [NativeDisableUnsafePtrRestriction] byte* m_common;
+        [NativeDisableUnsafePtrRestriction] uint* m_priority;
+        SampleScratch.State m_now;
+        long m_budget;
+
+        public void Execute()
+        {
+            if (Scratch.IsDone)
+                return;
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            m_now = Scratch.Now.Value;
+            m_records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            m_rangeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
+            m_common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            m_priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
+            m_budget = CostPerSlice;
+            while (m_budget > 0 && m_now.Stage != Stage.Done)
+            {
+                switch (m_now.Stage)
+                {
+                    case Stage.Start:
+                        Start();
+                        break;
+                    case Stage.Plan:
+                        Plan();
+                        break;
+                    case Stage.Fill:
+                        Fill();
+                        break;
+                    case Stage.NextSpacing:
+                        NextSpacing();
+                        break;
+                    case Stage.TakeCells:
+                        TakeCells();
+                        break;
+                    case Stage.Gather:
+                        Gather();
+                        break;
+                    case Stage.Throw:
+                        Throw();
+                        break;
+                    case Stage.Bar:
+                        BarPoints();
+                        break;
+                    case Stage.Average:
+                        AddToAverages();
+                        break;
+                    case Stage.Count:
+                        CountPoints();
+                        break;
+                    default:
+                        Renumber();
+                        break;
+                }
+            }
+            Scratch.Now.Value = m_now;
+        }
+
+        /// <summary>The end of what the budget allows from here.</summary>
+        int Spend(int from, int end, int cost)
+        {
+            int to = (int)math.min(end, from + m_budget / cost + 1);
+            m_budget -= (long)(to - from) * cost;
+            return to;
+        }
+
+        void Start()
+        {
+            Nodes.Clear();
+            Scratch.Ranges.Clear();
+            Scratch.Offered.ResizeUninitialized(Count);
+            if (IsRandom)
+                Scratch.OfferedCommon.ResizeUninitialized(Count);
+            if (Averaged.IsOn)
+            {
+                Averaged.Averages.Clear();
+                UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
+            }
+            m_now.Stage = Count > 0 ? Stage.Plan : Stage.Done;
+            if (Count > 0)
+                Scratch.Ranges.Add(new SampledRange { End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2, Offered = -1 });
+            BeginPlan(0);
+        }
+
+        void BeginPlan(int range)
+        {
+            m_now.Range = range;
+            m_now.Cell = -1;
+            if (range >= Scratch.Ranges.Length)
+            {
+                m_now.Stage = m_now.Stage == Stage.Done ? Stage.Done : Stage.NextSpacing;
+                return;
+            }
+            m_now.Stage = Stage.Plan;
+            m_now.Point = Scratch.Ranges[range].First + 1;
+            m_now.Largest = m_now.Ends = 0;
+            UnsafeUtility.MemClear(Scratch.Counts.GetUnsafePtr(), (long)Scratch.Counts.Length * sizeof(int));
+        }
+
+        /// <summary>Looks at the cubes that neighbours have in common, then decides what becomes of the range.</summary>
+        void Plan()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int* counts = (int*)Scratch.Counts.GetUnsafePtr();
+            int end = Spend(m_now.Point, range.End, CostOfLook), largest = m_now.Largest;
+            for (int i = m_now.Point; i < end; i++)
+            {
+                int side = m_common[i];
+                counts[(i & CountTables - 1) * CountsOfTable + side]++;
+                if (side < largest || side == 0)
+                    continue;
+                m_now.Ends = side > largest ? 0 : m_now.Ends;
+                m_now.EndOfPart[m_now.Ends++] = i;
+                largest = side;
+            }
+            m_now.Point = end;
+            m_now.Largest = largest;
+            if (end < range.End)
+                return;
+            var look = new RangeSurvey { Left = range.End - range.First, AnyCell = 1, Largest = largest };
+            for (int side = 0; side < RangeSurvey.Sides; side++)
+                for (int table = 0; table < CountTables; table++)
+                    look.CellsBelow[side] += counts[table * CountsOfTable + side];
+            Decide(ref range, look);
+            if (range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
+            {
+                AddParts(m_now.Range);
+                BeginPlan(m_now.Range + 1);
+                return;
+            }
+            m_now.Point = range.First;
+            m_now.Best = -1;
+            m_now.Stage = Stage.Fill;
+        }
+
+        void Decide(ref SampledRange range, in RangeSurvey look)
+        {
+            int finest = look.FinestCell(Sizes, out int cells);
+            bool isLeaf = Sizes.IsLeaf(look.Left, cells);
+            if (Tops.Length > 0)
+            {
+                int first = TopOf(range.First), last = TopOf(range.End - 1);
+                if (first == last)
+                {
+                    range.Kind = RangeKind.Top;
+                    range.SideLog2 = Tops[first].SideLog2;
+                    range.CellLog2 = Tops[first].CellLog2;
+                    return;
+                }
+                isLeaf &= !HasNodes(range);
+            }
+            range.Kind = isLeaf ? RangeKind.Leaf : look.Largest == 0 ? RangeKind.Chain : RangeKind.Sampled;
+            if (isLeaf)
+            {
+                range.CellLog2 = (byte)math.max(0, range.SideLog2 - Sizes.CellsLog2);
+                return;
+            }
+            range.SideLog2 = (byte)look.Largest;
+            range.CellLog2 = (byte)finest;
+            if (range.Kind == RangeKind.Chain)
+            {
+                range.CellLog2 = 0;
+            }
+            else if (range.Parent >= 0 && Scratch.Ranges[range.Parent].CellLog2 <= finest)
+            {
+                range.Kind = RangeKind.Passed;
+                range.CellLog2 = Scratch.Ranges[range.Parent].CellLog2;
+            }
+        }
+
+        void AddParts(int number)
+        {
+            var range = Scratch.Ranges[number];
+            range.FirstPart = Scratch.Ranges.Length;
+            range.PartCount = m_now.Ends + 1;
+            Scratch.Ranges[number] = range;
+            int first = range.First;
+            for (int part = 0; part <= m_now.Ends; part++)
+            {
+                int end = part < m_now.Ends ? m_now.EndOfPart[part] : range.End;
+                Scratch.Ranges.Add(new SampledRange
+                {
+                    First = first,
+                    End = end,
+                    Parent = range.Kind == RangeKind.Sampled ? number : range.Parent,
+                    SideLog2 = (byte)(range.SideLog2 - 1),
+                    Offered = -1,
+                });
+                first = end;
+            }
+        }
+
+        /// <summary>All points of a range that has no parts are its own until one above takes them. Of a chain's points, one is
+        /// offered.</summary>
+        void Fill()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int end = Spend(m_now.Point, range.End, CostOfLook);
+            for (int i = m_now.Point; i < end; i++)
+            {
+                m_rangeOfPoint[i] = m_now.Range;
+                m_now.Best = math.max(m_now.Best, RankOf(i));
+            }
+            m_now.Point = end;
+            if (end < range.End)
+                return;
+            if (range.Kind == RangeKind.Chain)
+            {
+                range.Offered = 1;
+                Scratch.Offered[range.First] = PointOf(m_now.Best);
+                if (IsRandom)
+                    Scratch.OfferedCommon[range.First] = m_common[range.First];
+            }
+            BeginPlan(m_now.Range + 1);
+        }
+
+        /// <summary>A point's priority above its number: of equal priorities the first on the curve is the best.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        long RankOf(int point) => (long)m_priority[point] << 31 | (uint)(int.MaxValue - point);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static int PointOf(long rank) => int.MaxValue - (int)(rank & int.MaxValue);
+
+        /// <summary>Begins the next spacing that ranges have, if there is one.</summary>
+        void NextSpacing()
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            int next = int.MaxValue, count = Scratch.Ranges.Length;
+            for (int r = 0; r < count; r++)
+                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_now.Cell)
+                    next = math.min(next, ranges[r].CellLog2);
+            m_budget -= count;
+            m_now.Cell = next;
+            m_now.Point = 0;
+            m_now.Stage = Stage.Count;
+            if (next == int.MaxValue)
+                return;
+            for (int r = count - 1; r >= 0; r--)
+                if (ranges[r].Kind == RangeKind.Passed && ranges[r].CellLog2 == next)
+                    PassOn(ranges, r);
+            if (!IsRandom)
+                Scratch.Grid.Clear();
+            m_now.IsFixing = !IsRandom && Tops.Length > 0;
+            BeginRange(-1);
+        }
+
+        void PassOn(SampledRange* ranges, int number)
+        {
+            ref var range = ref ranges[number];
+            int to = range.First;
+            for (int part = range.FirstPart; part < range.FirstPart + range.PartCount; part++)
+            {
+                int first = ranges[part].First, count = ranges[part].OfferedCount;
+                for (int k = first; k < first + count; k++, to++)
+                {
+                    if (IsRandom)
+                        Scratch.OfferedCommon[to] = ranges[part].OffersAll ? m_common[k] : Scratch.OfferedCommon[k];
+                    // Barred ones as well: whoever gathers them looks.
+                    Scratch.Offered[to] = ranges[part].OffersAll ? k : Scratch.Offered[k];
+                }
+            }
+            range.Offered = to - range.First;
+            m_budget -= (long)range.Offered * CostOfLook;
+        }
+
+        /// <summary>Begins the next range of the current spacing, or what follows the last one.</summary>
+        /// <param name="number">The range before it, or -1.</param>
+        void BeginRange(int number)
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (number++; ; number++)
+            {
+                if (number < Scratch.Ranges.Length)
+                {
+                    if (m_now.IsFixing ? IsFixed(ranges, number) : IsOfSpacing(ranges[number]))
+                        break;
+                    continue;
+                }
+                if (!m_now.IsFixing)
+                {
+                    BeginBar(-1);
+                    return;
+                }
+                m_now.IsFixing = false;
+                number = -1;
+            }
+            m_now.Range = number;
+            m_now.Part = m_now.IsFixing ? number : ranges[number].FirstPart;
+            m_now.Candidate = m_now.Taken = m_now.Darts = 0;
+            m_now.Stage = IsRandom ? Stage.TakeCells : Stage.Gather;
+        }
+
+        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_now.Cell;
+
+        /// <summary>Whether what is left of a chunk's top keeps others off at this spacing.</summary>
+        bool IsFixed(SampledRange* ranges, int number)
+        {
+            ref var range = ref ranges[number];
+            return range.Kind == RangeKind.Top && range.CellLog2 >= m_now.Cell && range.Parent >= 0 &&
+                ranges[range.Parent].CellLog2 > m_now.Cell && !Tops[TopOf(range.First)].IsLeaf;
+        }
+
+        /// <summary>Takes the best candidate of each cell, without a branch that depends on the points.</summary>
+        void TakeCells()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int* offered = Scratch.Offered.GetUnsafePtr();
+            byte* offeredCommon = Scratch.OfferedCommon.GetUnsafePtr();
+            int cell = m_now.Cell, to = range.First + m_now.Taken - 1;
+            long best = m_now.Best;
+            while (m_now.Part < range.FirstPart + range.PartCount && m_budget > 0)
+            {
+                var part = Scratch.Ranges[m_now.Part];
+                int first = part.First, end = Spend(m_now.Candidate, part.OfferedCount, CostOfCandidate);
+                for (int k = first + m_now.Candidate; k < first + end; k++)
+                {
+                    int point = part.OffersAll ? k : offered[k], common = part.OffersAll ? m_common[k] : offeredCommon[k];
+                    int isNew = cell - common >> 31;
+                    to -= isNew;
+                    best = math.max(best & ~(long)isNew, RankOf(point));
+                    offered[to] = PointOf(best);
+                    offeredCommon[to] = (byte)(isNew & common | ~isNew & offeredCommon[to]);
+                }
+                m_now.Candidate = end;
+                if (end < part.OfferedCount)
+                    break;
+                m_now.Part++;
+                m_now.Candidate = 0;
+            }
+            m_now.Best = best;
+            m_now.Taken = to + 1 - range.First;
+            if (m_now.Part < range.FirstPart + range.PartCount)
+                return;
+            EndRange(ref range);
+        }
+
+        void EndRange(ref SampledRange range)
+        {
+            if (!m_now.IsFixing)
+            {
+                range.Offered = m_now.Taken;
+                int* offered = Scratch.Offered.GetUnsafePtr();
+                for (int k = range.First; k < range.First + m_now.Taken; k++)
+                    m_rangeOfPoint[offered[k]] = m_now.Range;
+                m_budget -= (long)m_now.Taken * CostOfLook;
+            }
+            BeginRange(m_now.Range);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        Grid3 PlaceAt(int point) => Layout.PlaceOf(m_records + (long)point * Layout.StrideBytes) - Corner;
+
+        DartGrid Grid => Scratch.Grid.For(m_now.Cell, Averaged.IsOn);
+
+        /// <summary>Gathers the candidates of one tile.</summary>
+        void Gather()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int endPart = m_now.IsFixing ? m_now.Range + 1 : range.FirstPart + range.PartCount;
+            var grid = Grid;
+            int* offered = Scratch.Offered.GetUnsafePtr();
+            while (m_now.Part < endPart)
+            {
+                var part = Scratch.Ranges[m_now.Part];
+                int end = Spend(m_now.Candidate, part.OfferedCount, CostOfGather), darts = m_now.Darts;
+                // Room for all that may come.
+                ReserveDarts(darts + end - m_now.Candidate);
+                ulong* dartList = Scratch.Darts.GetUnsafePtr();
+                int* points = Scratch.PointOfDart.GetUnsafePtr();
+                for (; m_now.Candidate < end; m_now.Candidate++)
+                {
+                    int point = part.OffersAll ? part.First + m_now.Candidate : offered[part.First + m_now.Candidate];
+                    if (m_rangeOfPoint[point] < 0 && !m_now.IsFixing)
+                        continue;
+                    var place = PlaceAt(point);
+                    var tile = grid.TileOf(place);
+                    if (darts == 0)
+                    {
+                        m_now.Tile = tile;
+                    }
+                    else if ((tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                    {
+                        m_now.Darts = darts;
+                        m_budget += (long)(end - m_now.Candidate) * CostOfGather;
+                        BeginThrows();
+                        return;
+                    }
+                    dartList[darts] = grid.DartOf(place, PoissonPriority.ClassOf(m_priority[point]));
+                    points[darts++] = point;
+                }
+                m_now.Darts = darts;
+                if (end < part.OfferedCount)
+                    return;
+                m_now.Part++;
+                m_now.Candidate = 0;
+                if (m_budget <= 0 && m_now.Part < endPart)
+                    return;
+            }
+            if (m_now.Darts > 0)
+                BeginThrows();
+            else
+                EndRange(ref range);
+        }
+
+        void ReserveDarts(int count)
+        {
+            if (Scratch.Darts.Length >= count)
+                return;
+            count = math.max(count, 4096);
+            Scratch.Darts.ResizeUninitialized(count);
+            Scratch.PointOfDart.ResizeUninitialized(count);
+            Scratch.Order.ResizeUninitialized(count);
+        }
+
+        /// <summary>Sorts the tile's darts by the class of their priority; those of one class follow the Morton
+        /// curve.</summary>
+        void BeginThrows()
+        {
+            int* next = stackalloc int[PoissonPriority.Classes + 1];
+            UnsafeUtility.MemClear(next, (PoissonPriority.Classes + 1) * sizeof(int));
+            ulong* darts = Scratch.Darts.GetUnsafePtr();
+            int* order = Scratch.Order.GetUnsafePtr();
+            for (int k = 0; k < m_now.Darts; k++)
+                next[DartGrid.ClassOf(darts[k]) + 1]++;
+            for (int c = 1; c <= PoissonPriority.Classes; c++)
+                next[c] += next[c - 1];
+            for (int k = 0; k < m_now.Darts; k++)
+                order[next[DartGrid.ClassOf(darts[k])]++] = k;
+            Grid.BeginTile(m_now.Tile);
+            m_now.Dart = 0;
+            m_now.Stage = Stage.Throw;
+        }
+
+        void Throw()
+        {
+            var grid = Grid;
+            ulong* darts = Scratch.Darts.GetUnsafePtr();
+            int* order = Scratch.Order.GetUnsafePtr(), points = Scratch.PointOfDart.GetUnsafePtr();
+            int end = Spend(m_now.Dart, m_now.Darts, CostOfDart), taken = m_now.Taken;
+            int most = m_now.IsFixing ? int.MaxValue : Sizes.MaxPointsPerNode;
+            for (int d = m_now.Dart; d < end && taken < most; d++)
+            {
+                int dart = order[d];
+                if (!m_now.IsFixing && grid.IsNear(darts[dart]))
+                    continue;
+                grid.Add(darts[dart], m_now.IsFixing ? -1 : points[dart]);
+                darts[dart] |= DartGrid.TakenFlag;
+                taken++;
+            }
+            m_now.Dart = end;
+            m_now.Taken = taken;
+            if (end < m_now.Darts)
+                return;
+            EndTile(points, darts);
+        }
+
+        /// <summary>Offers what was taken, along the curve.</summary>
+        void EndTile(int* points, ulong* darts)
+        {
+            Grid.EndTile(m_now.Tile);
+            if (!m_now.IsFixing)
+            {
+                int count = 0;
+                for (int k = 0; k < m_now.Darts; k++)
+                    count += (int)(darts[k] >> 63);
+                int* to = Scratch.Offered.GetUnsafePtr() + Scratch.Ranges[m_now.Range].First + m_now.Taken - count;
+                for (int k = 0; k < m_now.Darts; k++)
+                    if (darts[k] >= DartGrid.TakenFlag)
+                        *to++ = points[k];
+            }
+            m_now.Darts = 0;
+            m_now.Stage = Stage.Gather;
+        }
+
+        /// <summary>Begins the next range whose points were no candidates of this spacing and will be of a wider one, or what
+        /// follows the last one.</summary>
+        void BeginBar(int number)
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (number++; number < Scratch.Ranges.Length && !IsRandom; number++)
+            {
+                if (!IsBesideSpacing(ranges, number))
+                    continue;
+                m_now.Range = number;
+                m_now.Candidate = m_now.Darts = 0;
+                m_now.Stage = Stage.Bar;
+                return;
+            }
+            BeginAverages(-1);
+        }
+
+        bool IsBesideSpacing(SampledRange* ranges, int number)
+        {
+            ref var range = ref ranges[number];
+            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_now.Cell;
+            if (isSampled || range.Kind == RangeKind.Passed || range.Parent < 0 || ranges[range.Parent].CellLog2 <= m_now.Cell ||
+                IsFixed(ranges, number))
+                return false;
+            m_budget -= Scratch.Ranges.Length;
+            for (int r = 0; r < Scratch.Ranges.Length; r++)
+                if (IsOfSpacing(ranges[r]) && IsWithinSpacing(range, ranges[r]))
+                    return true;
+            return false;
+        }
+
+        /// <summary>Whether the cubes of two ranges are no farther apart than the spacing.</summary>
+        bool IsWithinSpacing(in SampledRange a, in SampledRange b)
+        {
+            long near = 1L << m_now.Cell, wholeA = -1L << a.SideLog2, wholeB = -1L << b.SideLog2;
+            Grid3 p = PlaceAt(a.First), q = PlaceAt(b.First);
+            return IsWithin((p.X & wholeA) - (q.X & wholeB), near, ~wholeA, ~wholeB) &&
+                IsWithin((p.Y & wholeA) - (q.Y & wholeB), near, ~wholeA, ~wholeB) &&
+                IsWithin((p.Z & wholeA) - (q.Z & wholeB), near, ~wholeA, ~wholeB);
+        }
+
+        static bool IsWithin(long apart, long near, long a, long b) => apart <= b + near && -apart <= a + near;
+
+        /// <summary>Bars those that are nearer than this spacing to one of its samples from the nodes above: otherwise these
+        /// had points too near to points of nodes below.</summary>
+        void BarPoints()
+        {
+            var range = Scratch.Ranges[m_now.Range];
+            var grid = Grid;
+            for (; m_now.Candidate < range.OfferedCount && m_budget > 0; m_now.Candidate++)
+            {
+                m_budget -= CostOfBar;
+                int i = range.First + m_now.Candidate;
+                i = range.OffersAll ? i : Scratch.Offered[i];
+                var place = PlaceAt(i);
+                var tile = grid.TileOf(place);
+                if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                    m_now.IsEmpty = !grid.BeginTile(tile);
+                m_now.Tile = tile;
+                m_now.Darts = 1;
+                if (!m_now.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(place, 0)))
+                    m_rangeOfPoint[i] = ~m_now.Range;
+            }
+            if (m_now.Candidate == range.OfferedCount)
+                BeginBar(m_now.Range);
+        }
+
+        /// <summary>The range that a point belongs to, barred or not.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        int RangeOf(int point) => m_rangeOfPoint[point] ^ m_rangeOfPoint[point] >> 31;
+
+        /// <summary>Begins the averages of the next range of the current spacing, or the next spacing.</summary>
+        void BeginAverages(int number)
+        {
+            m_now.Stage = Stage.NextSpacing;
+            if (!Averaged.IsOn)
+                return;
+            for (number++; number < Scratch.Ranges.Length; number++)
+            {
+                if (!IsOfSpacing(Scratch.Ranges[number]))
+                    continue;
+                m_now.Range = number;
+                m_now.Point = Scratch.Ranges[number].First;
+                m_now.Darts = 0;
+                m_now.Stage = Stage.Average;
+                return;
+            }
+        }
+
+        /// <summary>Adds what each candidate that was not taken represents to the nearest sample.</summary>
+        void AddToAverages()
+        {
+            var range = Scratch.Ranges[m_now.Range];
+            var grid = Grid;
+            for (; m_now.Point < range.End && m_budget > 0; m_now.Point++)
+            {
+                int i = m_now.Point, own = RangeOf(i);
+                m_budget--;
+                if (own == m_now.Range || Scratch.Ranges[own].Parent != m_now.Range)
+                    continue;
+                m_budget -= CostOfAverage;
+                var place = PlaceAt(i);
+                var tile = grid.TileOf(place);
+                if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                    grid.BeginTile(tile);
+                m_now.Tile = tile;
+                m_now.Darts = 1;
+                if (grid.Nearest(grid.DartOf(place, 0), out int nearest) && nearest >= 0)
+                    AddAverage(i, nearest);
+            }
+            if (m_now.Point == range.End)
+                BeginAverages(m_now.Range);
+        }
+
+        void AddAverage(int from, int to)
+        {
+            int stride = Layout.StrideBytes;
+            if (Averaged.AverageOfPoint[to] < 0)
+            {
+                var first = Averaged.Of(to, m_records + (long)to * stride, Layout);
+                Averaged.AverageOfPoint[to] = Averaged.Averages.Length;
+                Averaged.Averages.Add(first);
+            }
+            var more = Averaged.Of(from, m_records + (long)from * stride, Layout);
+            ref var sum = ref Averaged.Averages.ElementAt(Averaged.AverageOfPoint[to]);
+            sum.Points += more.Points;
+            sum.Sum += more.Sum;
+        }
+
+        /// <summary>Counts what each range has in the end, and makes the nodes.</summary>
+        void CountPoints()
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            int end = Spend(m_now.Point, Count, CostOfLook);
+            for (int i = m_now.Point; i < end; i++)
+                ranges[RangeOf(i)].Count++;
+            m_now.Point = end;
+            if (end < Count)
+                return;
+            for (int r = 0; r < Scratch.Ranges.Length; r++)
+                AddNodes(ref ranges[r], ranges);
+            m_now.Point = 0;
+            m_now.Stage = Stage.Renumber;
+        }
+
+        void AddNodes(ref SampledRange range, SampledRange* ranges)
+        {
+            int node = range.Parent < 0 ? -1 : ranges[range.Parent].Node;
+            range.Node = range.Count > 0 ? Nodes.Length : node;
+            range.Offered = 0;
+            bool isChain = range.Kind == RangeKind.Chain, isTop = range.Kind == RangeKind.Top;
+            bool isLeaf = range.Kind == RangeKind.Leaf || isTop && Tops[TopOf(range.First)].IsLeaf || isChain && !HasNodes(range);
+            for (int left = range.Count; left > 0;)
+            {
+                int count = isChain ? math.min(left, Sizes.MaxPointsPerNode) : left;
+                left -= count;
+                Nodes.Add(new NodeDraft
+                {
+                    First = range.First,
+                    End = range.End,
+                    Parent = node,
+                    Count = count,
+                    SideLog2 = range.SideLog2,
+                    CellLog2 = range.CellLog2,
+                    IsLeaf = isLeaf && left == 0,
+                    IsTop = isTop,
+                });
+                node = Nodes.Length - 1;
+            }
+            if (Tops.Length == 0 || range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
+                return;
+            for (int t = TopOf(range.First), last = TopOf(range.End - 1); t <= last; t++)
+            {
+                var top = Tops[t];
+                top.AttachNode = node;
+                Tops[t] = top;
+            }
+        }
+
+        void Renumber()
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            int end = Spend(m_now.Point, Count, CostOfLook);
+            for (int i = m_now.Point; i < end; i++)
+            {
+                ref var range = ref ranges[RangeOf(i)];
+                m_rangeOfPoint[i] = range.Node;
+                if (range.Kind == RangeKind.Chain)
+                    m_rangeOfPoint[i] += range.Offered++ / Sizes.MaxPointsPerNode;
+            }
+            m_now.Point = end;
+            if (end == Count)
+                m_now.Stage = Stage.Done;
+        }
+
+        /// <summary>Whether a chunk has nodes below its top, if the points are tops.</summary>
+        bool HasNodes(in SampledRange range)
+        {
+            bool hasNodes = false;
+            for (int t = TopOf(range.First); Tops.Length > 0 && t <= TopOf(range.End - 1); t++)
+                hasNodes |= Tops[t].HasNodes;
+            return hasNodes;
+        }
+
+        /// <summary>The chunk whose top has this point.</summary>
+        int TopOf(int point)
+        {
+            int low = 0, high = Tops.Length - 1;
+            while (low < high)
+            {
+                int middle = (low + high) >> 1;
+                if (point < Tops[middle].End)
+                    high = middle;
+                else
+                    low = middle + 1;
+            }
+            return low;
+        }
+    }
+}
