@@ -17,17 +17,15 @@ namespace FastPoints.Tests.Store
             for (int block = 0; block < Blocks; block++)
             {
                 int points = block == Blocks - 1 ? 77 : 128;
-                uint* of = stackalloc uint[2];
-                of[0] = (uint)word;
-                of[1] = (uint)(points - 1) << 24;
+                words[block * shape.DescriptorWords] = (uint)word;
+                uint widths = (uint)(points - 1) << 24;
                 for (int c = 0; c < columns; c++)
                 {
                     int width = random.NextInt(shape.IsWide(c) ? 65 : 33);
-                    of[1] |= (uint)width << 8 * c;
+                    widths |= (uint)width << 8 * c;
                     word += PlaneShape.WordsOf(points, width);
                 }
-                words[block * shape.DescriptorWords] = of[0];
-                words[block * shape.DescriptorWords + 1] = of[1];
+                words[block * shape.DescriptorWords + 1] = widths;
             }
             long length = PlaneShape.LengthBytes(word);
             fixed (uint* plane = words)
