@@ -60,6 +60,8 @@ namespace FastPoints.Editor
             Sampler = request.Sampler,
             MemoryBytes = (long)MemoryMiB << 20,
             Workers = Workers,
+            // Without focus the editor updates ten times a second at most.
+            AheadMs = 250,
         };
     }
 }

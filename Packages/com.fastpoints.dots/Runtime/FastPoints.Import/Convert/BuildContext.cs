@@ -76,6 +76,9 @@ namespace FastPoints.Convert
         /// <summary>The sampler's name in the manifest.</summary>
         public string SamplerName => Settings.Sampler.ToString().ToLowerInvariant();
 
+        /// <summary>See <see cref="ConvertSettings.AheadMs"/>.</summary>
+        public double AheadMs() => Settings.AheadMs;
+
         /// <summary>Slots that may be at work at once, of so many that would be of use.</summary>
         public int MostSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
 

@@ -87,10 +87,14 @@ namespace FastPoints.Convert
                     reader.MostJobs = m_build.Settings.Workers;
                     if (!reader.BlocksAreKnown)
                         yield return Work.Of(reader.FindBlocks());
-                    int slots = m_build.MostSlots(SourceScan.DefaultSlots);
-                    yield return Work.Of(SourceSample.Read(reader, slots, m_samples.Add));
+                    yield return Work.Of(SourceSample.Read(reader, m_build.AheadMs, m_build.Settings.Workers, m_samples.Add));
                     var stored = m_samples[m_samples.Count - 1].Stored;
-                    job = new MeasureSampleJob { Stored = stored, Statistics = statistics }.Schedule();
+                    job = MeasureSampleJob.Schedule(new MeasureSampleJob
+                    {
+                        Stored = stored,
+                        Statistics = statistics,
+                        Slices = m_build.Slices,
+                    });
                     yield return job;
                     job.Complete();
                     m_sampleStatistics.Add(statistics.Value);
@@ -108,7 +112,7 @@ namespace FastPoints.Convert
         {
             m_build.Choose(m_sampleStatistics);
             var cube = FirstCube.Of(m_build.Readers, m_sampleStatistics, m_build.Grid);
-            yield return Work.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Points, m_build.Plan,
+            yield return Work.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Points, m_build.Plan, m_build.Slices,
                 map => m_build.Map = map));
             foreach (var sample in m_samples)
                 sample.Dispose();

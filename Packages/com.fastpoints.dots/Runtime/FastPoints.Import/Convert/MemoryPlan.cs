@@ -43,6 +43,10 @@ namespace FastPoints.Convert
         /// <summary>Bytes of the blocks in flight while sources are read.</summary>
         public long ReadBytes { get; private set; }
 
+        /// <summary>The most of them that may be in flight where workers run out of fewer: what is free until chunks are in
+        /// progress.</summary>
+        public long AheadBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
+
         /// <summary>The most pages that chunks hold while sources are read, including those that wait to be written.</summary>
         public long MostPages { get; private set; }
         public long MostWaitingPages { get; private set; }

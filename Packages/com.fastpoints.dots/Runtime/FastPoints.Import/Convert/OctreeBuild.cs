@@ -210,7 +210,7 @@ namespace FastPoints.Convert
             for (int i = 0; i < lanes; i++)
                 m_lanes.Add(m_build.CreateLane(m_store));
             long room = Math.Max(0, plan.IndexBytes - lanes * m_chunkBytes) / 2 / m_aheadBytes;
-            m_ahead = new WorkAhead(lanes, (int)Math.Min(chunks, lanes + room), () => m_build.Settings.AheadMs);
+            m_ahead = new WorkAhead(lanes, (int)Math.Min(chunks, lanes + room), m_build.AheadMs);
             m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_ahead.Most);
         }
 

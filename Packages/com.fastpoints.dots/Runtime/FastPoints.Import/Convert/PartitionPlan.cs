@@ -21,9 +21,10 @@ namespace FastPoints.Convert
         /// <summary>Makes the partition as work for a pump.</summary>
         /// <param name="samples">Samples of the sources, in the order of the grid's.</param>
         /// <param name="points">Points of all sources.</param>
+        /// <param name="slices">Takes in how long the jobs ran.</param>
         /// <param name="take">Receives the partition, which the caller disposes.</param>
         public static IEnumerator<Work> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
-            MemoryPlan plan, Action<PartitionMap> take)
+            MemoryPlan plan, SliceTimes slices, Action<PartitionMap> take)
         {
             int sampled = 0;
             foreach (var sample in samples)
@@ -36,16 +37,17 @@ namespace FastPoints.Convert
                 int first = 0;
                 for (int i = 0; i < samples.Count; i++)
                 {
-                    coded = new CodeSampleJob
-                    {
-                        Stored = samples[i].Stored,
-                        Grid = grid.Sources[i],
-                        Cube = cube,
-                        CodeOfPoint = codes,
-                        First = first,
-                    }.Schedule();
-                    yield return coded;
-                    coded.Complete();
+                    var stored = samples[i].Stored;
+                    for (int begin = 0; begin < stored.Length; begin += CodeSampleJob.PointsOfSlice)
+                        coded = new CodeSampleJob
+                        {
+                            Stored = stored.GetSubArray(begin, Math.Min(CodeSampleJob.PointsOfSlice, stored.Length - begin)),
+                            Grid = grid.Sources[i],
+                            Cube = cube,
+                            CodeOfPoint = codes,
+                            First = first + begin,
+                            Slices = slices,
+                        }.Schedule(coded);
                     foreach (var run in samples[i].Runs)
                         runs.Add(new SampleRun
                         {
@@ -56,6 +58,8 @@ namespace FastPoints.Convert
                         });
                     first += samples[i].Stored.Length;
                 }
+                yield return coded;
+                coded.Complete();
                 // Empty runs would mean that each point stands for itself.
                 if (runs.Length == 0)
                     runs.Add(default);

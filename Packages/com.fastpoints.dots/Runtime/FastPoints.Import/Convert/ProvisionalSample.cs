@@ -17,7 +17,9 @@ namespace FastPoints.Convert
         /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
         /// cover.</summary>
         const int RunPoints = 16;
-        const int SlotsInFlight = 8;
+
+        /// <summary>Runs that are grouped in one slice.</summary>
+        const int RunsAtOnce = 2048;
 
         readonly BuildContext m_build;
         readonly NativeReference<RecordPagePool> m_pool;
@@ -85,49 +87,51 @@ namespace FastPoints.Convert
             foreach (var attribute in m_build.Attributes)
                 names.Add(attribute.Name);
             var wanted = reader.Info.Schema.Select(names.ToArray());
-            int longest = 1;
-            foreach (var run in runs)
-                longest = Math.Max(longest, run.Count);
-            int slots = Math.Min(runs.Count, SlotsInFlight);
-            var reads = new BlockRead[slots];
-            var records = new RecordSlot[slots];
-            var jobs = new JobHandle[slots];
+            if (reader.HasRunReads)
+            {
+                yield return Work.Of(ReadRuns(reader, grid, runs, wanted));
+                yield break;
+            }
+            int longest = SourceSample.LongestOf(runs);
+            var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
+                m_build.Settings.Workers, m_build.AheadMs);
+            using (var consumer = new Taking(this, grid, longest))
+                yield return Work.Of(SourceScan.Run(reader, wanted, consumer, ahead, m_build.Settings.Workers, 0, runs.Count,
+                    r => runs[r], longest, null));
+        }
+
+        /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
+        IEnumerator<Work> ReadRuns(PointReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
+        {
+            var batch = new PointBatch(wanted, RunPoints * RunsAtOnce, Allocator.Persistent);
+            var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
+            var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.Records, m_build.Map, batch);
+            var grouped = default(JobHandle);
             try
             {
-                for (int s = 0; s < slots; s++)
+                for (int first = 0; first < runs.Count; first += RunsAtOnce)
                 {
-                    reads[s] = reader.CreateRead(wanted, longest, Allocator.Persistent);
-                    records[s] = new RecordSlot(longest, m_build.Attributes, m_build.Records, m_build.Map, reads[s].Points);
-                }
-                for (int r = 0; r < runs.Count + slots; r++)
-                {
-                    int s = slots == 0 ? 0 : r % slots;
-                    if (r >= slots && r - slots < runs.Count)
-                    {
-                        yield return jobs[s];
-                        jobs[s].Complete();
-                        reads[s].Complete();
-                        Take(records[s]);
-                    }
-                    if (r >= runs.Count)
-                        continue;
-                    reads[s].Begin(runs[r]);
-                    jobs[s] = records[s].ScheduleGrouping(reads[s], grid, reads[s].Decoded);
-                    JobHandle.ScheduleBatchedJobs();
+                    int count = Math.Min(RunsAtOnce, runs.Count - first), points = 0;
+                    for (int r = first; r < first + count; r++)
+                        points += runs[r].Count;
+                    yield return Work.Of(RunRead.Run(reader, runs, first, count, batch));
+                    decoded.Value = new DecodeResult { Points = points };
+                    grouped = slot.ScheduleGrouping(batch, decoded, grid, default);
+                    yield return grouped;
+                    grouped.Complete();
+                    Take(slot);
                 }
             }
             finally
             {
-                for (int s = 0; s < slots; s++)
-                {
-                    jobs[s].Complete();
-                    reads[s]?.Dispose();
-                    records[s]?.Dispose();
-                }
+                grouped.Complete();
+                slot.Dispose();
+                batch.Dispose();
+                decoded.Dispose();
             }
         }
 
-        /// <summary>Copies a run here and now, since it has few records.</summary>
+        /// <summary>Copies records here and now, since they are few.</summary>
         unsafe void Take(RecordSlot slot)
         {
             m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
@@ -135,6 +139,38 @@ namespace FastPoints.Convert
             var statistics = Statistics;
             statistics.Include(slot.TakeStatistics(Attributes));
             Statistics = statistics;
+        }
+
+        /// <summary>Takes runs that come as blocks.</summary>
+        sealed class Taking : IBlockConsumer, IDisposable
+        {
+            readonly ProvisionalSample m_sample;
+            readonly SourceGrid m_grid;
+            readonly int m_longest;
+            readonly List<RecordSlot> m_slots = new List<RecordSlot>();
+
+            public Taking(ProvisionalSample sample, SourceGrid grid, int longest)
+            {
+                m_sample = sample;
+                m_grid = grid;
+                m_longest = longest;
+            }
+
+            public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+            {
+                var build = m_sample.m_build;
+                if (slot == m_slots.Count)
+                    m_slots.Add(new RecordSlot(m_longest, build.Attributes, build.Records, build.Map, read.Points));
+                return m_slots[slot].ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
+            }
+
+            public void Completed(BlockRead read, int slot) => m_sample.Take(m_slots[slot]);
+
+            public void Dispose()
+            {
+                foreach (var slot in m_slots)
+                    slot.Dispose();
+            }
         }
     }
 }

@@ -14,6 +14,7 @@ namespace FastPoints.Convert
         readonly ScatterPoints m_scatter;
         readonly BuildCheckpoints m_checkpoints;
         readonly BuildGenerations m_generations;
+        WorkSteps m_first;
         long m_sinceCheckpoint;
 
         /// <param name="generations">Shows a sample where reading takes long.</param>
@@ -31,11 +32,19 @@ namespace FastPoints.Convert
             var journal = m_checkpoints.Journal;
             if (journal.At != BuildJournal.Stage.Read)
                 yield break;
-            for (int i = journal.Source; i < m_build.Readers.Count; i++)
+            try
             {
-                yield return Work.Of(Read(i));
-                journal.Source = i + 1;
-                journal.Block = 0;
+                for (int i = journal.Source; i < m_build.Readers.Count; i++)
+                {
+                    yield return Work.Of(Read(i));
+                    journal.Source = i + 1;
+                    journal.Block = 0;
+                }
+                yield return Work.Of(EndFirst());
+            }
+            finally
+            {
+                m_first?.Dispose();
             }
             if (m_build.Files != null)
                 yield return Work.Of(m_scatter.WriteAll());
@@ -49,8 +58,8 @@ namespace FastPoints.Convert
             foreach (var attribute in m_build.Attributes)
                 names.Add(attribute.Name);
             var wanted = reader.Info.Schema.Select(names.ToArray());
-            int slots = m_build.MostSlots(SourceScan.SlotsFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int),
-                m_build.Plan.ReadBytes));
+            var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.AheadBytes,
+                m_build.Settings.Workers, m_build.AheadMs);
             m_scatter.BeginSource(reader, m_build.Grid.Sources[source]);
             if (journal.Statistics.Count <= source)
                 journal.Statistics.Add(PointStatistics.None);
@@ -59,13 +68,13 @@ namespace FastPoints.Convert
                 int end = block;
                 for (; end < reader.BlockCount && m_sinceCheckpoint < m_build.Settings.PointsPerCheckpoint; end++)
                     m_sinceCheckpoint += reader.PointsInBlock(end);
-                using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, slots, block, end, null)))
+                using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, ahead, m_build.Settings.Workers, block,
+                    end, null)))
                 {
                     while (scan.MoveNext())
                     {
                         yield return scan.Current;
-                        if (m_generations.IsFirstDue)
-                            yield return Work.Of(m_generations.WriteFirst());
+                        StepFirst();
                     }
                 }
                 var found = journal.Statistics[source];
@@ -82,6 +91,28 @@ namespace FastPoints.Convert
                 yield return Work.Of(m_checkpoints.Begin());
             }
             m_scatter.EndSource();
+        }
+
+        /// <summary>Where reading takes long, the first generation is made beside it; not for what is left of the second half,
+        /// since chunks follow soon.</summary>
+        void StepFirst()
+        {
+            if (m_first == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)
+                m_first = new WorkSteps(m_generations.WriteFirst());
+            if (m_first == null || !WorkPump.HasEnded(m_first.Current))
+                return;
+            m_first.Current.Complete();
+            m_first.MoveNext();
+        }
+
+        /// <summary>Ends the first generation if it was begun.</summary>
+        IEnumerator<Work> EndFirst()
+        {
+            for (bool more = m_first != null; more; more = m_first.MoveNext())
+            {
+                yield return m_first.Current;
+                m_first.Current.Complete();
+            }
         }
     }
 }

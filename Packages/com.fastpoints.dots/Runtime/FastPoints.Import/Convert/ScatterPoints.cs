@@ -70,7 +70,7 @@ namespace FastPoints.Convert
                 m_slots.Add(new RecordSlot(m_reader.MaxPointsPerBlock, m_build.Attributes, m_build.Records, m_build.Map,
                     read.Points));
             var s = m_slots[slot];
-            var grouped = s.ScheduleGrouping(read, m_grid, decoded);
+            var grouped = s.ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
             var files = m_build.Files;
             files?.Poll(0);
             m_lastAppend = new AppendRecordsJob

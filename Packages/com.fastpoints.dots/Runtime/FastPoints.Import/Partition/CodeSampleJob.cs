@@ -1,5 +1,6 @@
 using FastPoints.Density;
 using FastPoints.Points;
+using FastPoints.Records;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -11,16 +12,22 @@ namespace FastPoints.Partition
     [BurstCompile]
     internal struct CodeSampleJob : IJob
     {
+        /// <summary>Points of one run of the job.</summary>
+        public const int PointsOfSlice = 1 << 16;
+
+        /// <summary>A slice of a sample.</summary>
         [ReadOnly] public NativeArray<double3> Stored;
         public SourceGrid Grid;
         public GridCube Cube;
 
-        /// <summary>Codes of all sources' samples; this one's begin at <see cref="First"/>.</summary>
+        /// <summary>Codes of all sources' samples; this slice's begin at <see cref="First"/>.</summary>
         public NativeArray<uint> CodeOfPoint;
         public int First;
+        public SliceTimes Slices;
 
         public void Execute()
         {
+            long begin = SliceTimes.Begin();
             for (int i = 0; i < Stored.Length; i++)
             {
                 long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);
@@ -32,6 +39,7 @@ namespace FastPoints.Partition
                     ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))
                     : DensityTree.OutsideCode;
             }
+            Slices.End(begin);
         }
 
         /// <summary>The cell of an offset. In a small cube cells are parts of a grid step: its positions are in the first of

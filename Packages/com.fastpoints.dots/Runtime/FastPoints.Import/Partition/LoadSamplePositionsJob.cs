@@ -18,15 +18,16 @@ namespace FastPoints.Partition
         public PointColumn Y;
         public PointColumn Z;
 
-        /// <summary>Room for the run's points.</summary>
+        /// <summary>The first point, and room for all from there on that are loaded.</summary>
+        public int First;
         public NativeArray<double3> Stored;
 
         public void Execute()
         {
             var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
-            int count = math.min(Decoded.Value.Points, Stored.Length);
+            int count = math.min(Decoded.Value.Points - First, Stored.Length);
             for (int i = 0; i < count; i++)
-                Stored[i] = new double3(Load(bytes, X, i), Load(bytes, Y, i), Load(bytes, Z, i));
+                Stored[i] = new double3(Load(bytes, X, First + i), Load(bytes, Y, First + i), Load(bytes, Z, First + i));
         }
 
         static double Load(byte* bytes, PointColumn column, int index) =>

@@ -1,3 +1,4 @@
+using FastPoints.Records;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -9,18 +10,41 @@ namespace FastPoints.Partition
     [BurstCompile]
     internal struct MeasureSampleJob : IJob
     {
+        /// <summary>Points of one run of the job.</summary>
+        public const int PointsOfSlice = 1 << 16;
+
         [ReadOnly] public NativeArray<double3> Stored;
+        public int First;
+        public int End;
+
+        /// <summary>Of the points so far; reset by the first slice.</summary>
         public NativeReference<SampleStatistics> Statistics;
+        public SliceTimes Slices;
+
+        /// <summary>Schedules all slices of a sample.</summary>
+        public static JobHandle Schedule(MeasureSampleJob job)
+        {
+            var done = default(JobHandle);
+            do
+            {
+                job.First = job.End;
+                job.End = math.min(job.Stored.Length, job.First + PointsOfSlice);
+                done = job.Schedule(done);
+            }
+            while (job.End < job.Stored.Length);
+            return done;
+        }
 
         public void Execute()
         {
-            var found = new SampleStatistics
+            long begin = SliceTimes.Begin();
+            var found = First > 0 ? Statistics.Value : new SampleStatistics
             {
                 Min = new double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
                 Max = new double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
                 LowestDigit = new int3(int.MaxValue, int.MaxValue, int.MaxValue),
             };
-            for (int i = 0; i < Stored.Length; i++)
+            for (int i = First; i < End; i++)
             {
                 var p = Stored[i];
                 if (!math.all(math.isfinite(p)))
@@ -31,6 +55,7 @@ namespace FastPoints.Partition
                     new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
             }
             Statistics.Value = found;
+            Slices.End(begin);
         }
 
         static int LowestDigit(double value)

@@ -18,6 +18,8 @@ namespace FastPoints.Partition
         const int MaxRuns = 1024;
         const int RunPoints = 1024;
 
+        const int PointsOfSlice = 1 << 16;
+
         NativeList<double3> m_stored;
         NativeList<SampleRun> m_runs;
 
@@ -34,68 +36,86 @@ namespace FastPoints.Partition
         public NativeArray<SampleRun> Runs => m_runs.AsArray();
 
         /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
-        /// <param name="slots">Runs in flight.</param>
+        /// <param name="aheadMs">See <see cref="WorkAhead"/>.</param>
+        /// <param name="chains">The most runs that are decoded side by side; 0 for all in flight.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
-        public static IEnumerator<Work> Read(PointReader reader, int slots, Action<SourceSample> take)
+        public static IEnumerator<Work> Read(PointReader reader, Func<double> aheadMs, int chains, Action<SourceSample> take)
         {
             var sample = new SourceSample();
             var runs = SampleRuns.Choose(reader, MaxRuns, RunPoints);
-            int longest = 1;
-            foreach (var run in runs)
-                longest = Math.Max(longest, run.Count);
             var positions = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
-            slots = Math.Min(runs.Count, slots);
-            var reads = new BlockRead[slots];
-            var buffers = new NativeArray<double3>[slots];
-            var jobs = new JobHandle[slots];
             try
             {
-                for (int s = 0; s < slots; s++)
+                if (reader.HasRunReads)
                 {
-                    reads[s] = reader.CreateRead(positions, longest, Allocator.Persistent);
-                    buffers[s] = new NativeArray<double3>(longest, Allocator.Persistent);
+                    yield return Work.Of(sample.ReadRuns(reader, runs, positions));
                 }
-                for (int r = 0; r < runs.Count + slots; r++)
+                else
                 {
-                    int s = slots == 0 ? 0 : r % slots;
-                    if (r >= slots && r - slots < runs.Count)
-                    {
-                        yield return jobs[s];
-                        jobs[s].Complete();
-                        reads[s].Complete();
-                        sample.Add(buffers[s], reads[s].Points.Count, PointsUpToNext(reader, runs, r - slots));
-                    }
-                    if (r < runs.Count)
-                    {
-                        reads[s].Begin(runs[r]);
-                        var batch = reads[s].Points;
-                        jobs[s] = new LoadSamplePositionsJob
-                        {
-                            Columns = batch.Bytes,
-                            Decoded = reads[s].Result,
-                            X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
-                            Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
-                            Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
-                            Stored = buffers[s],
-                        }.Schedule(reads[s].Decoded);
-                        JobHandle.ScheduleBatchedJobs();
-                    }
+                    int longest = LongestOf(runs);
+                    var ahead = SourceScan.AheadFor(reader, positions, 0, SourceScan.MaxSlotBytes, chains, aheadMs);
+                    using (var consumer = new Appending(sample, reader, runs, longest))
+                        yield return Work.Of(SourceScan.Run(reader, positions, consumer, ahead, chains, 0, runs.Count,
+                            r => runs[r], longest, null));
                 }
                 take(sample);
                 sample = null;
             }
             finally
             {
-                for (int s = 0; s < slots; s++)
-                {
-                    jobs[s].Complete();
-                    reads[s]?.Dispose();
-                    if (buffers[s].IsCreated)
-                        buffers[s].Dispose();
-                }
                 sample?.Dispose();
             }
         }
+
+        /// <summary>Points of the longest run, at least 1.</summary>
+        internal static int LongestOf(List<BlockRange> runs)
+        {
+            int longest = 1;
+            foreach (var run in runs)
+                longest = Math.Max(longest, run.Count);
+            return longest;
+        }
+
+        /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
+        IEnumerator<Work> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions)
+        {
+            int points = 0;
+            foreach (var run in runs)
+                points += run.Count;
+            var batch = new PointBatch(positions, Math.Max(1, points), Allocator.Persistent);
+            var decoded = new NativeReference<DecodeResult>(new DecodeResult { Points = points }, Allocator.Persistent);
+            var loaded = default(JobHandle);
+            try
+            {
+                yield return Work.Of(RunRead.Run(reader, runs, 0, runs.Count, batch));
+                m_stored.ResizeUninitialized(points);
+                var stored = Stored;
+                for (int first = 0; first < points; first += PointsOfSlice)
+                    loaded = Load(batch, decoded, first,
+                        stored.GetSubArray(first, Math.Min(PointsOfSlice, points - first)), loaded);
+                yield return loaded;
+                for (int r = 0, first = 0; r < runs.Count; first += runs[r++].Count)
+                    AddRun(first, runs[r].Count, PointsUpToNext(reader, runs, r));
+            }
+            finally
+            {
+                loaded.Complete();
+                batch.Dispose();
+                decoded.Dispose();
+            }
+        }
+
+        static JobHandle Load(PointBatch batch, NativeReference<DecodeResult> decoded, int first, NativeArray<double3> stored,
+            JobHandle after) => new LoadSamplePositionsJob
+            {
+                Columns = batch.Bytes,
+                Decoded = decoded,
+                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
+                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
+                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                First = first,
+                Stored = stored,
+            }.Schedule(after);
 
         /// <summary>Number of points from a run's first point to the next run's; the first run also stands for those before
         /// it.</summary>
@@ -106,17 +126,13 @@ namespace FastPoints.Partition
                 : reader.FirstPointOfBlock(runs[run + 1].Block) + runs[run + 1].First) - first;
         }
 
-        void Add(NativeArray<double3> stored, int count, long pointsStoodFor)
+        void AddRun(int first, int count, long pointsStoodFor) => m_runs.Add(new SampleRun
         {
-            m_runs.Add(new SampleRun
-            {
-                Stretch = m_runs.Length,
-                First = m_stored.Length,
-                Count = count,
-                Weight = pointsStoodFor / (double)Math.Max(1, count),
-            });
-            m_stored.AddRange(stored.GetSubArray(0, count));
-        }
+            Stretch = m_runs.Length,
+            First = first,
+            Count = count,
+            Weight = pointsStoodFor / (double)Math.Max(1, count),
+        });
 
         public void Dispose()
         {
@@ -124,6 +140,46 @@ namespace FastPoints.Partition
                 return;
             m_stored.Dispose();
             m_runs.Dispose();
+        }
+
+        /// <summary>Adds runs to the sample that come as blocks.</summary>
+        sealed class Appending : IBlockConsumer, IDisposable
+        {
+            readonly SourceSample m_sample;
+            readonly PointReader m_reader;
+            readonly List<BlockRange> m_runs;
+            readonly int m_longest;
+            readonly List<NativeArray<double3>> m_buffers = new List<NativeArray<double3>>();
+
+            public Appending(SourceSample sample, PointReader reader, List<BlockRange> runs, int longest)
+            {
+                m_sample = sample;
+                m_reader = reader;
+                m_runs = runs;
+                m_longest = longest;
+            }
+
+            public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+            {
+                if (slot == m_buffers.Count)
+                    m_buffers.Add(new NativeArray<double3>(m_longest, Allocator.Persistent,
+                        NativeArrayOptions.UninitializedMemory));
+                return Load(read.Points, read.Result, 0, m_buffers[slot], decoded);
+            }
+
+            public void Completed(BlockRead read, int slot)
+            {
+                int count = read.Points.Count;
+                m_sample.AddRun(m_sample.m_stored.Length, count,
+                    PointsUpToNext(m_reader, m_runs, m_sample.m_runs.Length));
+                m_sample.m_stored.AddRange(m_buffers[slot].GetSubArray(0, count));
+            }
+
+            public void Dispose()
+            {
+                foreach (var buffer in m_buffers)
+                    buffer.Dispose();
+            }
         }
     }
 }

@@ -65,14 +65,15 @@ namespace FastPoints.Records
         /// <summary>Pages of the last block that are to be written.</summary>
         public NativeList<DetachedRecordPages> Detached { get; }
 
-        public JobHandle ScheduleGrouping(BlockRead read, in SourceGrid grid, JobHandle decoded)
+        /// <param name="result">Says how many points the batch has, when <paramref name="decoded"/> completes.</param>
+        public JobHandle ScheduleGrouping(PointBatch batch, NativeReference<DecodeResult> result, in SourceGrid grid,
+            JobHandle decoded)
         {
-            var batch = read.Points;
             return new GroupRecordsJob
             {
                 Slices = Slices,
                 Columns = batch.Bytes,
-                Decoded = read.Result,
+                Decoded = result,
                 X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
                 Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
                 Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),

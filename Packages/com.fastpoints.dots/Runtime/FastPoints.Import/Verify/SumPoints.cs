@@ -53,7 +53,7 @@ namespace FastPoints.Verify
                 FirstOfChunk = m_slots[slot].FirstOfChunk,
                 Layout = m_layout,
                 Sum = m_sums[slot],
-            }.Schedule(m_slots[slot].ScheduleGrouping(read, m_grid, decoded));
+            }.Schedule(m_slots[slot].ScheduleGrouping(read.Points, read.Result, m_grid, decoded));
             return m_jobs[slot];
         }
 

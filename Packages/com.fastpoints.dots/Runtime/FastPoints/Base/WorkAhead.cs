@@ -3,10 +3,13 @@ using System.Diagnostics;
 
 namespace FastPoints.Base
 {
-    /// <summary>How many pieces of work are in flight, so that workers have some until the next tick of a pump: twice as many each
-    /// time that they ran out of them. What is made never depends on it.</summary>
+    /// <summary>How many pieces of work are in flight, so that workers have some until the next tick of a pump: twice as many
+    /// each time that they ran out of them. What is made never depends on it.</summary>
     internal sealed class WorkAhead
     {
+        /// <summary>After a shorter wait more in flight would not have been of use.</summary>
+        const double LeastMs = 2;
+
         readonly Func<double> m_ms;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
 
@@ -31,7 +34,8 @@ namespace FastPoints.Base
         /// <param name="isIdle">Whether all that was in flight has ended.</param>
         public void Resume(bool isIdle)
         {
-            if (isIdle && m_watch.Elapsed.TotalMilliseconds <= m_ms())
+            double waited = m_watch.Elapsed.TotalMilliseconds;
+            if (isIdle && waited >= LeastMs && waited <= m_ms())
                 Count = Math.Min(Most, 2 * Count);
         }
     }

@@ -13,6 +13,7 @@ namespace FastPoints.Tests.Base
             foreach (int wanted in new[] { 6, 12, 20, 20 })
             {
                 ahead.Await();
+                Thread.Sleep(3);
                 ahead.Resume(true);
                 Assert.That(ahead.Count, Is.EqualTo(wanted));
             }
@@ -23,6 +24,7 @@ namespace FastPoints.Tests.Base
         {
             var ahead = new WorkAhead(3, 20, () => double.PositiveInfinity);
             ahead.Await();
+            Thread.Sleep(3);
             ahead.Resume(false);
             Assert.That(ahead.Count, Is.EqualTo(3));
         }
@@ -30,7 +32,7 @@ namespace FastPoints.Tests.Base
         [Test]
         public void Resume_IdleAfterLongerThanPlanned_StaysAsItIs()
         {
-            var ahead = new WorkAhead(3, 20, () => 1);
+            var ahead = new WorkAhead(3, 20, () => 2.5);
             ahead.Await();
             Thread.Sleep(5);
             ahead.Resume(true);

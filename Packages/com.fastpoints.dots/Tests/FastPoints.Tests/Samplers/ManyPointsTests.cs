@@ -10,6 +10,7 @@ using FastPoints.Records;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Samplers
@@ -25,7 +26,7 @@ namespace FastPoints.Tests.Samplers
             using var reader = new VirtualReader(Points);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
             SourceSample sample = null;
-            WorkPump.RunToEnd(SourceSample.Read(reader, 4, s => sample = s));
+            WorkPump.RunToEnd(SourceSample.Read(reader, () => 0, 0, s => sample = s));
             using (sample)
             {
                 double weight = sample.Runs[0].Weight;
@@ -36,7 +37,9 @@ namespace FastPoints.Tests.Samplers
                 var plan = MemoryPlan.For(reader.PointCount, 12, new ConvertSettings());
                 Assert.That(plan.IsStored, Is.True);
                 PartitionMap map = null;
-                WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, m => map = m));
+                using (var slices = new SliceTimes(Allocator.Persistent))
+                    WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, slices,
+                        m => map = m));
                 using (map)
                 {
                     var points = new double[map.Chunks.Length + 1];

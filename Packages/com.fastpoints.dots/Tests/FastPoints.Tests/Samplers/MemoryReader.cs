@@ -12,7 +12,6 @@ namespace FastPoints.Tests.Samplers
     {
         readonly int m_points, m_blockPoints;
         readonly Array[] m_columns;
-        int m_slots;
 
         /// <param name="columns">By attribute of the schema: an array of the attribute's type.</param>
         public MemoryReader(PointSchema schema, PositionTransform transform, int blockPoints, params Array[] columns)
@@ -63,8 +62,8 @@ namespace FastPoints.Tests.Samplers
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
 
-        /// <summary>Reads that there ever were at once.</summary>
-        public int MostSlots { get; private set; }
+        /// <summary>Reads that did not come behind another's jobs.</summary>
+        public int BlocksBehindNone { get; private set; }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new Slot(this, wanted, capacity, allocator);
@@ -77,13 +76,13 @@ namespace FastPoints.Tests.Samplers
             public Slot(MemoryReader reader, PointSchema wanted, int capacity, Allocator allocator)
             {
                 m_reader = reader;
-                m_reader.MostSlots = Math.Max(m_reader.MostSlots, ++m_reader.m_slots);
                 Points = new PointBatch(wanted, capacity, allocator);
                 Result = m_result = new NativeReference<DecodeResult>(allocator);
             }
 
             public override unsafe void Begin(BlockRange range)
             {
+                m_reader.BlocksBehindNone += After.Equals(default) ? 1 : 0;
                 Range = range;
                 FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
                 var bytes = Points.Bytes;
@@ -105,7 +104,6 @@ namespace FastPoints.Tests.Samplers
             {
                 if (!m_result.IsCreated)
                     return;
-                m_reader.m_slots--;
                 Points.Dispose();
                 m_result.Dispose();
             }

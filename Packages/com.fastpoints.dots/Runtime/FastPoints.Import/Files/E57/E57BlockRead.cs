@@ -133,7 +133,7 @@ namespace FastPoints.Files
                 Result = Result,
                 Anomalies = m_anomalies,
             };
-            var done = m_pages.Begin();
+            var done = Behind(m_pages.Begin());
             for (int i = 0; i == 0 || i < m_readCount; i += DecodeE57Job.FieldsPerSlice)
             {
                 decode.FirstRead = i;

@@ -43,7 +43,7 @@ namespace FastPoints.Files
         {
             // Nodes come to be known while slots are in use: room for the largest is made when it is met.
             m_file.Reserve((long)bytes + padding);
-            return m_file.Begin(Blocks.PathOf(block), offset, bytes);
+            return Behind(m_file.Begin(Blocks.PathOf(block), offset, bytes));
         }
 
         protected sealed override void EndRead() => m_file.End();

@@ -198,13 +198,13 @@ namespace FastPoints.Files
             m_plannedRead = AsyncReadManager.ReadDeferred(m_blocks.File.Open(), commands, planned);
             m_isPlanned = true;
             // The read follows the plan, but its handle does not promise to include it.
-            return JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle);
+            return Behind(JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle));
         }
 
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            return m_file.Begin(m_blocks.File, offset, (int)bytes);
+            return Behind(m_file.Begin(m_blocks.File, offset, (int)bytes));
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)

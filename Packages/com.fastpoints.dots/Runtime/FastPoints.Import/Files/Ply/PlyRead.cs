@@ -36,7 +36,7 @@ namespace FastPoints.Files
             var block = m_blocks[range.Block];
             if (m_ply.Header.IsAscii)
                 return ScheduleLines(AsciiRange.Of(block, range, m_ply.Info.FileBytes, MaxLineBytes));
-            var read = m_file.Begin(m_ply.Handle, block.OffsetBytes, block.Bytes);
+            var read = Behind(m_file.Begin(m_ply.Handle, block.OffsetBytes, block.Bytes));
             return new DecodePlyListsJob
             {
                 Input = m_file.Buffer,
@@ -59,7 +59,7 @@ namespace FastPoints.Files
             Output = Points.Bytes,
             Result = Result,
             Anomalies = m_anomalies,
-        }.Schedule(m_file.Begin(m_ply.Handle, lines.Offset, lines.Bytes));
+        }.Schedule(Behind(m_file.Begin(m_ply.Handle, lines.Offset, lines.Bytes)));
 
         protected override void EndRead() => m_file.End();
 

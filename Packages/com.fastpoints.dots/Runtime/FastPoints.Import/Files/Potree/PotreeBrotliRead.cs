@@ -74,7 +74,7 @@ namespace FastPoints.Files
 
         protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)
         {
-            var decoded = Reader.BeginRead(File, range.Block, block.Offset, (int)block.Bytes);
+            var decoded = Behind(Reader.BeginRead(File, range.Block, block.Offset, (int)block.Bytes));
             bool isFirst = true;
             foreach (var part in m_parts)
             {

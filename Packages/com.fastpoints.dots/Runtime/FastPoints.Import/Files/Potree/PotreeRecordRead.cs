@@ -24,8 +24,8 @@ namespace FastPoints.Files
         protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)
         {
             int recordBytes = Reader.Layout.RecordBytes;
-            var decoded = Reader.BeginRead(File, range.Block, block.Offset + (long)range.First * recordBytes,
-                range.Count * recordBytes);
+            var decoded = Behind(Reader.BeginRead(File, range.Block, block.Offset + (long)range.First * recordBytes,
+                range.Count * recordBytes));
             var decode = new DecodePotreeJob
             {
                 Records = File.Buffer,

@@ -26,6 +26,10 @@ namespace FastPoints.Files
         /// <summary>Completes when the columns are filled.</summary>
         public JobHandle Decoded { get; protected set; }
 
+        /// <summary>Jobs that the decoding of the next range comes behind, beside its read: slots that are ahead then keep no
+        /// more workers busy.</summary>
+        internal JobHandle After { get; set; }
+
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
         public abstract void Begin(BlockRange range);
 

@@ -61,7 +61,7 @@ namespace FastPoints.Files
             Result = Result,
             RecordBytes = m_records.RecordBytes,
             Count = range.Count,
-        }.Schedule(m_file.Begin(m_records.File, m_records.OffsetOf(FirstPoint), range.Count * m_records.RecordBytes));
+        }.Schedule(Behind(m_file.Begin(m_records.File, m_records.OffsetOf(FirstPoint), range.Count * m_records.RecordBytes)));
 
         protected override void Cancel() => m_file.Cancel();
 

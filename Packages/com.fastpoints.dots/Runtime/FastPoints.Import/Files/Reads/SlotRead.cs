@@ -33,6 +33,10 @@ namespace FastPoints.Files
         /// <summary>Starts the read of a range that is not empty, and the jobs behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range);
 
+        /// <summary>What the decoding depends on: the read, and <see cref="BlockRead.After"/>.</summary>
+        protected JobHandle Behind(JobHandle read) =>
+            After.Equals(default) ? read : JobHandle.CombineDependencies(read, After);
+
         /// <summary>Closes the read of the range, whose jobs are finished.</summary>
         protected abstract void EndRead();
 

@@ -285,7 +285,7 @@ namespace FastPoints.Files
                 Output = Points.Bytes,
                 Result = Result,
                 Anomalies = m_anomalies,
-            }.Schedule(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes));
+            }.Schedule(Behind(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes)));
         }
 
         protected override void EndRead() => m_file.End();

@@ -30,6 +30,7 @@ namespace FastPoints.Files
             var tile = m_reader.TileOfBlock(range.Block);
             if (tile != m_tile)
                 Change(tile);
+            m_inner.After = After;
             m_inner.Begin(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
             Result = m_inner.Result;
             return new FillTileColumnsJob
