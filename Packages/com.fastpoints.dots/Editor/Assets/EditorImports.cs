@@ -191,8 +191,7 @@ namespace FastPoints.Editor
             Queue.Add(request);
         }
 
-        bool IsConvertedAtOnce(CloudHandle handle) =>
-            m_settings.ConvertAtOnce && (!handle.IsOctree || m_settings.ConvertOctrees);
+        bool IsConvertedAtOnce(CloudHandle handle) => m_settings.ConvertAtOnce && (!handle.IsOctree || m_settings.ConvertOctrees);
 
         CloudHandle OfPointFile(string asset)
         {

@@ -13,16 +13,14 @@ namespace FastPoints.Editor
     {
         protected override CloudHandle Describe(AssetImportContext context, string guid)
         {
-            using (var reader = PointReaders.Open(context.assetPath))
-            {
-                var handle = new CloudHandle { CloudPath = ProjectPaths.OfAsset(guid) };
-                handle.Sources.Add(context.assetPath);
-                handle.IsOctree = reader.Tree != null;
-                handle.Describe(reader.Info);
-                foreach (var warning in reader.Info.Warnings)
-                    context.LogImportWarning(warning.ToString());
-                return handle;
-            }
+            using var reader = PointReaders.Open(context.assetPath);
+            var handle = new CloudHandle { CloudPath = ProjectPaths.OfAsset(guid) };
+            handle.Sources.Add(context.assetPath);
+            handle.IsOctree = reader.Tree != null;
+            handle.Describe(reader.Info);
+            foreach (var warning in reader.Info.Warnings)
+                context.LogImportWarning(warning.ToString());
+            return handle;
         }
     }
 

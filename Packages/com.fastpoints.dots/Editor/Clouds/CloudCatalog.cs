@@ -22,10 +22,7 @@ namespace FastPoints.Editor
         readonly List<CatalogCloud> m_clouds = new List<CatalogCloud>();
         Dictionary<string, Seen> m_seen = new Dictionary<string, Seen>();
 
-        public CloudCatalog(ProjectPaths paths)
-        {
-            m_paths = paths;
-        }
+        public CloudCatalog(ProjectPaths paths) => m_paths = paths;
 
         /// <summary>The clouds found by the last <see cref="Refresh"/>, by name.</summary>
         public IReadOnlyList<CatalogCloud> Clouds => m_clouds;

@@ -104,15 +104,13 @@ namespace FastPoints.Editor
         void CopyFile(string from, string to, byte[] buffer)
         {
             Directory.CreateDirectory(Path.GetDirectoryName(to));
-            using (var source = new FileStream(from, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
-            using (var target = new FileStream(to, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1))
+            using var source = new FileStream(from, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
+            using var target = new FileStream(to, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1);
+            for (int got = source.Read(buffer, 0, buffer.Length); got > 0; got = source.Read(buffer, 0, buffer.Length))
             {
-                for (int got = source.Read(buffer, 0, buffer.Length); got > 0; got = source.Read(buffer, 0, buffer.Length))
-                {
-                    m_cancellation.Token.ThrowIfCancellationRequested();
-                    target.Write(buffer, 0, got);
-                    Interlocked.Add(ref m_bytesDone, got);
-                }
+                m_cancellation.Token.ThrowIfCancellationRequested();
+                target.Write(buffer, 0, got);
+                Interlocked.Add(ref m_bytesDone, got);
             }
         }
     }

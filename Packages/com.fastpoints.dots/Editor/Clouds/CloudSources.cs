@@ -55,8 +55,7 @@ namespace FastPoints.Editor
         public static bool IsConverted(string path) =>
             path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) && CloudFolder.IsCloud(path);
 
-        static bool IsImported(string path) =>
-            File.Exists(path) && HasImportedExtension(path);
+        static bool IsImported(string path) => File.Exists(path) && HasImportedExtension(path);
 
         /// <summary>Whether a name ends in one of <see cref="ImportedExtensions"/>.</summary>
         public static bool HasImportedExtension(string path) =>

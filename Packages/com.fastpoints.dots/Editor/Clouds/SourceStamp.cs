@@ -19,9 +19,7 @@ namespace FastPoints.Editor
 
         static readonly Comparer<FileInfo> s_byName = Comparer<FileInfo>.Create((a, b) => string.CompareOrdinal(a.Name, b.Name));
 
-        SourceStamp()
-        {
-        }
+        SourceStamp() { }
 
         /// <summary>Bytes of all files together.</summary>
         public long Bytes { get; private set; }
@@ -99,8 +97,7 @@ namespace FastPoints.Editor
                         // This throws if the file does not exist.
                         Bytes += files[i].Length;
                         WrittenTicks = Math.Max(WrittenTicks, files[i].LastWriteTimeUtc.Ticks);
-                        names.Append(files[i].Name).Append('|')
-                            .Append(NumberText.Of(files[i].Length)).Append('\n');
+                        names.Append(files[i].Name).Append('|').Append(NumberText.Of(files[i].Length)).Append('\n');
                     }
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -125,8 +122,8 @@ namespace FastPoints.Editor
         {
             if (file.Length == 0)
                 return Hash(Array.Empty<byte>());
-            using (var source = FileSource.Open(file.FullName))
-                return Hash(source.ReadAtMost(offset, EdgeBytes).Bytes);
+            using var source = FileSource.Open(file.FullName);
+            return Hash(source.ReadAtMost(offset, EdgeBytes).Bytes);
         }
 
         static ulong Hash(byte[] bytes)

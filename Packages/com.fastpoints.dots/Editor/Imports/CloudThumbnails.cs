@@ -27,8 +27,7 @@ namespace FastPoints.Editor
         public bool IsDrawing => m_current != null || m_waiting.Count > 0;
 
         /// <param name="cloud">The converted folder, which need not exist.</param>
-        public static string PathOf(string cloud) =>
-            Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
+        public static string PathOf(string cloud) => Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
 
         /// <summary>Draws a cloud, finished or in the making.</summary>
         public void Add(string cloud) => Add(cloud, null);

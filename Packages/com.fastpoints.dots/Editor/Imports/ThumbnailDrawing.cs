@@ -36,12 +36,7 @@ namespace FastPoints.Editor
         /// <summary>The picture, when the work is done.</summary>
         public RgbaImage Image => m_image();
 
-        static PictureOptions Options => new PictureOptions
-        {
-            WidthPx = SizePx,
-            HeightPx = SizePx,
-            OutlinePoints = 512,
-        };
+        static PictureOptions Options => new PictureOptions { WidthPx = SizePx, HeightPx = SizePx, OutlinePoints = 512 };
 
         /// <summary>Draws the top of the octree.</summary>
         /// <param name="cloud">The folder.</param>

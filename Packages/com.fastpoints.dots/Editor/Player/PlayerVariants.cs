@@ -18,15 +18,9 @@ namespace FastPoints.Editor
 
         readonly HashSet<string> m_names;
 
-        public PlayerVariants()
-            : this(new[] { NameOf("Compose", new string[0]) })
-        {
-        }
+        public PlayerVariants() : this(new[] { NameOf("Compose", new string[0]) }) { }
 
-        PlayerVariants(IEnumerable<string> names)
-        {
-            m_names = new HashSet<string>(names, StringComparer.Ordinal);
-        }
+        PlayerVariants(IEnumerable<string> names) => m_names = new HashSet<string>(names, StringComparer.Ordinal);
 
         /// <summary>Adds the variants of a style.</summary>
         /// <param name="isEver">Whether there may ever be clip boxes, hidden classes, headsets: the variants without them are

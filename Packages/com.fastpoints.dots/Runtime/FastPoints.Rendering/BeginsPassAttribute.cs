@@ -6,7 +6,5 @@ namespace FastPoints.Rendering
     /// nothing. The editor calls it after loading scripts. In players it is called through an attribute of Unity's that edit mode
     /// ignores.</summary>
     [AttributeUsage(AttributeTargets.Method)]
-    internal sealed class BeginsPassAttribute : Attribute
-    {
-    }
+    internal sealed class BeginsPassAttribute : Attribute { }
 }

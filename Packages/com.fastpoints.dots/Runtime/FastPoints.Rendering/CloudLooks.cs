@@ -32,12 +32,7 @@ namespace FastPoints.Rendering
         /// <param name="hidden">Classes; where the source does not stream them, none is hidden.</param>
         public static CloudLook Of(in ColorMapping colors, NodeSource source, in ClassMask hidden = default)
         {
-            var look = new CloudLook
-            {
-                Scale = colors.Scale,
-                Bias = colors.Bias,
-                Palette = colors.FirstEntry / Palettes.Length,
-            };
+            var look = new CloudLook { Scale = colors.Scale, Bias = colors.Bias, Palette = colors.FirstEntry / Palettes.Length };
             if (!hidden.IsEmpty && FindPlane(source, AttributeNames.Classification, out look.ClassPlane))
                 look.HiddenClasses = hidden;
             switch (colors.Mode)

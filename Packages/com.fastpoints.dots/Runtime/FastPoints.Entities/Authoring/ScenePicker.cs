@@ -18,10 +18,7 @@ namespace FastPoints.Entities
         readonly StreamPicker m_picker = new StreamPicker();
 
         /// <param name="world">Null for the default world.</param>
-        public ScenePicker(World world = null)
-        {
-            m_world = world;
-        }
+        public ScenePicker(World world = null) => m_world = world;
 
         /// <summary>Result of the search that was begun last; complete when that is done.</summary>
         public StreamPick Pick => m_picker.Pick;

@@ -32,29 +32,19 @@ namespace FastPoints.Entities
     }
 
     /// <summary>The node is in flight: not all of it is in memory.</summary>
-    public struct Requested : IComponentData, IEnableableComponent
-    {
-    }
+    public struct Requested : IComponentData, IEnableableComponent { }
 
     /// <summary>All of the node is in memory.</summary>
-    public struct Resident : IComponentData, IEnableableComponent
-    {
-    }
+    public struct Resident : IComponentData, IEnableableComponent { }
 
     /// <summary>The node is in the list of what to draw.</summary>
-    public struct Drawn : IComponentData, IEnableableComponent
-    {
-    }
+    public struct Drawn : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to hide a node; what is below it is still drawn.</summary>
-    public struct Hidden : IComponentData, IEnableableComponent
-    {
-    }
+    public struct Hidden : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to keep a node as long as the memory budget has any room for it.</summary>
-    public struct Pinned : IComponentData, IEnableableComponent
-    {
-    }
+    public struct Pinned : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to multiply the colours of the node's points.</summary>
     public struct Tint : IComponentData, IEnableableComponent

@@ -31,27 +31,27 @@ namespace FastPoints.Entities
                 Remove();
             if (!m_coming.IsEmpty)
                 Add();
-            using (var entities = m_streamed.ToEntityArray(Allocator.Temp))
-                foreach (var entity in entities)
-                    Follow(entity, EntityManager.GetComponentObject<PointCloudStates>(entity));
+            using var entities = m_streamed.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+                Follow(entity, EntityManager.GetComponentObject<PointCloudStates>(entity));
         }
 
         void Add()
         {
-            using (var entities = m_coming.ToEntityArray(Allocator.Temp))
-                foreach (var entity in entities)
-                {
-                    var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
-                    if (source.Source == null)
-                        continue;
-                    var states = new PointCloudStates { Succession = new CloudSuccession(Group.Stream) };
-                    states.Succession.Add(source.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value,
-                        source.Stage);
-                    source.Source = null;
-                    EntityManager.AddComponentData(entity, StreamedOf(states));
-                    EntityManager.AddComponentObject(entity, states);
-                    SetLook(entity, source.Look);
-                }
+            using var entities = m_coming.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+            {
+                var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
+                if (source.Source == null)
+                    continue;
+                var states = new PointCloudStates { Succession = new CloudSuccession(Group.Stream) };
+                states.Succession.Add(source.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value,
+                    source.Stage);
+                source.Source = null;
+                EntityManager.AddComponentData(entity, StreamedOf(states));
+                EntityManager.AddComponentObject(entity, states);
+                SetLook(entity, source.Look);
+            }
         }
 
         void Follow(Entity entity, PointCloudStates states)
@@ -116,17 +116,17 @@ namespace FastPoints.Entities
 
         void Remove()
         {
-            using (var entities = m_leaving.ToEntityArray(Allocator.Temp))
-                foreach (var entity in entities)
-                {
-                    var leaving = EntityManager.GetComponentData<StreamedPointCloud>(entity);
-                    Group.Stream.Remove(leaving.Number);
-                    if (leaving.Beside != CloudSuccession.None)
-                        Group.Stream.Remove(leaving.Beside);
-                    if (leaving.Next != CloudSuccession.None)
-                        Group.Stream.Remove(leaving.Next);
-                    EntityManager.RemoveComponent<StreamedPointCloud>(entity);
-                }
+            using var entities = m_leaving.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+            {
+                var leaving = EntityManager.GetComponentData<StreamedPointCloud>(entity);
+                Group.Stream.Remove(leaving.Number);
+                if (leaving.Beside != CloudSuccession.None)
+                    Group.Stream.Remove(leaving.Beside);
+                if (leaving.Next != CloudSuccession.None)
+                    Group.Stream.Remove(leaving.Next);
+                EntityManager.RemoveComponent<StreamedPointCloud>(entity);
+            }
         }
     }
 }

@@ -29,14 +29,12 @@ namespace FastPoints.Entities
                 return;
             }
             m_defaultPoolBytes = 0;
-            using (var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp))
-            {
-                var settings = Group.Stream.Settings;
-                settings.Selection.PointBudget = budgets[0].Points;
-                settings.Selection.SmallestNodePx = budgets[0].SmallestNodePx;
-                settings.UploadBytesPerFrame = budgets[0].UploadBytesPerFrame;
-                Group.Stream.Pool.LimitBytes = budgets[0].PoolBytes;
-            }
+            using var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp);
+            var settings = Group.Stream.Settings;
+            settings.Selection.PointBudget = budgets[0].Points;
+            settings.Selection.SmallestNodePx = budgets[0].SmallestNodePx;
+            settings.UploadBytesPerFrame = budgets[0].UploadBytesPerFrame;
+            Group.Stream.Pool.LimitBytes = budgets[0].PoolBytes;
         }
 
         void ApplyDefault()

@@ -30,10 +30,10 @@ namespace FastPoints.Entities
             m_hasClips = !m_clips.IsEmpty;
             var boxes = Group.Stream.ClipBoxes;
             boxes.Clear();
-            using (var clips = m_clips.ToComponentDataArray<PointCloudClip>(Allocator.Temp))
-            using (var places = m_clips.ToComponentDataArray<LocalToWorld>(Allocator.Temp))
-                for (int i = 0; i < clips.Length; i++)
-                    boxes.Add(BoxOf(places[i].Value, clips[i].Cuts));
+            using var clips = m_clips.ToComponentDataArray<PointCloudClip>(Allocator.Temp);
+            using var places = m_clips.ToComponentDataArray<LocalToWorld>(Allocator.Temp);
+            for (int i = 0; i < clips.Length; i++)
+                boxes.Add(BoxOf(places[i].Value, clips[i].Cuts));
         }
 
         static ClipBox BoxOf(float4x4 place, bool cuts) => new ClipBox

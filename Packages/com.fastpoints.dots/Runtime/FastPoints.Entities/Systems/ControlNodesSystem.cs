@@ -54,27 +54,27 @@ namespace FastPoints.Entities
 
         void Hide(NodeCache cache)
         {
-            using (var nodes = m_hidden.ToComponentDataArray<PointCloudNode>(Allocator.Temp))
-                foreach (var node in nodes)
-                    if (TrySet(cache, node))
-                        cache.SetHidden(node.Slot, true);
+            using var nodes = m_hidden.ToComponentDataArray<PointCloudNode>(Allocator.Temp);
+            foreach (var node in nodes)
+                if (TrySet(cache, node))
+                    cache.SetHidden(node.Slot, true);
         }
 
         void Pin(NodeCache cache)
         {
-            using (var nodes = m_pinned.ToComponentDataArray<PointCloudNode>(Allocator.Temp))
-                foreach (var node in nodes)
-                    if (TrySet(cache, node))
-                        cache.SetPinned(node.Slot, true);
+            using var nodes = m_pinned.ToComponentDataArray<PointCloudNode>(Allocator.Temp);
+            foreach (var node in nodes)
+                if (TrySet(cache, node))
+                    cache.SetPinned(node.Slot, true);
         }
 
         void Tint(NodeCache cache)
         {
-            using (var nodes = m_tinted.ToComponentDataArray<PointCloudNode>(Allocator.Temp))
-            using (var tints = m_tinted.ToComponentDataArray<Tint>(Allocator.Temp))
-                for (int i = 0; i < nodes.Length; i++)
-                    if (TrySet(cache, nodes[i]))
-                        cache.SetTint(nodes[i].Slot, tints[i].Rgba);
+            using var nodes = m_tinted.ToComponentDataArray<PointCloudNode>(Allocator.Temp);
+            using var tints = m_tinted.ToComponentDataArray<Tint>(Allocator.Temp);
+            for (int i = 0; i < nodes.Length; i++)
+                if (TrySet(cache, nodes[i]))
+                    cache.SetTint(nodes[i].Slot, tints[i].Rgba);
         }
 
         /// <returns>Whether the node still exists.</returns>

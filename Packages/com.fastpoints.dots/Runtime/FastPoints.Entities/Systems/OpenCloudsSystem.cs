@@ -58,19 +58,19 @@ namespace FastPoints.Entities
 
         void Begin()
         {
-            using (var entities = m_files.ToEntityArray(Allocator.Temp))
-                foreach (var entity in entities)
-                {
-                    if (m_opened.ContainsKey(entity))
-                        continue;
-                    var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
-                    bool isNew = file.Error == null && !EntityManager.HasComponent<PointCloudSource>(entity);
-                    if (string.IsNullOrEmpty(file.Path) || !isNew && !file.LooksAgain)
-                        continue;
-                    file.Error = null;
-                    file.LooksAgain = false;
-                    m_opened.Add(entity, new OpenedCloud(file.FullPath, file.FullSources()));
-                }
+            using var entities = m_files.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+            {
+                if (m_opened.ContainsKey(entity))
+                    continue;
+                var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
+                bool isNew = file.Error == null && !EntityManager.HasComponent<PointCloudSource>(entity);
+                if (string.IsNullOrEmpty(file.Path) || !isNew && !file.LooksAgain)
+                    continue;
+                file.Error = null;
+                file.LooksAgain = false;
+                m_opened.Add(entity, new OpenedCloud(file.FullPath, file.FullSources()));
+            }
         }
 
         void UpdateOpened()

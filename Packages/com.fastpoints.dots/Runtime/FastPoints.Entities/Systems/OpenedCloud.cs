@@ -55,10 +55,7 @@ namespace FastPoints.Entities
                 taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
             source.Source = taken;
             source.Stage = facts.Stage;
-            source.Look = new PointCloudLook
-            {
-                Value = CloudLooks.Of(colors, taken, file.HiddenClasses),
-            };
+            source.Look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
         }
 
         /// <summary>Waits for headers being read and for slices that are running.</summary>

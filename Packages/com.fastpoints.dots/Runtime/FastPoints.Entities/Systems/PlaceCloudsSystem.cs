@@ -24,19 +24,19 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
-            using (var entities = m_placed.ToEntityArray(Allocator.Temp))
-                foreach (var entity in entities)
+            using var entities = m_placed.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+            {
+                var source = SourceOf(entity);
+                if (source == null)
+                    continue;
+                var localToWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
+                var space = EntityManager.GetComponentData<PointCloudSpace>(entity).Value;
+                EntityManager.SetComponentData(entity, new PointCloudPlacement
                 {
-                    var source = SourceOf(entity);
-                    if (source == null)
-                        continue;
-                    var localToWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
-                    var space = EntityManager.GetComponentData<PointCloudSpace>(entity).Value;
-                    EntityManager.SetComponentData(entity, new PointCloudPlacement
-                    {
-                        Value = space.Place(source.Grid, source.Root, localToWorld),
-                    });
-                }
+                    Value = space.Place(source.Grid, source.Root, localToWorld),
+                });
+            }
         }
 
         NodeSource SourceOf(Entity entity)

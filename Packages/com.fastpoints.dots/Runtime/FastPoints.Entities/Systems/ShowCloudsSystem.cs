@@ -28,15 +28,13 @@ namespace FastPoints.Entities
                 return;
             if (!m_styles.IsEmpty)
                 UseStyle(scene);
-            using (var entities = m_shown.ToEntityArray(Allocator.Temp))
-            using (var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp))
-            using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
+            using var entities = m_shown.ToEntityArray(Allocator.Temp);
+            using var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp);
+            using var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp);
+            for (int i = 0; i < clouds.Length; i++)
             {
-                for (int i = 0; i < clouds.Length; i++)
-                {
-                    scene.SetLook(clouds[i].Number, looks[i].Value);
-                    ShowOthers(scene, entities[i], clouds[i]);
-                }
+                scene.SetLook(clouds[i].Number, looks[i].Value);
+                ShowOthers(scene, entities[i], clouds[i]);
             }
         }
 
@@ -55,8 +53,8 @@ namespace FastPoints.Entities
 
         void UseStyle(PointScene scene)
         {
-            using (var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp))
-                scene.Style = styles[0].Value;
+            using var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp);
+            scene.Style = styles[0].Value;
         }
     }
 }

@@ -122,16 +122,16 @@ namespace FastPoints.Entities
             m_entityOfCloud.Clear();
             for (int c = 0; c < Group.Stream.Clouds.Count; c++)
                 m_entityOfCloud.Add(Entity.Null);
-            using (var entities = m_clouds.ToEntityArray(Allocator.Temp))
-                foreach (var entity in entities)
-                {
-                    var streamed = EntityManager.GetComponentData<StreamedPointCloud>(entity);
-                    m_entityOfCloud[streamed.Number] = entity;
-                    if (streamed.Beside != CloudSuccession.None)
-                        m_entityOfCloud[streamed.Beside] = entity;
-                    if (streamed.Next != CloudSuccession.None)
-                        m_entityOfCloud[streamed.Next] = entity;
-                }
+            using var entities = m_clouds.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+            {
+                var streamed = EntityManager.GetComponentData<StreamedPointCloud>(entity);
+                m_entityOfCloud[streamed.Number] = entity;
+                if (streamed.Beside != CloudSuccession.None)
+                    m_entityOfCloud[streamed.Beside] = entity;
+                if (streamed.Next != CloudSuccession.None)
+                    m_entityOfCloud[streamed.Next] = entity;
+            }
         }
     }
 }

@@ -36,8 +36,7 @@ namespace FastPoints.Convert
 
         /// <summary>Whether it is time for the first generation, which has the sample alone. A build that has read all its points
         /// before has no use for it.</summary>
-        public bool IsFirstDue =>
-            m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
+        public bool IsFirstDue => m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
 
         /// <summary>Work for a pump: makes the sample a cloud.</summary>
         public IEnumerator<Work> WriteFirst()
@@ -46,9 +45,9 @@ namespace FastPoints.Convert
                 yield return Work.Of(m_sample.Read());
             var manifest = CloudDescription.OfSample(m_build, m_sample);
             var cubes = m_build.Map.Chunks;
-            using (var store = new NativeStoreLayout(manifest.CreateLayout()))
-                yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Length],
-                    new NativeArray<byte>[cubes.Length]));
+            using var store = new NativeStoreLayout(manifest.CreateLayout());
+            yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Length],
+                new NativeArray<byte>[cubes.Length]));
         }
 
         /// <summary>Work for a pump: the next generation.</summary>
@@ -82,8 +81,8 @@ namespace FastPoints.Convert
                     manifest.Points += result.TopPoints + result.Record.PointCount;
                     manifest.Checksum += result.Checksum;
                 }
-                using (var merge = new UpperMerge(m_build, store, manifest))
-                    yield return Work.Of(merge.Run(chunks, tops, null));
+                using var merge = new UpperMerge(m_build, store, manifest);
+                yield return Work.Of(merge.Run(chunks, tops, null));
             }
             finally
             {

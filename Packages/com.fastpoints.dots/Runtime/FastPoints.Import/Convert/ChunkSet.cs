@@ -393,10 +393,8 @@ namespace FastPoints.Convert
             return batches;
         }
 
-        void BeginBatch(Chunk chunk, long first)
-        {
+        void BeginBatch(Chunk chunk, long first) =>
             m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
-        }
 
         void HandOver(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
         {

@@ -27,10 +27,7 @@ namespace FastPoints.Convert
         ChunkSet m_chunks;
         OctreeBuild m_octree;
 
-        ConvertCloud(BuildContext build)
-        {
-            m_build = build;
-        }
+        ConvertCloud(BuildContext build) => m_build = build;
 
         /// <summary>Work for a pump: converts. When the work has ended, the target exists and is complete. If the work was
         /// cancelled or failed, nothing exists except what <see cref="ConvertSettings.KeepUnfinished"/> keeps.</summary>
@@ -41,26 +38,24 @@ namespace FastPoints.Convert
         public static IEnumerator<Work> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
             Action<ConvertResult> done, StageProgress progress)
         {
-            using (var convert = new ConvertCloud(new BuildContext(readers, target, settings, progress)))
+            using var convert = new ConvertCloud(new BuildContext(readers, target, settings, progress));
+            progress?.Begin(BuildStages.Sample);
+            yield return Work.Of(convert.Sample());
+            yield return Work.Of(convert.Partition());
+            convert.Resume();
+            if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
             {
-                progress?.Begin(BuildStages.Sample);
-                yield return Work.Of(convert.Sample());
-                yield return Work.Of(convert.Partition());
-                convert.Resume();
-                if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
-                {
-                    progress?.Begin(BuildStages.Read);
-                    yield return Work.Of(convert.Read());
-                    progress?.Begin(BuildStages.Split);
-                    yield return Work.Of(convert.Settle());
-                    yield return Work.Of(convert.Build());
-                }
-                progress?.Begin(BuildStages.Finish);
-                if (convert.m_octree?.Manifest.Points > 0)
-                    yield return Work.Of(convert.MeasureShown());
-                done(convert.Finish());
-                progress?.End();
+                progress?.Begin(BuildStages.Read);
+                yield return Work.Of(convert.Read());
+                progress?.Begin(BuildStages.Split);
+                yield return Work.Of(convert.Settle());
+                yield return Work.Of(convert.Build());
             }
+            progress?.Begin(BuildStages.Finish);
+            if (convert.m_octree?.Manifest.Points > 0)
+                yield return Work.Of(convert.MeasureShown());
+            done(convert.Finish());
+            progress?.End();
         }
 
         public void Dispose()
@@ -155,14 +150,12 @@ namespace FastPoints.Convert
         IEnumerator<Work> MeasureShown()
         {
             var manifest = m_octree.Manifest;
-            using (var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest))
-            using (var selection = new NodeSelection(folder))
-            {
-                var ranges = new DisplayRanges();
-                yield return Work.Of(StoredRanges.Measure(folder, selection,
-                    LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
-                manifest.Shown = ranges.ToShown();
-            }
+            using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
+            using var selection = new NodeSelection(folder);
+            var ranges = new DisplayRanges();
+            yield return Work.Of(StoredRanges.Measure(folder, selection,
+                LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
+            manifest.Shown = ranges.ToShown();
         }
 
         ConvertResult Finish()

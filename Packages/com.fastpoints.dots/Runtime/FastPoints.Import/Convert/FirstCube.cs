@@ -36,8 +36,7 @@ namespace FastPoints.Convert
             min = Grid3.Max(min, new Grid3(-limit, -limit, -limit));
             max = Grid3.Min(max, new Grid3(limit, limit, limit));
 
-            var extent = grid.Grid.Step * math.max(1.0, (double)math.max(max.X - min.X, math.max(max.Y - min.Y,
-                max.Z - min.Z)));
+            var extent = grid.Grid.Step * math.max(1.0, (double)math.max(max.X - min.X, math.max(max.Y - min.Y, max.Z - min.Z)));
             double sampled = math.cmax(extent);
             foreach (var reader in readers)
             {

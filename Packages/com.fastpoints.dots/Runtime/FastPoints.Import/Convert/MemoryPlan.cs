@@ -30,9 +30,7 @@ namespace FastPoints.Convert
         /// doubling; and for the plane of colours and intensities written from them.</summary>
         const int AverageBytesPerPoint = 4 + 28 + 8;
 
-        MemoryPlan()
-        {
-        }
+        MemoryPlan() { }
 
         /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>
         public long PointsPerChunk { get; private set; }

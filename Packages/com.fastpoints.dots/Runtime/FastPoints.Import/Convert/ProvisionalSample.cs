@@ -95,9 +95,9 @@ namespace FastPoints.Convert
             int longest = SourceSample.LongestOf(runs);
             var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
                 m_build.Settings.Workers, m_build.AheadMs);
-            using (var consumer = new Taking(this, grid, longest))
-                yield return Work.Of(SourceScan.Run(reader, wanted, consumer, ahead, m_build.Settings.Workers, 0, runs.Count,
-                    r => runs[r], longest, null));
+            using var consumer = new Taking(this, grid, longest);
+            yield return Work.Of(SourceScan.Run(reader, wanted, consumer, ahead, m_build.Settings.Workers, 0, runs.Count,
+                r => runs[r], longest, null));
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>

@@ -48,30 +48,28 @@ namespace FastPoints.Draw
         public IEnumerator<Work> Run(StageProgress progress)
         {
             int sampled = m_budget > 0 ? (int)Math.Min(m_budget, int.MaxValue) : PointsToPlanWith;
-            using (var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = sampled, Picture = m_options }))
-            {
-                yield return Work.Of(preview.TakeSample(progress));
-                yield return Work.Of(preview.PlanPicture());
-                var sample = preview.Sample;
-                Ranges = preview.Ranges;
-                Plan = preview.Plan;
-                bool drawSample = sample.IsWhole || m_budget > 0 && m_budget < m_reader.PointCount;
+            using var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = sampled, Picture = m_options });
+            yield return Work.Of(preview.TakeSample(progress));
+            yield return Work.Of(preview.PlanPicture());
+            var sample = preview.Sample;
+            Ranges = preview.Ranges;
+            Plan = preview.Plan;
+            bool drawSample = sample.IsWhole || m_budget > 0 && m_budget < m_reader.PointCount;
 
-                progress?.Begin("draw");
-                using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
-                {
-                    long points = drawSample ? sample.Count : m_reader.PointCount;
-                    yield return Work.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
-                    yield return Work.Of(drawSample
-                        ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
-                        : DrawAll(progress));
-                    if (drawSample)
-                        PointsDrawn = sample.Count;
-                    yield return Work.Of(SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background));
-                    Image = m_canvas.ToImage();
-                }
-                progress?.End();
+            progress?.Begin("draw");
+            using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
+            {
+                long points = drawSample ? sample.Count : m_reader.PointCount;
+                yield return Work.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
+                yield return Work.Of(drawSample
+                    ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
+                    : DrawAll(progress));
+                if (drawSample)
+                    PointsDrawn = sample.Count;
+                yield return Work.Of(SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background));
+                Image = m_canvas.ToImage();
             }
+            progress?.End();
         }
 
         IEnumerator<Work> DrawAll(StageProgress progress)
@@ -92,9 +90,8 @@ namespace FastPoints.Draw
                 : schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
         }
 
-        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
-        {
-            return new DrawBlockJob
+        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) =>
+            new DrawBlockJob
             {
                 Block = read.Points.Bytes,
                 Result = read.Result,
@@ -103,7 +100,6 @@ namespace FastPoints.Draw
                 Drawing = Plan.DrawingOf(read.Points, m_canvas),
                 Pixels = m_canvas.Pixels,
             }.ScheduleParallel(RasterizePointsJob.PieceCount(read.Range.Count), 1, decoded);
-        }
 
         public void Completed(BlockRead read, int slot) => PointsDrawn += read.Points.Count;
     }

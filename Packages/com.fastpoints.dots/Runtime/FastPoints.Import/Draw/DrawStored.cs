@@ -57,18 +57,16 @@ namespace FastPoints.Draw
 
                 selection.Choose(Plan.Camera, m_options.WidthPx, m_options.HeightPx, m_budget);
                 int points = StoredRanges.CheckedCount(m_folder, selection.Points);
-                using (var batch = new PointBatch(schema, points, Allocator.Persistent))
-                using (var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
-                {
-                    yield return Work.Of(LoadNodes.Run(m_folder, selection, batch, progress));
-                    NodesDrawn = selection.NodeCount;
-                    PointsDrawn = batch.Count;
-                    progress?.Begin("draw");
-                    yield return Work.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
-                    yield return Work.Of(SamplePicture.Draw(canvas, batch, Plan, progress));
-                    yield return Work.Of(SamplePicture.Resolve(canvas, batch, Plan, m_options.Background));
-                    Image = canvas.ToImage();
-                }
+                using var batch = new PointBatch(schema, points, Allocator.Persistent);
+                using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent);
+                yield return Work.Of(LoadNodes.Run(m_folder, selection, batch, progress));
+                NodesDrawn = selection.NodeCount;
+                PointsDrawn = batch.Count;
+                progress?.Begin("draw");
+                yield return Work.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
+                yield return Work.Of(SamplePicture.Draw(canvas, batch, Plan, progress));
+                yield return Work.Of(SamplePicture.Resolve(canvas, batch, Plan, m_options.Background));
+                Image = canvas.ToImage();
             }
             progress?.End();
         }

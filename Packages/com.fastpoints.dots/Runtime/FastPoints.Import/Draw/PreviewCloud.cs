@@ -179,13 +179,11 @@ namespace FastPoints.Draw
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
             progress?.Begin(RefineStage);
-            using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, Ranges.Robust))
-            {
-                sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
-                yield return Work.Of(sampler.Run(0, progress));
-                Sample.Dispose();
-                Sample = sampler.TakeSample();
-            }
+            using var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, Ranges.Robust);
+            sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
+            yield return Work.Of(sampler.Run(0, progress));
+            Sample.Dispose();
+            Sample = sampler.TakeSample();
         }
 
         /// <summary>Takes a sample of the known blocks.</summary>
@@ -193,12 +191,10 @@ namespace FastPoints.Draw
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
-            using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
-            {
-                sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
-                yield return Work.Of(sampler.Run(0, progress));
-                Sample = sampler.TakeSample();
-            }
+            using var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed);
+            sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
+            yield return Work.Of(sampler.Run(0, progress));
+            Sample = sampler.TakeSample();
         }
 
         void Add(PreviewSample sample, SampleWave wave, double secondsBefore, long bytesBefore)

@@ -16,8 +16,7 @@ namespace FastPoints.Draw
         const int PointsPerSlice = 1 << 17;
 
         /// <summary>Work for a pump: draws the points on top of what the canvas has.</summary>
-        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
-            StageProgress progress)
+        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress)
         {
             var drawing = plan.DrawingOf(points, canvas);
             yield return Work.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) =>
@@ -28,8 +27,7 @@ namespace FastPoints.Draw
         /// <summary>Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single
         /// pixels; leaves the canvas empty.</summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
-        public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
-            long pointsToDraw)
+        public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan, long pointsToDraw)
         {
             canvas.Clear();
             canvas.UseSize(plan.SizePx);

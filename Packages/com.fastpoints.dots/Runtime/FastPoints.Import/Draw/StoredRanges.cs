@@ -20,11 +20,9 @@ namespace FastPoints.Draw
         {
             selection.Choose(null, 0, 0, DrawStored.PointsToPlanWith);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            using (var batch = new PointBatch(schema, CheckedCount(folder, selection.Points), Allocator.Persistent))
-            {
-                yield return Work.Of(LoadNodes.Run(folder, selection, batch, null));
-                yield return Work.Of(ranges.Measure(batch, transform, upAxis));
-            }
+            using var batch = new PointBatch(schema, CheckedCount(folder, selection.Points), Allocator.Persistent);
+            yield return Work.Of(LoadNodes.Run(folder, selection, batch, null));
+            yield return Work.Of(ranges.Measure(batch, transform, upAxis));
         }
 
         /// <exception cref="PointCloudException">There are more points than a batch takes.</exception>

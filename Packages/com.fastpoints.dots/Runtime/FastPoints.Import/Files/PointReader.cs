@@ -109,9 +109,7 @@ namespace FastPoints.Files
 
         /// <summary>Closes the file's handle if possible, and keeps everything that was found; the next slot opens it again.
         /// There must be no slots at this time.</summary>
-        public virtual void CloseFile()
-        {
-        }
+        public virtual void CloseFile() { }
 
         /// <summary>Whether <see cref="CreateRunRead"/> is available: sources of a fixed stride have it.</summary>
         public virtual bool HasRunReads => false;
@@ -131,9 +129,7 @@ namespace FastPoints.Files
 
         /// <summary>Disposes a reader without slots or work on any thread, as it may be opened on any: it has no file handle yet,
         /// and these belong to the main thread.</summary>
-        public virtual void DisposeUnread()
-        {
-        }
+        public virtual void DisposeUnread() { }
     }
 
     /// <summary>The number of points, as far as a sample shows.</summary>

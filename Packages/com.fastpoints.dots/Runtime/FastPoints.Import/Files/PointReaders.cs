@@ -35,9 +35,7 @@ namespace FastPoints.Files
                 Name = name;
             }
 
-            public Kind(string name, string magic) : this(name, Encoding.ASCII.GetBytes(magic))
-            {
-            }
+            public Kind(string name, string magic) : this(name, Encoding.ASCII.GetBytes(magic)) { }
         }
 
         const int HeadBytes = 64;
@@ -77,8 +75,8 @@ namespace FastPoints.Files
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
                     return TiledReader.OpenFolder(path, options);
-                using (var source = FileSource.Open(index))
-                    return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, options);
+                using var source = FileSource.Open(index);
+                return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, options);
             }
             using (var source = FileSource.Open(path))
             {

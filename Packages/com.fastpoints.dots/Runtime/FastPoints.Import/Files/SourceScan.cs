@@ -23,11 +23,9 @@ namespace FastPoints.Files
 
         /// <param name="extraBytesPerPoint">Bytes that the consumer keeps for each point of a slot.</param>
         /// <param name="maxBytes">The limit for all slots together; there is always one.</param>
-        public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
-        {
-            return reader.BlockCount == 0 ? 1
+        public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes) =>
+            reader.BlockCount == 0 ? 1
                 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
-        }
 
         static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
         {

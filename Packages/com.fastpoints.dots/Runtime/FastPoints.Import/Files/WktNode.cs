@@ -13,10 +13,7 @@ namespace FastPoints.Files
         public readonly List<string> Values = new List<string>();
         public readonly List<WktNode> Children = new List<WktNode>();
 
-        WktNode(string keyword)
-        {
-            Keyword = keyword;
-        }
+        WktNode(string keyword) => Keyword = keyword;
 
         /// <summary>The outermost node, or null if the text has none. Text that breaks off gives what comes before.</summary>
         public static WktNode Parse(string text)

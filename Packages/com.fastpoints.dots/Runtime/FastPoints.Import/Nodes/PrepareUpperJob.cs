@@ -32,10 +32,8 @@ namespace FastPoints.Nodes
             Slices.End(begin);
         }
 
-        void Run()
-        {
+        void Run() =>
             Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), First, End, Layout, Corner,
                 (byte*)CommonCubeLog2.GetUnsafePtr(), (uint*)Priority.GetUnsafePtr());
-        }
     }
 }

@@ -51,8 +51,7 @@ namespace FastPoints.Partition
                     continue;
                 found.Min = math.min(found.Min, p);
                 found.Max = math.max(found.Max, p);
-                found.LowestDigit = math.min(found.LowestDigit,
-                    new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
+                found.LowestDigit = math.min(found.LowestDigit, new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
             }
             Statistics.Value = found;
             Slices.End(begin);

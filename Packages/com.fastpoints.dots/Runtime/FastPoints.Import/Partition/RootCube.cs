@@ -18,8 +18,7 @@ namespace FastPoints.Partition
             while (1L << side <= longest)
                 side++;
             long spare = (1L << side) - 1;
-            return new GridCube(
-                min - new Grid3((spare - extent.X) / 2, (spare - extent.Y) / 2, (spare - extent.Z) / 2), side);
+            return new GridCube(min - new Grid3((spare - extent.X) / 2, (spare - extent.Y) / 2, (spare - extent.Z) / 2), side);
         }
 
         /// <summary>Doubles a cube until it contains a box; each cube is an octant of the next.</summary>

@@ -54,9 +54,9 @@ namespace FastPoints.Partition
                 {
                     int longest = LongestOf(runs);
                     var ahead = SourceScan.AheadFor(reader, positions, 0, SourceScan.MaxSlotBytes, chains, aheadMs);
-                    using (var consumer = new Appending(sample, reader, runs, longest))
-                        yield return Work.Of(SourceScan.Run(reader, positions, consumer, ahead, chains, 0, runs.Count,
-                            r => runs[r], longest, null));
+                    using var consumer = new Appending(sample, reader, runs, longest);
+                    yield return Work.Of(SourceScan.Run(reader, positions, consumer, ahead, chains, 0, runs.Count,
+                        r => runs[r], longest, null));
                 }
                 take(sample);
                 sample = null;
@@ -170,8 +170,7 @@ namespace FastPoints.Partition
             public void Completed(BlockRead read, int slot)
             {
                 int count = read.Points.Count;
-                m_sample.AddRun(m_sample.m_stored.Length, count,
-                    PointsUpToNext(m_reader, m_runs, m_sample.m_runs.Length));
+                m_sample.AddRun(m_sample.m_stored.Length, count, PointsUpToNext(m_reader, m_runs, m_sample.m_runs.Length));
                 m_sample.m_stored.AddRange(m_buffers[slot].GetSubArray(0, count));
             }
 

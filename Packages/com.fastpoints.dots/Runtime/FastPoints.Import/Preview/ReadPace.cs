@@ -31,10 +31,7 @@ namespace FastPoints.Preview
 
         public readonly bool IsSlow;
 
-        ReadPace(bool isSlow)
-        {
-            IsSlow = isSlow;
-        }
+        ReadPace(bool isSlow) => IsSlow = isSlow;
 
         /// <param name="quickestSeconds">The quickest of the first reads.</param>
         /// <param name="bytes">Bytes of the source's records.</param>

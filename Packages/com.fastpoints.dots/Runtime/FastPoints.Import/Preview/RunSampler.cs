@@ -36,9 +36,7 @@ namespace FastPoints.Preview
         int m_gapBytes;
 
         public RunSampler(PointReader reader, int wanted, uint seed)
-            : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed))
-        {
-        }
+            : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
 
         RunSampler(PointReader reader, int wanted, uint seed, RunPlan plan)
             : base(reader, plan.PlaceCount,

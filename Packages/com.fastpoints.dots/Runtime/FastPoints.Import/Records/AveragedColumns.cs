@@ -48,15 +48,12 @@ namespace FastPoints.Records
             return OrderedBits.Load((byte*)&single, AttributeType.Float32);
         }
 
-        static double Load(byte* value, AttributeType type)
+        static double Load(byte* value, AttributeType type) => type switch
         {
-            switch (type)
-            {
-                case AttributeType.UInt8: return *value;
-                case AttributeType.UInt16: return *(ushort*)value;
-                default: return *(float*)value;
-            }
-        }
+            AttributeType.UInt8 => *value,
+            AttributeType.UInt16 => *(ushort*)value,
+            _ => *(float*)value,
+        };
     }
 
     /// <summary>The average of what a sampled point represents. Blittable.</summary>

@@ -22,8 +22,7 @@ namespace FastPoints.Records
 
         /// <summary>log2 of the side of the smallest cube of the octree with both positions.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static int CommonCubeLog2(Grid3 a, Grid3 b) =>
-            64 - math.lzcnt((ulong)(a.X ^ b.X | a.Y ^ b.Y | a.Z ^ b.Z));
+        public static int CommonCubeLog2(Grid3 a, Grid3 b) => 64 - math.lzcnt((ulong)(a.X ^ b.X | a.Y ^ b.Y | a.Z ^ b.Z));
 
         /// <summary>Whether a's highest bit is above b's.</summary>
         static bool IsHigher(ulong a, ulong b) => a > b && (a ^ b) > b;

@@ -82,9 +82,7 @@ namespace FastPoints.Records
         /// <summary>Frees every page, in use or not. The pool may be used again.</summary>
         public void FreeAll()
         {
-            while (FreeSlab())
-            {
-            }
+            while (FreeSlab()) { }
         }
 
         /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds where there is much to free: begun with this, it is

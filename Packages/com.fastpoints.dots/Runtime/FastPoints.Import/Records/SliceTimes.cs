@@ -15,10 +15,7 @@ namespace FastPoints.Records
 
         NativeArray<int> m_runsOfBucket;
 
-        public SliceTimes(Allocator allocator)
-        {
-            m_runsOfBucket = new NativeArray<int>(Buckets, allocator);
-        }
+        public SliceTimes(Allocator allocator) => m_runsOfBucket = new NativeArray<int>(Buckets, allocator);
 
         /// <summary>Call it at the beginning of a run, for <see cref="End"/>.</summary>
         public static long Begin() => ProfilerUnsafeUtility.Timestamp;

@@ -28,9 +28,7 @@ namespace FastPoints.SourceFeeds
 
         /// <summary>Copies a sample, with which its sampler continues: about a millisecond for ten megabytes.</summary>
         /// <param name="path">Path of the source, for messages.</param>
-        public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path)
-        {
-        }
+        public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path) { }
 
         /// <param name="points">All points of the sample, which this reader owns.</param>
         SampleReader(PreviewSample sample, PointBatch points, string path)

@@ -99,16 +99,14 @@ namespace FastPoints.SourceFeeds
 
         IEnumerator<Work> TakePreview()
         {
-            using (var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = m_previewPoints }))
+            using var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = m_previewPoints });
+            preview.WaveReady += (sample, _) => m_wave = sample;
+            using var sampling = new WorkSteps(preview.TakeSample(m_progress));
+            while (!IsLeftToTheBuild && sampling.MoveNext())
             {
-                preview.WaveReady += (sample, _) => m_wave = sample;
-                using (var sampling = new WorkSteps(preview.TakeSample(m_progress)))
-                    while (!IsLeftToTheBuild && sampling.MoveNext())
-                    {
-                        if (m_wave != null)
-                            yield return Work.Of(KeepWave());
-                        yield return sampling.Current;
-                    }
+                if (m_wave != null)
+                    yield return Work.Of(KeepWave());
+                yield return sampling.Current;
             }
         }
 

@@ -169,8 +169,7 @@ namespace FastPoints.SourceFeeds
             return inputDeps;
         }
 
-        PlaneShape ShapeOf(int plane) =>
-            plane == 0 ? new PlaneShape(3, m_source.Grids.IsWide ? 7 : 0) : m_planes.Shapes[plane];
+        PlaneShape ShapeOf(int plane) => plane == 0 ? new PlaneShape(3, m_source.Grids.IsWide ? 7 : 0) : m_planes.Shapes[plane];
 
         PointColumn ColumnOf(int plane, int column) =>
             m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));

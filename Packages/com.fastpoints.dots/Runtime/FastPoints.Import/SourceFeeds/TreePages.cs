@@ -74,8 +74,7 @@ namespace FastPoints.SourceFeeds
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
-            if (m_reading == null && m_wanted == None || !WorkPump.HasEnded(m_step) ||
-                !WorkPump.HasEnded(m_building))
+            if (m_reading == null && m_wanted == None || !WorkPump.HasEnded(m_step) || !WorkPump.HasEnded(m_building))
                 return null;
             m_step.Complete();
             m_building.Complete();

@@ -98,8 +98,7 @@ namespace FastPoints.SourceFeeds
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));
 
-        public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
-            "its hierarchy is damaged";
+        public override string Describe(int page, NativeArray<byte> table, TableProblem problem) => "its hierarchy is damaged";
 
         public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
 

@@ -164,9 +164,7 @@ namespace FastPoints.Verify
                 return NumberText.Of((float)ColumnValues.FromOrderedBits(ordered));
             if (Type == AttributeType.Float64)
                 return NumberText.Of(ColumnValues.FromOrderedBits(ordered));
-            return Type == AttributeType.UInt64
-                ? NumberText.Of(ordered)
-                : NumberText.Of((long)(ordered ^ SignBit));
+            return Type == AttributeType.UInt64 ? NumberText.Of(ordered) : NumberText.Of((long)(ordered ^ SignBit));
         }
     }
 }

@@ -245,8 +245,7 @@ namespace FastPoints.Verify
                 {
                     var part = new NodePart { Node = n, FirstBlock = b };
                     part.EndBlock = Math.Min(b + blocks, node.FirstBlock + node.BlockCount);
-                    Cut(m_partSlices, parts.Count, ref ofParts,
-                        (part.EndBlock - b) * PlaneShape.MaxPointsPerBlock, most);
+                    Cut(m_partSlices, parts.Count, ref ofParts, (part.EndBlock - b) * PlaneShape.MaxPointsPerBlock, most);
                     parts.Add(part);
                 }
             }

@@ -27,8 +27,7 @@ namespace FastPoints.Verify
 
         public static int Cells(int count) => 1 << 64 - math.lzcnt((ulong)count);
 
-        public void Clear(int begin, int end) =>
-            UnsafeUtility.MemSet(m_first + begin, 0xFF, (long)sizeof(int) * (end - begin));
+        public void Clear(int begin, int end) => UnsafeUtility.MemSet(m_first + begin, 0xFF, (long)sizeof(int) * (end - begin));
 
         public void Add(int begin, int end)
         {

@@ -35,8 +35,8 @@ namespace FastPoints.Verify
             m_layout = new RecordLayout(true, default, attributes.BytesPerPoint);
             m_grid = grid;
             m_capacity = capacity;
-            using (var none = new NativeArray<long>(1, Allocator.Persistent))
-                m_map = PartitionMap.Plan(default, 0, none, 0);
+            using var none = new NativeArray<long>(1, Allocator.Persistent);
+            m_map = PartitionMap.Plan(default, 0, none, 0);
         }
 
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
@@ -57,9 +57,7 @@ namespace FastPoints.Verify
             return m_jobs[slot];
         }
 
-        public void Completed(BlockRead read, int slot)
-        {
-        }
+        public void Completed(BlockRead read, int slot) { }
 
         /// <summary>Takes the statistics after the scan, which include the first sum.</summary>
         public PointStatistics TakeStatistics(out ulong secondSum, AttributeStatistics[] attributes)

@@ -186,9 +186,7 @@ namespace FastPoints.Verify
                 summary.IncludeColumn(bytes + Columns[column].OffsetBytes, count);
                 SummaryOfColumn[column] = summary;
             }
-            Bounds.Value = HasPositions
-                ? PositionBounds.Measure(bytes, Positions, Transform, 0, count)
-                : PositionBounds.Empty;
+            Bounds.Value = HasPositions ? PositionBounds.Measure(bytes, Positions, Transform, 0, count) : PositionBounds.Empty;
         }
     }
 }

@@ -104,8 +104,7 @@ namespace FastPoints.Verify
                     {
                         try
                         {
-                            next = new FileCheck(m_folder, file, m_store,
-                                file < 0 ? m_folder.Upper : tables.Dequeue().Take());
+                            next = new FileCheck(m_folder, file, m_store, file < 0 ? m_folder.Upper : tables.Dequeue().Take());
                         }
                         catch (PointCloudException e)
                         {
@@ -215,18 +214,15 @@ namespace FastPoints.Verify
             m_result.Levels[level] = at;
         }
 
-        static string Describe(NodeCheckResult.Fault fault)
+        static string Describe(NodeCheckResult.Fault fault) => fault switch
         {
-            switch (fault)
-            {
-                case NodeCheckResult.Fault.PlaneHash: return "is damaged: its hash does not fit";
-                case NodeCheckResult.Fault.PlaneShape: return "its blocks do not lie inside it one after the other";
-                case NodeCheckResult.Fault.BlockCounts: return "its blocks have other numbers of points than the node";
-                case NodeCheckResult.Fault.OutsideCube: return "a point outside of the node's cube";
-                case NodeCheckResult.Fault.Bounds: return "the node's bounds are not its points'";
-                default: return "a value that its attribute's type cannot have";
-            }
-        }
+            NodeCheckResult.Fault.PlaneHash => "is damaged: its hash does not fit",
+            NodeCheckResult.Fault.PlaneShape => "its blocks do not lie inside it one after the other",
+            NodeCheckResult.Fault.BlockCounts => "its blocks have other numbers of points than the node",
+            NodeCheckResult.Fault.OutsideCube => "a point outside of the node's cube",
+            NodeCheckResult.Fault.Bounds => "the node's bounds are not its points'",
+            _ => "a value that its attribute's type cannot have",
+        };
 
         void CheckTotals()
         {
@@ -264,16 +260,14 @@ namespace FastPoints.Verify
                 if (!reader.BlocksAreKnown)
                     yield return Work.Of(reader.FindBlocks());
                 var wanted = reader.Info.Schema.Select(names.ToArray());
-                using (var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
-                    reader.MaxPointsPerBlock))
-                {
-                    yield return Work.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
-                    var found = sums.TakeStatistics(out ulong second, attributes);
-                    points += found.Count;
-                    leftOut += found.LeftOut;
-                    firstSum += found.Checksum;
-                    secondSum += second;
-                }
+                using var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
+                    reader.MaxPointsPerBlock);
+                yield return Work.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
+                var found = sums.TakeStatistics(out ulong second, attributes);
+                points += found.Count;
+                leftOut += found.LeftOut;
+                firstSum += found.Checksum;
+                secondSum += second;
             }
             if (points != manifest.Points || leftOut != manifest.PointsLeftOut)
             {

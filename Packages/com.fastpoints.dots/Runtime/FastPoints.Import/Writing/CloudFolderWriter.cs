@@ -86,13 +86,11 @@ namespace FastPoints.Writing
                 }
                 if (!File.Exists(path))
                     return false;
-                using (var file = new FileStream(path, FileMode.Open, FileAccess.Write))
-                {
-                    if (file.Length < bytes)
-                        return false;
-                    file.SetLength(bytes);
-                    return true;
-                }
+                using var file = new FileStream(path, FileMode.Open, FileAccess.Write);
+                if (file.Length < bytes)
+                    return false;
+                file.SetLength(bytes);
+                return true;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -295,12 +293,10 @@ namespace FastPoints.Writing
                 throw new PointCloudException(FailureCode.WriteFailed, target, -1, "is a file, wanted a folder to be made");
             if (!Directory.Exists(m_target) || File.Exists(Path.Combine(m_target, StoreFormat.ManifestName)))
                 return;
-            using (var entries = Directory.EnumerateFileSystemEntries(m_target).GetEnumerator())
-            {
-                if (entries.MoveNext())
-                    throw new PointCloudException(FailureCode.WriteFailed, target, -1,
-                        "is a folder with other things in it: wanted none, or a cloud to replace");
-            }
+            using var entries = Directory.EnumerateFileSystemEntries(m_target).GetEnumerator();
+            if (entries.MoveNext())
+                throw new PointCloudException(FailureCode.WriteFailed, target, -1,
+                    "is a folder with other things in it: wanted none, or a cloud to replace");
         }
 
         FolderLock Lock()

@@ -141,8 +141,8 @@ namespace FastPoints.Writing
         {
             try
             {
-                using (var process = Process.GetCurrentProcess())
-                    return (process.Id, process.StartTime.ToUniversalTime().Ticks);
+                using var process = Process.GetCurrentProcess();
+                return (process.Id, process.StartTime.ToUniversalTime().Ticks);
             }
             catch (Exception e) when (IsOfTheRuntime(e))
             {
@@ -208,8 +208,8 @@ namespace FastPoints.Writing
                 return lines.Length < 4 || lines[3] != s_load;
             try
             {
-                using (var process = Process.GetProcessById(id))
-                    return Math.Abs(process.StartTime.ToUniversalTime().Ticks - began) > SameBeginTicks;
+                using var process = Process.GetProcessById(id);
+                return Math.Abs(process.StartTime.ToUniversalTime().Ticks - began) > SameBeginTicks;
             }
             catch (Exception e) when (e is ArgumentException || e is InvalidOperationException)
             {

@@ -47,17 +47,15 @@ namespace FastPoints.Rendering.Urp
                 return;
             m_camera = null;
             var resources = frameData.Get<UniversalResourceData>();
-            using (var builder = renderGraph.AddUnsafePass<PassData>("FastPoints", out var data))
-            {
-                data.Scene = PointScene.Current;
-                data.CameraData = cameraData;
-                data.Color = resources.activeColorTexture;
-                data.Depth = resources.activeDepthTexture;
-                builder.UseTexture(data.Color, AccessFlags.ReadWrite);
-                builder.UseTexture(data.Depth, AccessFlags.ReadWrite);
-                builder.AllowPassCulling(false);
-                builder.SetRenderFunc(s_draw);
-            }
+            using var builder = renderGraph.AddUnsafePass<PassData>("FastPoints", out var data);
+            data.Scene = PointScene.Current;
+            data.CameraData = cameraData;
+            data.Color = resources.activeColorTexture;
+            data.Depth = resources.activeDepthTexture;
+            builder.UseTexture(data.Color, AccessFlags.ReadWrite);
+            builder.UseTexture(data.Depth, AccessFlags.ReadWrite);
+            builder.AllowPassCulling(false);
+            builder.SetRenderFunc(s_draw);
         }
 
         static void Draw(PassData data, UnsafeGraphContext context)

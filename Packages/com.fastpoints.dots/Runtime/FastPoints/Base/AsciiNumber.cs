@@ -57,9 +57,7 @@ namespace FastPoints.Base
                 value = ToDouble(number);
                 return true;
             }
-            value = kind == Kind.Infinite
-                ? number.IsNegative ? double.NegativeInfinity : double.PositiveInfinity
-                : double.NaN;
+            value = kind == Kind.Infinite ? number.IsNegative ? double.NegativeInfinity : double.PositiveInfinity : double.NaN;
             return kind != Kind.None;
         }
 
@@ -84,9 +82,7 @@ namespace FastPoints.Base
                 value = math.asfloat(number.IsNegative ? bits | 0x80000000 : bits);
                 return true;
             }
-            value = kind == Kind.Infinite
-                ? number.IsNegative ? float.NegativeInfinity : float.PositiveInfinity
-                : float.NaN;
+            value = kind == Kind.Infinite ? number.IsNegative ? float.NegativeInfinity : float.PositiveInfinity : float.NaN;
             return kind != Kind.None;
         }
 

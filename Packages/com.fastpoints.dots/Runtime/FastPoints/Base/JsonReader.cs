@@ -72,17 +72,14 @@ namespace FastPoints.Base
             value as string ?? throw new FormatException("wanted text, got " + Describe(value));
 
         /// <summary>A value as messages name it.</summary>
-        public static string Describe(object value)
+        public static string Describe(object value) => value switch
         {
-            switch (value)
-            {
-                case null: return "null";
-                case Number n: return n.Text;
-                case string s: return "\"" + OneLine(s) + "\"";
-                case bool b: return b ? "true" : "false";
-                default: return value is List<object> ? "a list" : "an object";
-            }
-        }
+            null => "null",
+            Number n => n.Text,
+            string s => "\"" + OneLine(s) + "\"",
+            bool b => b ? "true" : "false",
+            _ => value is List<object> ? "a list" : "an object",
+        };
 
         /// <summary>Text without control characters, for messages and names.</summary>
         public static string OneLine(string text)
@@ -99,16 +96,16 @@ namespace FastPoints.Base
             if (depth > MaxDepth)
                 throw Bad("fewer levels");
             Space();
-            switch (m_at < m_text.Length ? m_text[m_at] : '\0')
+            return (m_at < m_text.Length ? m_text[m_at] : '\0') switch
             {
-                case '{': return Object(depth);
-                case '[': return Array(depth);
-                case '"': return String();
-                case 't': return Word("true", true);
-                case 'f': return Word("false", false);
-                case 'n': return Word("null", null);
-                default: return NumberAt();
-            }
+                '{' => Object(depth),
+                '[' => Array(depth),
+                '"' => String(),
+                't' => Word("true", true),
+                'f' => Word("false", false),
+                'n' => Word("null", null),
+                _ => NumberAt(),
+            };
         }
 
         Dictionary<string, object> Object(int depth)

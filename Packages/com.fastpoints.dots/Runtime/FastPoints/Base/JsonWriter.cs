@@ -39,8 +39,7 @@ namespace FastPoints.Base
 
         public override string ToString() => m_text + "\n";
 
-        static string Text(double value) =>
-            double.IsNaN(value) || double.IsInfinity(value) ? "null" : NumberText.Of(value);
+        static string Text(double value) => double.IsNaN(value) || double.IsInfinity(value) ? "null" : NumberText.Of(value);
 
         static string Quoted(string value)
         {

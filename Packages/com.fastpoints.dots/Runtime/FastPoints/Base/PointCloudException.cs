@@ -29,11 +29,9 @@ namespace FastPoints.Base
 
         /// <summary>For example: <c>scan.las: at byte 96: offset to point data: wanted at least 227, got 12</c>.</summary>
         public static PointCloudException Wanted(FailureCode code, string path, long byteOffset, string field, object wanted,
-            object got)
-        {
-            return new PointCloudException(code, path, byteOffset,
+            object got) =>
+            new PointCloudException(code, path, byteOffset,
                 string.Format(CultureInfo.InvariantCulture, "{0}: wanted {1}, got {2}", field, wanted, got));
-        }
 
         /// <summary>Returns a PointCloudException as it is, and wraps any other exception as an unexpected one.</summary>
         /// <param name="path">The file or folder that was being worked on.</param>

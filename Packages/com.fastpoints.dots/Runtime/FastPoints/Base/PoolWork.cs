@@ -27,12 +27,10 @@ namespace FastPoints.Base
                 done(work());
                 yield break;
             }
-            using (var begun = Begin(path, work, unwanted))
-            {
-                while (!begun.IsDone)
-                    yield return default;
-                done(begun.Take());
-            }
+            using var begun = Begin(path, work, unwanted);
+            while (!begun.IsDone)
+                yield return default;
+            done(begun.Take());
         }
     }
 

@@ -33,10 +33,7 @@ namespace FastPoints.Base
     {
         readonly Stack<IEnumerator<Work>> m_stack = new Stack<IEnumerator<Work>>();
 
-        public WorkSteps(IEnumerator<Work> work)
-        {
-            m_stack.Push(work);
-        }
+        public WorkSteps(IEnumerator<Work> work) => m_stack.Push(work);
 
         public JobHandle Current { get; private set; }
 
@@ -118,10 +115,7 @@ namespace FastPoints.Base
         int m_looksInVain;
         int m_ticksUntilLook;
 
-        public WorkPump(IEnumerator<Work> work)
-        {
-            m_work = new WorkSteps(work);
-        }
+        public WorkPump(IEnumerator<Work> work) => m_work = new WorkSteps(work);
 
         public bool IsDone { get; private set; }
 

@@ -31,14 +31,10 @@ namespace FastPoints.Feeds
         public abstract void Update(double budgetMs);
 
         /// <summary>Skips work that takes a pass over the whole source, because a build will offer better states.</summary>
-        public virtual void Hurry()
-        {
-        }
+        public virtual void Hurry() { }
 
         /// <summary>Looks at a finished cloud again: it may have been replaced.</summary>
-        public virtual void Refresh()
-        {
-        }
+        public virtual void Refresh() { }
 
         public abstract void Dispose();
     }

@@ -12,10 +12,7 @@ namespace FastPoints.Feeds
         CloudFolder m_described;
 
         /// <param name="generations">This feed owns them.</param>
-        public FolderFeed(FolderGenerations generations)
-        {
-            m_generations = generations;
-        }
+        public FolderFeed(FolderGenerations generations) => m_generations = generations;
 
         public override CloudFacts Newest
         {

@@ -41,12 +41,12 @@ namespace FastPoints.Picking
         {
             if (Attribute.Scale != 1 || Attribute.Offset != 0 || Attribute.Type == AttributeType.Float64)
                 return NumberText.Of(Value);
-            switch (Attribute.Type)
+            return Attribute.Type switch
             {
-                case AttributeType.Float32: return NumberText.Of(math.asfloat((uint)m_bits));
-                case AttributeType.UInt64: return NumberText.Of(m_bits);
-                default: return NumberText.Of((long)m_bits);
-            }
+                AttributeType.Float32 => NumberText.Of(math.asfloat((uint)m_bits)),
+                AttributeType.UInt64 => NumberText.Of(m_bits),
+                _ => NumberText.Of((long)m_bits),
+            };
         }
     }
 }

@@ -240,13 +240,7 @@ namespace FastPoints.Picking
             if (!m_space.Meets(center, half, out double distance) || distance > m_best.Distance ||
                 spacingAbove * m_largestScale < m_options.FinestSpacing * m_ray.RadiusAt(distance))
                 return;
-            m_queue.Push(new PickCandidate
-            {
-                Distance = distance,
-                Page = page,
-                Node = node,
-                SpacingAbove = spacingAbove,
-            });
+            m_queue.Push(new PickCandidate { Distance = distance, Page = page, Node = node, SpacingAbove = spacingAbove });
         }
 
         double3 WorldOf(Grid3 place, in CloudPlacement placement)

@@ -13,22 +13,14 @@ namespace FastPoints.Picture
         };
 
         /// <summary>The one attribute that a mode looks its colours up by; null for the others.</summary>
-        public static string AttributeOf(ColorMode mode)
+        public static string AttributeOf(ColorMode mode) => mode switch
         {
-            switch (mode)
-            {
-                case ColorMode.Intensity:
-                    return AttributeNames.Intensity;
-                case ColorMode.Classification:
-                    return AttributeNames.Classification;
-                case ColorMode.ReturnNumber:
-                    return AttributeNames.ReturnNumber;
-                case ColorMode.PointSource:
-                    return AttributeNames.PointSourceId;
-                default:
-                    return null;
-            }
-        }
+            ColorMode.Intensity => AttributeNames.Intensity,
+            ColorMode.Classification => AttributeNames.Classification,
+            ColorMode.ReturnNumber => AttributeNames.ReturnNumber,
+            ColorMode.PointSource => AttributeNames.PointSourceId,
+            _ => null,
+        };
 
         /// <summary>The attributes to read before a mode can be chosen: colour, intensity, classes, and whatever else the wanted
         /// mode needs.</summary>

@@ -45,20 +45,13 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Index in <see cref="CreateAll"/> of the table that a mode looks its colours up in.</summary>
-        public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto)
+        public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto) => mode switch
         {
-            switch (mode)
-            {
-                case ColorMode.Classification:
-                    return 3;
-                case ColorMode.ReturnNumber:
-                    return 4;
-                case ColorMode.PointSource:
-                    return 5;
-                default:
-                    return (int)Resolve(mode, gradient) - (int)Gradient.Viridis;
-            }
-        }
+            ColorMode.Classification => 3,
+            ColorMode.ReturnNumber => 4,
+            ColorMode.PointSource => 5,
+            _ => (int)Resolve(mode, gradient) - (int)Gradient.Viridis,
+        };
 
         /// <summary>All tables, one behind the other.</summary>
         public static NativeArray<uint> CreateAll(Allocator allocator)
@@ -66,8 +59,8 @@ namespace FastPoints.Picture
             var all = new NativeArray<uint>(Count * Length, allocator, NativeArrayOptions.UninitializedMemory);
             void Add(ColorMode mode, Gradient gradient)
             {
-                using (var one = Create(mode, Allocator.Temp, gradient))
-                    NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, gradient) * Length, Length);
+                using var one = Create(mode, Allocator.Temp, gradient);
+                NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, gradient) * Length, Length);
             }
             for (var gradient = Gradient.Viridis; gradient <= Gradient.Gray; gradient++)
                 Add(ColorMode.Elevation, gradient);
@@ -80,18 +73,12 @@ namespace FastPoints.Picture
         static Gradient Resolve(ColorMode mode, Gradient gradient) => gradient != Gradient.Auto ? gradient
             : mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
 
-        static uint Ramp(Gradient gradient, double share)
+        static uint Ramp(Gradient gradient, double share) => gradient switch
         {
-            switch (gradient)
-            {
-                case Gradient.Viridis:
-                    return Viridis(DarkestShare + (1 - DarkestShare) * share);
-                case Gradient.Turbo:
-                    return Turbo(share);
-                default:
-                    return Gray(DarkestLight + (1 - DarkestLight) * share);
-            }
-        }
+            Gradient.Viridis => Viridis(DarkestShare + (1 - DarkestShare) * share),
+            Gradient.Turbo => Turbo(share),
+            _ => Gray(DarkestLight + (1 - DarkestLight) * share),
+        };
 
         /// <summary>A colour of the hue circle (Smith, "Color gamut transform pairs", 1978).</summary>
         /// <param name="turns">Around the circle: red, green at a third, blue at two.</param>

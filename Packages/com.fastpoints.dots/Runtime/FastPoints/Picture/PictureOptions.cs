@@ -69,8 +69,7 @@ namespace FastPoints.Picture
         public float EdlStrength = -1;
 
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
-        public float EdlFor(ColorMode mode) =>
-            EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
+        public float EdlFor(ColorMode mode) => EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
 
         /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
         public bool FillsHoles;

@@ -27,9 +27,7 @@ namespace FastPoints.Picture
             WidthPx = widthPx;
             HeightPx = heightPx;
             IsOrthographic = camera.IsOrthographic;
-            ScalePx = camera.IsOrthographic
-                ? heightPx / camera.HeightGeo
-                : heightPx * 0.5 / math.tan(camera.FovRadians / 2);
+            ScalePx = camera.IsOrthographic ? heightPx / camera.HeightGeo : heightPx * 0.5 / math.tan(camera.FovRadians / 2);
             X = new double3(camera.Right.x, camera.Up.x, camera.Forward.x) * transform.Scale.x;
             Y = new double3(camera.Right.y, camera.Up.y, camera.Forward.y) * transform.Scale.y;
             Z = new double3(camera.Right.z, camera.Up.z, camera.Forward.z) * transform.Scale.z;
@@ -65,7 +63,6 @@ namespace FastPoints.Picture
 
         /// <summary>The inverse of <see cref="DepthToBits"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static float DepthFromBits(uint bits) =>
-            math.asfloat((bits & 0x80000000u) != 0 ? bits & 0x7FFFFFFFu : ~bits);
+        public static float DepthFromBits(uint bits) => math.asfloat((bits & 0x80000000u) != 0 ? bits & 0x7FFFFFFFu : ~bits);
     }
 }

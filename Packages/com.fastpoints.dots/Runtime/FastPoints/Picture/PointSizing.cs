@@ -22,8 +22,7 @@ namespace FastPoints.Picture
 
         /// <summary>The size for a density, from 1 to 6 pixels: squares of size s, at a density of d points a pixel, cover each
         /// pixel d * s^2 times.</summary>
-        public static float SizeFor(double density) =>
-            (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
+        public static float SizeFor(double density) => (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
 
         /// <summary>Points a pixel, hidden ones included, in a tile with this many drawn pixels: random points with a density of
         /// d cover 1 - exp(-d) of them. A full tile counts as one with half a pixel missing.</summary>

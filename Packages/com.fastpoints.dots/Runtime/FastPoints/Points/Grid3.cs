@@ -36,9 +36,6 @@ namespace FastPoints.Points
 
         public override int GetHashCode() => (X * 73856093 ^ Y * 19349663 ^ Z * 83492791).GetHashCode();
 
-        public override string ToString() =>
-            NumberText.Of(X) + ", " +
-            NumberText.Of(Y) + ", " +
-            NumberText.Of(Z);
+        public override string ToString() => NumberText.Of(X) + ", " + NumberText.Of(Y) + ", " + NumberText.Of(Z);
     }
 }

@@ -60,24 +60,20 @@ namespace FastPoints.Points
 
         /// <summary>Sorts on the calling thread. The arrays must have the same length.</summary>
         public static void RunImmediate(NativeArray<ulong> keys, NativeArray<uint> payload, NativeArray<ulong> keyScratch,
-            NativeArray<uint> payloadScratch)
-        {
+            NativeArray<uint> payloadScratch) =>
             Sort((ulong*)keys.GetUnsafePtr(), (uint*)payload.GetUnsafePtr(), (ulong*)keyScratch.GetUnsafePtr(),
                 (uint*)payloadScratch.GetUnsafePtr(), keys.Length);
-        }
 
         /// <summary>Sorts in a job. The arrays must have the same length.</summary>
         public static JobHandle Schedule(NativeArray<ulong> keys, NativeArray<uint> payload, NativeArray<ulong> keyScratch,
-            NativeArray<uint> payloadScratch, JobHandle inputDeps)
-        {
-            return new RadixSortJob
+            NativeArray<uint> payloadScratch, JobHandle inputDeps) =>
+            new RadixSortJob
             {
                 Keys = keys,
                 Payload = payload,
                 KeyScratch = keyScratch,
                 PayloadScratch = payloadScratch,
             }.Schedule(inputDeps);
-        }
 
         /// <summary>Finds where each digit's values start in the sorted order.</summary>
         static void CountDigits(ulong* keys, int count, int shift, int* start)

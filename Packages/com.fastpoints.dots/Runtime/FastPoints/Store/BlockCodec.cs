@@ -39,8 +39,7 @@ namespace FastPoints.Store
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static ulong PairOf(uint* values, uint minimum, int width) =>
-            values[0] - minimum | (ulong)(values[1] - minimum) << width;
+        static ulong PairOf(uint* values, uint minimum, int width) => values[0] - minimum | (ulong)(values[1] - minimum) << width;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static void Append(ulong value, int width, ref ulong* at, ref ulong filled, ref int bits)

@@ -114,20 +114,18 @@ namespace FastPoints.Store
                     header.PlaneCount != Layout.Planes.Count ||
                 header.TableOffset != record.TableOffset || header.TableHash != record.TableHash || header.ChunkCount != 0)
                 throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that the hierarchy means");
-            using (var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset,
-                Allocator.Persistent))
-            {
-                if (ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length) != header.TableHash)
-                    throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset,
-                        "the node table is damaged: its hash does not fit");
-                var table = Take(bytes, header.NodeCount, header.PlaneCount);
-                string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table,
-                    header.PointCount);
-                if (problem == null)
-                    return table;
-                table.Dispose();
-                throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset, problem);
-            }
+            using var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset,
+                Allocator.Persistent);
+            if (ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length) != header.TableHash)
+                throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset,
+                    "the node table is damaged: its hash does not fit");
+            var table = Take(bytes, header.NodeCount, header.PlaneCount);
+            string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table,
+                header.PointCount);
+            if (problem == null)
+                return table;
+            table.Dispose();
+            throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset, problem);
         }
 
         void ReadHierarchy()

@@ -37,22 +37,20 @@ namespace FastPoints.Store
         /// says. See <see cref="TableCheck"/>. Works on any thread.</summary>
         public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
         {
-            using (var shapes = layout.CreateShapes(Allocator.Persistent))
+            using var shapes = layout.CreateShapes(Allocator.Persistent);
+            var check = new TableCheck
             {
-                var check = new TableCheck
-                {
-                    Nodes = (NodeRecord*)m_nodes.GetUnsafeReadOnlyPtr(),
-                    Planes = (PlaneRange*)m_planes.GetUnsafeReadOnlyPtr(),
-                    NodeCount = m_nodes.Length,
-                    PlaneCount = PlaneCount,
-                    Shapes = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(),
-                    Region = region,
-                    DataBytes = dataBytes,
-                    IsChunk = isChunk,
-                };
-                var problem = check.Find();
-                return problem.IsNone ? null : Describe(problem, check);
-            }
+                Nodes = (NodeRecord*)m_nodes.GetUnsafeReadOnlyPtr(),
+                Planes = (PlaneRange*)m_planes.GetUnsafeReadOnlyPtr(),
+                NodeCount = m_nodes.Length,
+                PlaneCount = PlaneCount,
+                Shapes = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(),
+                Region = region,
+                DataBytes = dataBytes,
+                IsChunk = isChunk,
+            };
+            var problem = check.Find();
+            return problem.IsNone ? null : Describe(problem, check);
         }
 
         /// <summary>Puts a problem into words; <paramref name="check"/> found it, and its memory must still exist.</summary>

@@ -41,8 +41,7 @@ namespace FastPoints.Store
         }
 
         /// <summary>Words of one block's descriptor.</summary>
-        public int DescriptorWords =>
-            2 + ColumnCount + (WideColumns & 1) + (WideColumns >> 1 & 1) + (WideColumns >> 2 & 1);
+        public int DescriptorWords => 2 + ColumnCount + (WideColumns & 1) + (WideColumns >> 1 & 1) + (WideColumns >> 2 & 1);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsWide(int column) => (WideColumns >> column & 1) != 0;

@@ -35,18 +35,14 @@ namespace FastPoints.Store
 
         /// <summary>Unpacks a block's column of 32-bit values.</summary>
         /// <param name="values">Must have room for the block's points.</param>
-        public void Unpack(int block, int column, uint* values)
-        {
+        public void Unpack(int block, int column, uint* values) =>
             BlockCodec.Unpack(Packed(block, column), (uint)MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
-        }
 
         /// <summary>Unpacks a block's column of any width.</summary>
-        public void UnpackWide(int block, int column, ulong* values)
-        {
+        public void UnpackWide(int block, int column, ulong* values) =>
             BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
-        }
 
         /// <summary>Reads one value.</summary>
         public ulong ValueAt(int block, int column, int index) =>

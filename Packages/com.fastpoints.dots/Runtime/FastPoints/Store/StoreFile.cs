@@ -14,17 +14,15 @@ namespace FastPoints.Store
         const int MaxTextBytes = 16 << 20;
 
         /// <exception cref="PointCloudException">The file does not exist or cannot be read.</exception>
-        public static string ReadText(string path)
-        {
-            return Reading(path, file =>
+        public static string ReadText(string path) =>
+            Reading(path, file =>
             {
                 if (file.Length > MaxTextBytes)
                     throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + MaxTextBytes +
                         " bytes", file.Length);
-                using (var reader = new StreamReader(file))
-                    return reader.ReadToEnd();
+                using var reader = new StreamReader(file);
+                return reader.ReadToEnd();
             });
-        }
 
         /// <summary>A file's size.</summary>
         public static long SizeOf(string path) => Reading(path, file => file.Length);
@@ -60,14 +58,12 @@ namespace FastPoints.Store
         /// <summary>Reads the header of a binary file and checks it against itself and the file's size.</summary>
         public static FileHeader ReadHeader(string path, ulong magic)
         {
-            using (var bytes = Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent))
-            {
-                var header = *(FileHeader*)bytes.GetUnsafeReadOnlyPtr();
-                string problem = FindProblem(header, magic, SizeOf(path));
-                if (problem != null)
-                    throw new PointCloudException(FailureCode.BadInput, path, 0, problem);
-                return header;
-            }
+            using var bytes = Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent);
+            var header = *(FileHeader*)bytes.GetUnsafeReadOnlyPtr();
+            string problem = FindProblem(header, magic, SizeOf(path));
+            if (problem != null)
+                throw new PointCloudException(FailureCode.BadInput, path, 0, problem);
+            return header;
         }
 
         /// <summary>Describes what is wrong with a header, or returns null.</summary>
@@ -96,8 +92,8 @@ namespace FastPoints.Store
         {
             try
             {
-                using (var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 4096))
-                    return read(file);
+                using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 4096);
+                return read(file);
             }
             catch (Exception e) when (e is FileNotFoundException || e is DirectoryNotFoundException)
             {

@@ -19,10 +19,7 @@ namespace FastPoints.Store
         string m_path;
         int m_count;
 
-        public StoreRead()
-        {
-            m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
-        }
+        public StoreRead() => m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
 
         /// <summary>The bytes read; jobs that use them depend on <see cref="Done"/>.</summary>
         public NativeArray<byte> Bytes => m_bytes.GetSubArray(0, m_count);

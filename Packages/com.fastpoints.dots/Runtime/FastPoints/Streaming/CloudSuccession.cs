@@ -18,10 +18,7 @@ namespace FastPoints.Streaming
         CloudStage m_nextStage;
         uint m_frameAdded;
 
-        public CloudSuccession(StreamContext stream)
-        {
-            m_stream = stream;
-        }
+        public CloudSuccession(StreamContext stream) => m_stream = stream;
 
         /// <summary>Number of the state that is shown; <see cref="None"/> before the first one.</summary>
         public int Cloud { get; private set; } = None;

@@ -46,8 +46,7 @@ namespace FastPoints.Streaming
         }
 
         /// <param name="plane">Index among the streamed planes.</param>
-        public PlaneRange RangeOf(int page, int node, int plane) =>
-            Pages[page].Planes[node * Source.Planes.Length + plane];
+        public PlaneRange RangeOf(int page, int node, int plane) => Pages[page].Planes[node * Source.Planes.Length + plane];
 
         public PlaneShape ShapeOf(int page, int node, int plane) => plane == 0 && Pages[page].Places[node].IsWide
             ? new PlaneShape(3, 7)

@@ -178,8 +178,7 @@ namespace FastPoints.Files
             if (entry.PointCount < 0)
                 return "has " + NumberText.Of(entry.PointCount) + " points: left out";
             if (entry.Offset < m_blocks.Las.Header.PointsOffset || entry.Offset >= (ulong)m_fileBytes)
-                return "would start at byte " + NumberText.Of(entry.Offset)
-                    + ", which is none of the points': left out";
+                return "would start at byte " + NumberText.Of(entry.Offset) + ", which is none of the points': left out";
             bytes = Math.Min(entry.ByteSize, m_fileBytes - (long)entry.Offset);
             if (bytes < m_blocks.Format.RecordBytes || bytes > LazBlocks.MaxLayeredChunkBytes)
                 return "has " + NumberText.Of(entry.ByteSize) + " bytes: left out";

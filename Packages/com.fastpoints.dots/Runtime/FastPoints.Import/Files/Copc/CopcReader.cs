@@ -17,8 +17,7 @@ namespace FastPoints.Files
         readonly CopcHierarchy m_hierarchy;
         readonly SourceTree m_tree;
 
-        CopcReader(LazBlocks blocks, CopcInfo copc)
-            : base(blocks)
+        CopcReader(LazBlocks blocks, CopcInfo copc) : base(blocks)
         {
             Info.Format = "COPC";
             Copc = copc;

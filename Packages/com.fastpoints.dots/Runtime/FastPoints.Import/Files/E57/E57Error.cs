@@ -13,27 +13,16 @@ namespace FastPoints.Files
         public const int FileChanged = 7;
         public const int TooWide = 8;
 
-        public static string Text(int error)
+        public static string Text(int error) => error switch
         {
-            switch (error)
-            {
-                case SectionEnds:
-                    return "the section ends";
-                case PacketKind:
-                    return "a packet of unknown kind (not 0, 1 or 2)";
-                case PacketLength:
-                    return "a packet's length is no multiple of 4, shorter than its header, or leaves the section";
-                case StreamCount:
-                    return "a packet does not have a bytestream for each field";
-                case StreamLengths:
-                    return "a packet's bytestreams are longer than it is, or do not fill it";
-                case Restart:
-                    return "a packet restarts its bytestreams within a value";
-                case TooWide:
-                    return "the fields of its points lie too far apart";
-                default:
-                    return "its packets are not what they were when the file was opened";
-            }
-        }
+            SectionEnds => "the section ends",
+            PacketKind => "a packet of unknown kind (not 0, 1 or 2)",
+            PacketLength => "a packet's length is no multiple of 4, shorter than its header, or leaves the section",
+            StreamCount => "a packet does not have a bytestream for each field",
+            StreamLengths => "a packet's bytestreams are longer than it is, or do not fill it",
+            Restart => "a packet restarts its bytestreams within a value",
+            TooWide => "the fields of its points lie too far apart",
+            _ => "its packets are not what they were when the file was opened",
+        };
     }
 }

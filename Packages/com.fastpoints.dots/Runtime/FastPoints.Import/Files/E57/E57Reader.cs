@@ -26,8 +26,8 @@ namespace FastPoints.Files
         /// <inheritdoc cref="Open(FileSource)"/>
         public static E57Reader Open(string path)
         {
-            using (var source = FileSource.Open(path))
-                return Open(source);
+            using var source = FileSource.Open(path);
+            return Open(source);
         }
 
         /// <summary>Opens an E57 file: its header, its XML section and the headers of its scans' sections are read.</summary>

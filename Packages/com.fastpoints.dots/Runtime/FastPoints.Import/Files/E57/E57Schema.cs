@@ -279,8 +279,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>E57 counts returns from 0, all others from 1.</summary>
-        static long BiasOf(E57Field field) =>
-            field.Name == E57Names.ReturnIndex && !field.IsScaled ? 1 : 0;
+        static long BiasOf(E57Field field) => field.Name == E57Names.ReturnIndex && !field.IsScaled ? 1 : 0;
 
         static AttributeType TypeOf(long least, long most)
         {

@@ -57,8 +57,7 @@ namespace FastPoints.Files
         public int BlockCount => (int)((Records + BlockPoints - 1) / BlockPoints);
 
         /// <summary>The most records that the section can hold.</summary>
-        public long RecordsPossible =>
-            (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
+        public long RecordsPossible => (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 
         /// <summary>Reads the section's header; anomalies become warnings.</summary>
         /// <param name="problem">Why the section cannot be read; null if it can.</param>

@@ -28,8 +28,8 @@ namespace FastPoints.Files
             CheckTags(xml, path, offset);
             try
             {
-                using (var text = new StreamReader(new MemoryStream(xml), Encoding.UTF8))
-                using (var reader = new XmlTextReader(text)
+                using var text = new StreamReader(new MemoryStream(xml), Encoding.UTF8);
+                using var reader = new XmlTextReader(text)
                 {
                     Namespaces = false,
                     DtdProcessing = DtdProcessing.Prohibit,
@@ -37,8 +37,8 @@ namespace FastPoints.Files
                     WhitespaceHandling = WhitespaceHandling.None,
                     // Without definitions there are no entities to expand: a named one is an error.
                     EntityHandling = EntityHandling.ExpandEntities,
-                })
-                    return Parse(reader, path, offset);
+                };
+                return Parse(reader, path, offset);
             }
             catch (XmlException e)
             {

@@ -92,38 +92,36 @@ namespace FastPoints.Files
                 yield break;
             }
             m_index.Info.FileBytes += length;
-            using (var read = new NativeFileRead(length, Allocator.Persistent))
-            using (var state = new NativeReference<EptPageState>(Allocator.Persistent))
+            using var read = new NativeFileRead(length, Allocator.Persistent);
+            using var state = new NativeReference<EptPageState>(Allocator.Persistent);
+            JobHandle parsed = default;
+            try
             {
-                JobHandle parsed = default;
-                try
+                yield return read.Begin(Path.GetFullPath(path), 0, (int)length);
+                read.End();
+                var parse = new ParseEptPageJob
                 {
-                    yield return read.Begin(Path.GetFullPath(path), 0, (int)length);
-                    read.End();
-                    var parse = new ParseEptPageJob
-                    {
-                        Text = read.Buffer,
-                        TextBytes = (int)length,
-                        SliceBytes = SliceBytes,
-                        State = state,
-                        Entries = entries,
-                    };
-                    do
-                    {
-                        parsed = parse.Schedule();
-                        yield return parsed;
-                        parsed.Complete();
-                    }
-                    while (!state.Value.IsDone && !state.Value.IsBroken);
-                }
-                finally
+                    Text = read.Buffer,
+                    TextBytes = (int)length,
+                    SliceBytes = SliceBytes,
+                    State = state,
+                    Entries = entries,
+                };
+                do
                 {
+                    parsed = parse.Schedule();
+                    yield return parsed;
                     parsed.Complete();
                 }
-                if (state.Value.IsBroken)
-                    m_blocks.Warnings.Add("the page of the hierarchy that begins with it is broken",
-                        name, "the first " + NumberText.Of(state.Value.Entries) + " entries are read", state.Value.At, path);
+                while (!state.Value.IsDone && !state.Value.IsBroken);
             }
+            finally
+            {
+                parsed.Complete();
+            }
+            if (state.Value.IsBroken)
+                m_blocks.Warnings.Add("the page of the hierarchy that begins with it is broken",
+                    name, "the first " + NumberText.Of(state.Value.Entries) + " entries are read", state.Value.At, path);
         }
 
         /// <summary>Adds the nodes of a page level by level: a parent comes before its children.</summary>

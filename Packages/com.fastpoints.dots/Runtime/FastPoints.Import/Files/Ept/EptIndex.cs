@@ -79,18 +79,14 @@ namespace FastPoints.Files
         static EptDataType ReadDataType(JsonMembers json)
         {
             string name = json.Text("dataType");
-            switch (name)
+            return name switch
             {
-                case "binary":
-                    return EptDataType.Binary;
-                case "zstandard":
-                    return EptDataType.Zstandard;
-                case "laszip":
-                    return EptDataType.Laszip;
-                default:
-                    throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "dataType",
-                        "binary, laszip or zstandard", name);
-            }
+                "binary" => EptDataType.Binary,
+                "zstandard" => EptDataType.Zstandard,
+                "laszip" => EptDataType.Laszip,
+                _ => throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "dataType",
+                    "binary, laszip or zstandard", name),
+            };
         }
 
         void ReadCube(JsonMembers json)

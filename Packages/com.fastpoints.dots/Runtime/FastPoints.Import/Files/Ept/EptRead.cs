@@ -26,9 +26,7 @@ namespace FastPoints.Files
         protected abstract JobHandle Schedule(BlockRange range, in EptBlock block);
 
         /// <summary>Reports what happened to a range that did not give all of its points.</summary>
-        protected virtual void WarnBroken(DecodeResult result)
-        {
-        }
+        protected virtual void WarnBroken(DecodeResult result) { }
 
         protected sealed override JobHandle Schedule(BlockRange range)
         {

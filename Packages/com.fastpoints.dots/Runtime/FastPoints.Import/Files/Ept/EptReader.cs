@@ -41,24 +41,22 @@ namespace FastPoints.Files
             if (index.DataType != EptDataType.Laszip)
                 return new EptReader(index, null, null);
             // Nodes have a scale and offset of their own, which count even if ept.json gives others.
-            using (var source = FileSource.Open(AnyNode(index)))
-            {
-                var las = LasFile.Read(source);
-                if (!las.Header.IsCompressed)
-                    throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, LasHeader.At.PointFormat,
-                        "a node of an EPT of data type laszip", "LAZ", "LAS");
-                var format = LazFormat.Read(las);
-                if (format.Compressor == LazCompressor.None)
-                    throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
-                        "LASzip compressor", "1 to 3", 0);
-                index.Info.Schema = las.Info.Schema;
-                index.Info.Transform = las.Info.Transform;
-                index.Info.PointFormat = las.Header.PointFormat;
-                if (!index.Info.Crs.IsKnown)
-                    index.Info.Crs = las.Info.Crs;
-                format.AddFacts(index.Info);
-                return new EptReader(index, las, format);
-            }
+            using var source = FileSource.Open(AnyNode(index));
+            var las = LasFile.Read(source);
+            if (!las.Header.IsCompressed)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, LasHeader.At.PointFormat,
+                    "a node of an EPT of data type laszip", "LAZ", "LAS");
+            var format = LazFormat.Read(las);
+            if (format.Compressor == LazCompressor.None)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
+                    "LASzip compressor", "1 to 3", 0);
+            index.Info.Schema = las.Info.Schema;
+            index.Info.Transform = las.Info.Transform;
+            index.Info.PointFormat = las.Header.PointFormat;
+            if (!index.Info.Crs.IsKnown)
+                index.Info.Crs = las.Info.Crs;
+            format.AddFacts(index.Info);
+            return new EptReader(index, las, format);
         }
 
         /// <summary>The root's file, or another one if it is missing.</summary>

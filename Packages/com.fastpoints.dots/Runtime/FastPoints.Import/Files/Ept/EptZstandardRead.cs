@@ -35,8 +35,7 @@ namespace FastPoints.Files
                 throw;
             }
             m_tilePoints = Math.Max(1, TileBytes / m_recordBytes);
-            m_tile = new NativeArray<byte>(m_tilePoints * m_recordBytes, allocator,
-                NativeArrayOptions.UninitializedMemory);
+            m_tile = new NativeArray<byte>(m_tilePoints * m_recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<DecompressState>(allocator);
         }
 

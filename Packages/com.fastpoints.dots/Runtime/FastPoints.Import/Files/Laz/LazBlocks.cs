@@ -28,8 +28,7 @@ namespace FastPoints.Files
 
         public LazBlocks(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
         {
-            LongChunkPoints = Math.Min(longChunkPoints,
-                Math.Max(LeastLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes));
+            LongChunkPoints = Math.Min(longChunkPoints, Math.Max(LeastLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes));
             Las = las;
             Format = format;
             Source = source;

@@ -85,8 +85,7 @@ namespace FastPoints.Files
                 UnsafeUtility.MemClear(state + (long)firstPage * PageBytes, end - (long)firstPage * PageBytes);
         }
 
-        static int LengthOf(int page, int bytes) =>
-            bytes - page * PageBytes < PageBytes ? bytes - page * PageBytes : PageBytes;
+        static int LengthOf(int page, int bytes) => bytes - page * PageBytes < PageBytes ? bytes - page * PageBytes : PageBytes;
 
         /// <summary>Each byte the one before it, and the first eight of them zero: compared at the speed of memory.</summary>
         static bool IsZero(byte* state, int page, int bytes)

@@ -115,8 +115,7 @@ namespace FastPoints.Files
             return ReadEntries(start, count);
         }
 
-        long OffsetAt(long at) =>
-            (long)m_source.Read(at, TableOffsetBytes, "chunk table offset").UInt64(0, "chunk table offset");
+        long OffsetAt(long at) => (long)m_source.Read(at, TableOffsetBytes, "chunk table offset").UInt64(0, "chunk table offset");
 
         unsafe string ReadEntries(long start, long count)
         {

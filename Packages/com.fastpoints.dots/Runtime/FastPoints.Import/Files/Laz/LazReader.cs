@@ -19,8 +19,7 @@ namespace FastPoints.Files
         readonly bool m_isTableLost;
         bool m_areBlocksKnown;
 
-        LazReader(LazBlocks blocks)
-            : base(blocks)
+        LazReader(LazBlocks blocks) : base(blocks)
         {
             m_isTableLost = FindChunks();
             m_areBlocksKnown = !m_isTableLost && !HasLongPointwiseChunk();

@@ -159,24 +159,22 @@ namespace FastPoints.Files
 
         IEnumerator<Work> WalkLongChunks()
         {
-            using (var stream = new LazWalkStream(m_blocks.File, m_format))
+            using var stream = new LazWalkStream(m_blocks.File, m_format);
+            for (int c = 0; c < m_chunks.Count; c++)
             {
-                for (int c = 0; c < m_chunks.Count; c++)
-                {
-                    var chunk = m_chunks[c];
-                    if (chunk.Points <= m_blocks.LongChunkPoints)
-                        continue;
-                    int firstCheckpoint = m_checkpoints.Count;
-                    stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
-                    yield return Work.Of(WalkChunk(stream, chunk.Points));
-                    CloseChunk(c, firstCheckpoint);
-                    if (stream.Point == chunk.Points)
-                        continue;
-                    m_blocks.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
-                        + " points, got "
-                        + NumberText.Of(stream.Point) + ": the others are not in the file");
-                    m_chunks.SetPoints(c, stream.Point);
-                }
+                var chunk = m_chunks[c];
+                if (chunk.Points <= m_blocks.LongChunkPoints)
+                    continue;
+                int firstCheckpoint = m_checkpoints.Count;
+                stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
+                yield return Work.Of(WalkChunk(stream, chunk.Points));
+                CloseChunk(c, firstCheckpoint);
+                if (stream.Point == chunk.Points)
+                    continue;
+                m_blocks.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
+                    + " points, got "
+                    + NumberText.Of(stream.Point) + ": the others are not in the file");
+                m_chunks.SetPoints(c, stream.Point);
             }
         }
 

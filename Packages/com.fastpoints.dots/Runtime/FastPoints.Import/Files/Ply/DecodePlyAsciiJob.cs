@@ -91,8 +91,7 @@ namespace FastPoints.Files
                         byte* text = p;
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return PlyError.BadNumber;
-                        bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude,
-                            isNegative);
+                        bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
                         if (!fits || !isExact)
                         {
                             if (anomalies.Misfits++ == 0)
@@ -149,26 +148,16 @@ namespace FastPoints.Files
         public const int Truncated = 5;
         public const int RecordTooLong = 6;
 
-        public static string Text(int error)
+        public static string Text(int error) => error switch
         {
-            switch (error)
-            {
-                case MissingValue:
-                    return "the line ends before the vertex has all its values";
-                case BadNumber:
-                    return "not a number";
-                case LineTooLong:
-                    return "the line is longer than 65,536 bytes";
-                case BadListLength:
-                    return "a list of negative length";
-                case Truncated:
-                    return "the file ends within an element";
-                case RecordTooLong:
-                    return "a vertex of more than 16 MiB";
-                default:
-                    return "error " + error;
-            }
-        }
+            MissingValue => "the line ends before the vertex has all its values",
+            BadNumber => "not a number",
+            LineTooLong => "the line is longer than 65,536 bytes",
+            BadListLength => "a list of negative length",
+            Truncated => "the file ends within an element",
+            RecordTooLong => "a vertex of more than 16 MiB",
+            _ => "error " + error,
+        };
     }
 
     /// <summary>Anomalies that a decoding job met and that cost no point.</summary>

@@ -66,16 +66,14 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var scan = new AsciiRowScan(this, m_ply.Handle, m_ply.Header.DataOffset, MaxBlockBytes, m_rowsBefore,
-                Sum(m_rowsBefore, m_ply.Vertex.Count)))
-            {
-                while (scan.Next(out var handle))
-                    yield return handle;
-                m_ply.SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
-                Info.PointsReadable = Blocks.Take(scan.TakeBlocks());
-                m_areAllFound = true;
-                m_ply.ForgetBroken();
-            }
+            using var scan = new AsciiRowScan(this, m_ply.Handle, m_ply.Header.DataOffset, MaxBlockBytes, m_rowsBefore,
+                Sum(m_rowsBefore, m_ply.Vertex.Count));
+            while (scan.Next(out var handle))
+                yield return handle;
+            m_ply.SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
+            Info.PointsReadable = Blocks.Take(scan.TakeBlocks());
+            m_areAllFound = true;
+            m_ply.ForgetBroken();
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>

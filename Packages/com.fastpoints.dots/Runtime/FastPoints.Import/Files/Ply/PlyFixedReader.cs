@@ -55,14 +55,12 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var walk = new PlyElementWalk(m_ply, false))
-            {
-                while (walk.Next(out var handle))
-                    yield return handle;
-                var end = walk.State;
-                StartAt(end.Error != PlyError.None ? Info.FileBytes + 1 : end.Position,
-                    end.Error != PlyError.None ? "an element before them: " + PlyError.Text(end.Error) : null);
-            }
+            using var walk = new PlyElementWalk(m_ply, false);
+            while (walk.Next(out var handle))
+                yield return handle;
+            var end = walk.State;
+            StartAt(end.Error != PlyError.None ? Info.FileBytes + 1 : end.Position,
+                end.Error != PlyError.None ? "an element before them: " + PlyError.Text(end.Error) : null);
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)

@@ -54,10 +54,8 @@ namespace FastPoints.Files
         /// <param name="isWhole">Whether these are all bytes of the file.</param>
         /// <returns>The header, or null if it does not end in these bytes and there may be more.</returns>
         /// <exception cref="PointCloudException">The header is not PLY, or is not supported.</exception>
-        public static PlyHeader Parse(string path, byte[] bytes, int length, bool isWhole)
-        {
-            return new PlyHeaderParser(path, bytes, length).Run(isWhole);
-        }
+        public static PlyHeader Parse(string path, byte[] bytes, int length, bool isWhole) =>
+            new PlyHeaderParser(path, bytes, length).Run(isWhole);
 
         PlyHeader Run(bool isWhole)
         {
@@ -211,10 +209,8 @@ namespace FastPoints.Files
             return m_header;
         }
 
-        PointCloudException Bad(int offset, string field, string wanted, string got)
-        {
-            return PointCloudException.Wanted(FailureCode.BadInput, m_path, offset, field, wanted, Quote(got));
-        }
+        PointCloudException Bad(int offset, string field, string wanted, string got) =>
+            PointCloudException.Wanted(FailureCode.BadInput, m_path, offset, field, wanted, Quote(got));
 
         /// <summary>Quotes a word of the file, fit for a message of one line.</summary>
         internal static string Quote(string word)

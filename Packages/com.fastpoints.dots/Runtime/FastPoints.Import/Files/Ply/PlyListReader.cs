@@ -26,16 +26,14 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var walk = new PlyElementWalk(m_ply, true))
-            {
-                while (walk.Next(out var handle))
-                    yield return handle;
-                var end = walk.State;
-                bool isBroken = end.Error != PlyError.None;
-                m_ply.SettlePoints(end.PointsInBlocks, isBroken ? end.ErrorOffset : end.Position,
-                    isBroken ? PlyError.Text(end.Error) : null);
-                Info.PointsReadable = Blocks.Take(walk.TakeBlocks());
-            }
+            using var walk = new PlyElementWalk(m_ply, true);
+            while (walk.Next(out var handle))
+                yield return handle;
+            var end = walk.State;
+            bool isBroken = end.Error != PlyError.None;
+            m_ply.SettlePoints(end.PointsInBlocks, isBroken ? end.ErrorOffset : end.Position,
+                isBroken ? PlyError.Text(end.Error) : null);
+            Info.PointsReadable = Blocks.Take(walk.TakeBlocks());
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>

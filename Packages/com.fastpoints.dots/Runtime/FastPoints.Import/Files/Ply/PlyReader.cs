@@ -9,8 +9,8 @@ namespace FastPoints.Files
         /// <inheritdoc cref="Open(FileSource)"/>
         public static PointReader Open(string path)
         {
-            using (var source = FileSource.Open(path))
-                return Open(source);
+            using var source = FileSource.Open(path);
+            return Open(source);
         }
 
         /// <summary>Opens a PLY file. Only its header is read.</summary>

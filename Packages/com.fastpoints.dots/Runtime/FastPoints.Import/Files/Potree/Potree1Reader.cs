@@ -349,16 +349,14 @@ namespace FastPoints.Files
         {
             try
             {
-                using (var source = FileSource.Open(node.Path))
-                {
-                    var header = LasHeader.Read(source);
-                    if (source.Length > MaxLasBytes)
-                        throw PointCloudException.Wanted(FailureCode.Unsupported, node.Path, -1, "bytes of a node",
-                            "at most " + NumberText.Of(MaxLasBytes), source.Length);
-                    long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
-                    most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
-                    node.PointsOfLas = (long)Math.Min(header.PointsClaimed, (ulong)most);
-                }
+                using var source = FileSource.Open(node.Path);
+                var header = LasHeader.Read(source);
+                if (source.Length > MaxLasBytes)
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, node.Path, -1, "bytes of a node",
+                        "at most " + NumberText.Of(MaxLasBytes), source.Length);
+                long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
+                most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
+                node.PointsOfLas = (long)Math.Min(header.PointsClaimed, (ulong)most);
             }
             catch (PointCloudException e)
             {

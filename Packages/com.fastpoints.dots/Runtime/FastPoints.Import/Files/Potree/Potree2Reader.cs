@@ -180,8 +180,8 @@ namespace FastPoints.Files
             string path = m_hierarchyPath;
             return () =>
             {
-                using (var hierarchy = FileSource.Open(path))
-                    return hierarchy.ReadAtMost(start, StepRecords * RecordBytes);
+                using var hierarchy = FileSource.Open(path);
+                return hierarchy.ReadAtMost(start, StepRecords * RecordBytes);
             };
         }
 

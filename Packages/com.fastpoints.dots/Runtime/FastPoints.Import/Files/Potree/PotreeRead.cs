@@ -46,9 +46,7 @@ namespace FastPoints.Files
         protected virtual void WarnBroken(DecodeResult result) => Reader.WarnBroken(Range.Block,
             "has positions beyond the 32-bit grid of the cloud: they are at its edge", null, -1);
 
-        protected virtual void DisposeTables()
-        {
-        }
+        protected virtual void DisposeTables() { }
 
         protected sealed override void DisposeMemory()
         {
@@ -81,9 +79,7 @@ namespace FastPoints.Files
     /// <summary>A Potree cloud whose nodes have an encoding of Potree's own: the members that slots use.</summary>
     internal abstract class PotreeNodeReader : PotreeReader
     {
-        private protected PotreeNodeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing)
-        {
-        }
+        private protected PotreeNodeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
 
         internal abstract PotreeLayout Layout { get; }
 

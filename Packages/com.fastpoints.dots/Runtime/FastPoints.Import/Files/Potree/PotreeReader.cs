@@ -128,8 +128,7 @@ namespace FastPoints.Files
         {
             if (m_tree.NodeCount < MaxNodes)
                 return false;
-            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes)
-                + " nodes: the others are left out");
+            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
             return true;
         }
 

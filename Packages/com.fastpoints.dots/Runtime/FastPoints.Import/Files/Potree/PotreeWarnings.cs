@@ -18,10 +18,7 @@ namespace FastPoints.Files
         readonly SourceInfo m_info;
         readonly Dictionary<string, Kind> m_kinds = new Dictionary<string, Kind>();
 
-        public PotreeWarnings(SourceInfo info)
-        {
-            m_info = info;
-        }
+        public PotreeWarnings(SourceInfo info) => m_info = info;
 
         /// <summary>Adds a warning about a node.</summary>
         /// <param name="what">The anomaly, in the same words for all nodes.</param>
@@ -39,8 +36,7 @@ namespace FastPoints.Files
                     "node " + node + ": " + what + (detail != null ? ": " + detail : "")));
                 return;
             }
-            var others = new CloudWarning(m_info.Path, -1, NumberText.Of(kind.Count - MostTold)
-                + " more nodes: " + what);
+            var others = new CloudWarning(m_info.Path, -1, NumberText.Of(kind.Count - MostTold) + " more nodes: " + what);
             if (kind.Warning < 0)
             {
                 kind.Warning = m_info.Warnings.Count;

@@ -71,20 +71,13 @@ namespace FastPoints.Files
         static bool Follows(PointField first, PointField second) => !first.IsBits && !second.IsBits
             && second.Type.SizeOf() == first.Type.SizeOf() && second.ByteOffset == first.ByteOffset + first.Type.SizeOf();
 
-        static FieldCopyKind KindOf(PointField field, bool three, bool isBigEndian)
+        static FieldCopyKind KindOf(PointField field, bool three, bool isBigEndian) => field.Type.SizeOf() switch
         {
-            switch (field.Type.SizeOf())
-            {
-                case 1:
-                    return three ? FieldCopyKind.ThreeOfOne : field.IsBits ? FieldCopyKind.Bits : FieldCopyKind.One;
-                case 2:
-                    return three ? FieldCopyKind.ThreeOfTwo : isBigEndian ? FieldCopyKind.TwoReversed : FieldCopyKind.Two;
-                case 4:
-                    return three ? FieldCopyKind.ThreeOfFour : isBigEndian ? FieldCopyKind.FourReversed : FieldCopyKind.Four;
-                default:
-                    return three ? FieldCopyKind.ThreeOfEight : isBigEndian ? FieldCopyKind.EightReversed : FieldCopyKind.Eight;
-            }
-        }
+            1 => three ? FieldCopyKind.ThreeOfOne : field.IsBits ? FieldCopyKind.Bits : FieldCopyKind.One,
+            2 => three ? FieldCopyKind.ThreeOfTwo : isBigEndian ? FieldCopyKind.TwoReversed : FieldCopyKind.Two,
+            4 => three ? FieldCopyKind.ThreeOfFour : isBigEndian ? FieldCopyKind.FourReversed : FieldCopyKind.Four,
+            _ => three ? FieldCopyKind.ThreeOfEight : isBigEndian ? FieldCopyKind.EightReversed : FieldCopyKind.Eight,
+        };
     }
 
     /// <summary>How one <see cref="FieldCopy"/> moves values. Sizes in bytes.</summary>

@@ -38,8 +38,7 @@ namespace FastPoints.Files
             Offset = offset;
         }
 
-        public PointField(string name, int byteOffset, int bitShift, int bitWidth)
-            : this(name, AttributeType.UInt8, byteOffset)
+        public PointField(string name, int byteOffset, int bitShift, int bitWidth) : this(name, AttributeType.UInt8, byteOffset)
         {
             BitShift = bitShift;
             BitWidth = bitWidth;

@@ -34,21 +34,16 @@ namespace FastPoints.Files
         protected abstract JobHandle Schedule(BlockRange range);
 
         /// <summary>What the decoding depends on: the read, and <see cref="BlockRead.After"/>.</summary>
-        protected JobHandle Behind(JobHandle read) =>
-            After.Equals(default) ? read : JobHandle.CombineDependencies(read, After);
+        protected JobHandle Behind(JobHandle read) => After.Equals(default) ? read : JobHandle.CombineDependencies(read, After);
 
         /// <summary>Closes the read of the range, whose jobs are finished.</summary>
         protected abstract void EndRead();
 
         /// <summary>Says what was odd about the range, or missing.</summary>
-        protected virtual void Warn(DecodeResult result)
-        {
-        }
+        protected virtual void Warn(DecodeResult result) { }
 
         /// <summary>Asks the read in flight to stop early.</summary>
-        protected virtual void Cancel()
-        {
-        }
+        protected virtual void Cancel() { }
 
         /// <summary>Also runs where the constructor failed half-way.</summary>
         protected abstract void DisposeMemory();

@@ -9,10 +9,7 @@ namespace FastPoints.Files
         FileHandle m_handle;
         bool m_isOpen;
 
-        public SourceHandle(string path)
-        {
-            Path = path;
-        }
+        public SourceHandle(string path) => Path = path;
 
         /// <summary>As the caller gave it, for messages.</summary>
         public string Path { get; }

@@ -48,8 +48,7 @@ namespace FastPoints.Files
         public override bool BlocksAreKnown => m_areAllFound;
 
         /// <summary>Whether lines all over the file can be found by jumping.</summary>
-        public override bool HasPrefixes =>
-            !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
+        public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
 
         public override bool PrefixesAreSpread => true;
         public override int MaxPrefixes => AsciiStretches.Count;
@@ -149,18 +148,16 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue))
-            {
-                while (scan.Next(out var handle))
-                    yield return handle;
-                Take(scan.TakeBlocks());
-                Array.Clear(m_countOf, 0, m_countOf.Length);
-                m_areAllFound = true;
-                Info.PointsReadable = scan.Points;
-                if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
-                    Info.Warn(0, "points: wanted " + NumberText.Of(m_sniff.CountClaimed) + ", got " +
-                        NumberText.Of(scan.Points) + " lines");
-            }
+            using var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue);
+            while (scan.Next(out var handle))
+                yield return handle;
+            Take(scan.TakeBlocks());
+            Array.Clear(m_countOf, 0, m_countOf.Length);
+            m_areAllFound = true;
+            Info.PointsReadable = scan.Points;
+            if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
+                Info.Warn(0, "points: wanted " + NumberText.Of(m_sniff.CountClaimed) + ", got " +
+                    NumberText.Of(scan.Points) + " lines");
         }
 
         void Take(StretchBlock[] blocks)
@@ -239,20 +236,13 @@ namespace FastPoints.Files
                 NumberText.Of(m_countOf[kind]) + text);
         }
 
-        static string TextOf(XyzError error)
+        static string TextOf(XyzError error) => error switch
         {
-            switch (error)
-            {
-                case XyzError.TooFewValues:
-                    return "too few values";
-                case XyzError.NoNumber:
-                    return "not a finite number";
-                case XyzError.TooLarge:
-                    return "a coordinate beyond what a grid of these steps holds";
-                default:
-                    return "longer than 16,384 bytes";
-            }
-        }
+            XyzError.TooFewValues => "too few values",
+            XyzError.NoNumber => "not a finite number",
+            XyzError.TooLarge => "a coordinate beyond what a grid of these steps holds",
+            _ => "longer than 16,384 bytes",
+        };
     }
 
     /// <summary>A slot of <see cref="XyzReader"/>.</summary>

@@ -68,8 +68,7 @@ namespace FastPoints.Files
             {
                 var to = Points.Schema[i];
                 int from = m_inner.Points.Schema.IndexOf(to.Name);
-                var column = TileSchema.Convert(tile, from < 0 ? null : m_inner.Points.Schema[from], to,
-                    m_reader.Info.Transform);
+                var column = TileSchema.Convert(tile, from < 0 ? null : m_inner.Points.Schema[from], to, m_reader.Info.Transform);
                 column.From = from < 0 ? default : m_inner.Points.Column(from);
                 column.To = Points.Column(i);
                 columns.Add(column);

@@ -81,8 +81,7 @@ namespace FastPoints.Streaming
             return new LocalBox(grid.ToLocal(min), grid.ToLocal(max));
         }
 
-        static LocalBox Union(in LocalBox a, in LocalBox b) =>
-            new LocalBox(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
+        static LocalBox Union(in LocalBox a, in LocalBox b) => new LocalBox(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
         struct LocalBox
         {

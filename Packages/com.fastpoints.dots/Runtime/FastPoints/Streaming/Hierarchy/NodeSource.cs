@@ -63,23 +63,17 @@ namespace FastPoints.Streaming
         /// <param name="plane">Index among the streamed planes.</param>
         internal virtual bool IsChecked(int page, int node, int plane) => false;
 
-        internal virtual void SetChecked(int page, int node, int plane)
-        {
-        }
+        internal virtual void SetChecked(int page, int node, int plane) { }
 
         /// <summary>Has all planes of a page's file checked again.</summary>
-        internal virtual void ForgetChecked(int page)
-        {
-        }
+        internal virtual void ForgetChecked(int page) { }
 
         /// <summary>For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
         /// missing.</summary>
         public virtual bool CanBuild(int page) => true;
 
         /// <summary>For sources that make nodes: registers a page that was built, and numbers the pages attached to it.</summary>
-        public virtual void Adopt(int page, in HierarchyPage built)
-        {
-        }
+        public virtual void Adopt(int page, in HierarchyPage built) { }
 
         /// <summary>For sources that make nodes: the box of a page that was not built yet.</summary>
         public virtual HierarchyPage EmptyPage(int page) => default;
@@ -95,9 +89,7 @@ namespace FastPoints.Streaming
         /// <param name="points">Number of points of the node that it shall make.</param>
         public virtual NodeMaker TakeMaker(int points) => null;
 
-        public virtual void GiveMaker(NodeMaker maker)
-        {
-        }
+        public virtual void GiveMaker(NodeMaker maker) { }
 
         /// <summary>For sources that make nodes: creates a maker of every plane of <see cref="Layout"/>, whichever are streamed.
         /// The caller owns it and disposes it before the source.</summary>

@@ -9,9 +9,7 @@ namespace FastPoints.Streaming
     {
         readonly List<NativeArray<byte>> m_memory = new List<NativeArray<byte>>();
 
-        public MemoryNodePool(long limitBytes, int bankBytes = 16 << 20) : base(limitBytes, bankBytes)
-        {
-        }
+        public MemoryNodePool(long limitBytes, int bankBytes = 16 << 20) : base(limitBytes, bankBytes) { }
 
         /// <summary>The address of a range's bytes.</summary>
         public byte* AddressOf(PoolRange run) =>

@@ -80,7 +80,6 @@ namespace FastPoints.Streaming
             What = what;
         }
 
-        public override string ToString() =>
-            Path + (OffsetBytes >= 0 ? " at " + NumberText.Of(OffsetBytes) : "") + ": " + What;
+        public override string ToString() => Path + (OffsetBytes >= 0 ? " at " + NumberText.Of(OffsetBytes) : "") + ": " + What;
     }
 }

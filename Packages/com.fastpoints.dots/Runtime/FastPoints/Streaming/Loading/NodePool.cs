@@ -113,9 +113,7 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Called once a frame, before everything else.</summary>
-        public virtual void BeginFrame()
-        {
-        }
+        public virtual void BeginFrame() { }
 
         /// <summary>Begins the one upload that may be in flight, if there is memory to write to. It takes at least one
         /// node.</summary>
@@ -127,9 +125,7 @@ namespace FastPoints.Streaming
         public abstract byte* AddressForUpload(PoolRange run, long bytes);
 
         /// <summary>Ends the upload after its job is complete: its nodes can be drawn from now on.</summary>
-        public virtual void EndUpload()
-        {
-        }
+        public virtual void EndUpload() { }
 
         public virtual void Dispose()
         {

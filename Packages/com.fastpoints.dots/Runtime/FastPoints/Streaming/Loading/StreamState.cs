@@ -12,10 +12,7 @@ namespace FastPoints.Streaming
 
         readonly Queue<StreamFailure> m_failures = new Queue<StreamFailure>();
 
-        public StreamState(NodePool pool)
-        {
-            Pool = pool;
-        }
+        public StreamState(NodePool pool) => Pool = pool;
 
         public StreamSettings Settings { get; } = new StreamSettings();
         public NodePool Pool { get; }

@@ -10,10 +10,7 @@ namespace FastPoints.Streaming
     {
         NativeList<SelectionCandidate> m_items;
 
-        public SelectionHeap(Allocator allocator)
-        {
-            m_items = new NativeList<SelectionCandidate>(1024, allocator);
-        }
+        public SelectionHeap(Allocator allocator) => m_items = new NativeList<SelectionCandidate>(1024, allocator);
 
         public bool IsEmpty => m_items.Length == 0;
 

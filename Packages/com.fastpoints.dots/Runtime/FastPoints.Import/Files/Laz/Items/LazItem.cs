@@ -29,28 +29,16 @@ namespace FastPoints.Files
         public bool IsLayered => Type >= LazItemType.Point14;
 
         /// <summary>Bytes that the type must have; 0 if any number above 0 is valid.</summary>
-        public static int FixedBytes(LazItemType type)
+        public static int FixedBytes(LazItemType type) => type switch
         {
-            switch (type)
-            {
-                case LazItemType.Point10:
-                    return 20;
-                case LazItemType.GpsTime11:
-                    return 8;
-                case LazItemType.Rgb12:
-                case LazItemType.Rgb14:
-                    return 6;
-                case LazItemType.WavePacket13:
-                case LazItemType.WavePacket14:
-                    return 29;
-                case LazItemType.Point14:
-                    return 30;
-                case LazItemType.RgbNir14:
-                    return 8;
-                default:
-                    return 0;
-            }
-        }
+            LazItemType.Point10 => 20,
+            LazItemType.GpsTime11 => 8,
+            LazItemType.Rgb12 or LazItemType.Rgb14 => 6,
+            LazItemType.WavePacket13 or LazItemType.WavePacket14 => 29,
+            LazItemType.Point14 => 30,
+            LazItemType.RgbNir14 => 8,
+            _ => 0,
+        };
 
         /// <summary>Whether this type has been written in this version (besides 0, uncompressed).</summary>
         public static bool IsVersionKnown(LazItemType type, int version)

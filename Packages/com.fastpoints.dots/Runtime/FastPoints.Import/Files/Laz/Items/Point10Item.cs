@@ -169,8 +169,7 @@ namespace FastPoints.Files
             int k = (kx + ky) >> 1;
             int zContext = isSingle + (k < 18 ? k & ~1 : 18);
             int* lastHeight = state->m_lastHeight + (contexts >> ReturnContexts.LevelShift & ReturnContexts.LevelMask);
-            int z = *lastHeight
-                + IntegerModel.Decode(place + ZAt, 32, ZContexts, zContext, ref value, ref length, ref next);
+            int z = *lastHeight + IntegerModel.Decode(place + ZAt, 32, ZContexts, zContext, ref value, ref length, ref next);
             *lastHeight = z;
             state->m_z = z;
 

@@ -34,34 +34,18 @@ namespace FastPoints.Files
         static int FirstRecordOffset(int layerCount) =>
             (LayersOffset + layerCount * UnsafeUtility.SizeOf<LayerState>() + 63) / 64 * 64;
 
-        static int ContextBytes(LazLayerKind kind)
+        static int ContextBytes(LazLayerKind kind) => kind switch
         {
-            switch (kind)
-            {
-                case LazLayerKind.ReturnsAndXY:
-                    return ReturnsLayer.ContextBytes;
-                case LazLayerKind.Z:
-                    return ZLayer.ContextBytes;
-                case LazLayerKind.Classification:
-                case LazLayerKind.Flags:
-                case LazLayerKind.UserData:
-                    return SymbolLayer.ContextBytes;
-                case LazLayerKind.Intensity:
-                case LazLayerKind.ScanAngle:
-                case LazLayerKind.PointSource:
-                    return Integer16Layer.ContextBytes;
-                case LazLayerKind.GpsTime:
-                    return GpsTimeLayer.ContextBytes;
-                case LazLayerKind.Rgb:
-                    return ColorLayer.RgbContextBytes;
-                case LazLayerKind.NearInfrared:
-                    return ColorLayer.InfraredContextBytes;
-                case LazLayerKind.WavePacket:
-                    return WaveAndByteLayers.WaveContextBytes;
-                default:
-                    return WaveAndByteLayers.ByteContextBytes;
-            }
-        }
+            LazLayerKind.ReturnsAndXY => ReturnsLayer.ContextBytes,
+            LazLayerKind.Z => ZLayer.ContextBytes,
+            LazLayerKind.Classification or LazLayerKind.Flags or LazLayerKind.UserData => SymbolLayer.ContextBytes,
+            LazLayerKind.Intensity or LazLayerKind.ScanAngle or LazLayerKind.PointSource => Integer16Layer.ContextBytes,
+            LazLayerKind.GpsTime => GpsTimeLayer.ContextBytes,
+            LazLayerKind.Rgb => ColorLayer.RgbContextBytes,
+            LazLayerKind.NearInfrared => ColorLayer.InfraredContextBytes,
+            LazLayerKind.WavePacket => WaveAndByteLayers.WaveContextBytes,
+            _ => WaveAndByteLayers.ByteContextBytes,
+        };
 
         /// <summary>Bytes of decoder state: contexts for the wanted layers only.</summary>
         public static long StateBytes(LazLayer[] layers, bool[] isWanted, int recordBytes)
