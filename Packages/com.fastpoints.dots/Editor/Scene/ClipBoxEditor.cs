@@ -17,8 +17,7 @@ namespace FastPoints.Editor
         readonly BoxBoundsHandle m_handle = new BoxBoundsHandle();
 
         /// <summary>Moves a box to where its handles were dragged.</summary>
-        /// <param name="center">Centre in the box's own space, as is <paramref name="size"/>: before, they were 0 and
-        /// 1.</param>
+        /// <param name="center">Centre in the box's own space, as is <paramref name="size"/>: before, they were 0 and 1.</param>
         public static void Apply(Transform box, Vector3 center, Vector3 size)
         {
             for (int axis = 0; axis < 3; axis++)

@@ -31,8 +31,7 @@ namespace FastPoints.Rendering
         /// <param name="style">Splats are drawn as discs, into a layer.</param>
         /// <param name="isClipped">Whether there are clip boxes.</param>
         /// <param name="isFiltered">Whether classes are hidden.</param>
-        /// <param name="isStereo">Whether both eyes are drawn at once; styles with a layer draw them one after the
-        /// other.</param>
+        /// <param name="isStereo">Whether both eyes are drawn at once; styles with a layer draw them one after the other.</param>
         public PointVariant(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             m_shape = (int)(style.IsBlended ? PointShape.Disc : style.Shape);

@@ -117,10 +117,8 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>
-        /// Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than that.
-        /// Points at one place are split by their number, in the order in which they came.
-        /// </summary>
+        /// <summary>Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than
+        /// that. Points at one place are split by their number, in the order in which they came.</summary>
         /// <param name="target">The most points of a part.</param>
         public IEnumerator<Work> SplitLarge(long limit, long target)
         {

@@ -52,8 +52,7 @@ namespace FastPoints.Convert
 
         /// <summary>Takes over the files of a killed build, cut to the lengths that its journal knows; other files are
         /// deleted.</summary>
-        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken
-        /// over.</returns>
+        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken over.</returns>
         public bool TakeOver(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];

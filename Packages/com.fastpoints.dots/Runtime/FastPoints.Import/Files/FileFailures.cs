@@ -13,10 +13,8 @@ namespace FastPoints.Files
         const int DiskFull = unchecked((int)0x80070070);
         const int HandleDiskFull = unchecked((int)0x80070027);
 
-        /// <summary>
-        /// Whether <paramref name="exception"/> comes from the file system, so that <see cref="Reading"/> or <see
-        /// cref="Writing"/> can describe it.
-        /// </summary>
+        /// <summary>Whether <paramref name="exception"/> comes from the file system, so that <see cref="Reading"/> or
+        /// <see cref="Writing"/> can describe it.</summary>
         public static bool IsFileFailure(Exception exception) =>
             exception is IOException || exception is UnauthorizedAccessException || exception is NotSupportedException
             || exception is ArgumentException || exception is System.Security.SecurityException;

@@ -96,9 +96,8 @@ namespace FastPoints.Files
                     Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
         }
 
-        /// <summary>
-        /// Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's end.
-        /// </summary>
+        /// <summary>Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
+        /// end.</summary>
         public ByteReader ReadAtMost(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);

@@ -51,9 +51,8 @@ namespace FastPoints.Partition
         /// <summary>The number of levels of cells that a cube of this side can have.</summary>
         public static int LevelsFor(int sideLog2, int wanted) => Math.Min(wanted, sideLog2);
 
-        /// <summary>
-        /// Plans cubes with at most <paramref name="target"/> points by the counts, as large as possible, down to single cells.
-        /// </summary>
+        /// <summary>Plans cubes with at most <paramref name="target"/> points by the counts, as large as possible, down to single
+        /// cells.</summary>
         /// <param name="pointsOfCell">Points of each cell by its Morton number: counted, or estimated from a sample.</param>
         public static PartitionMap Plan(GridCube cube, int levels, NativeArray<long> pointsOfCell, long target)
         {
@@ -67,10 +66,8 @@ namespace FastPoints.Partition
             return new PartitionMap(cube, levels, 0, chunkOfCell, chunks.ToArray());
         }
 
-        /// <summary>
-        /// Plans cubes with at most <paramref name="target"/> points by an estimate, as large as possible, down to its cells;
-        /// smaller ones if it is so uncertain that they might have twice as many.
-        /// </summary>
+        /// <summary>Plans cubes with at most <paramref name="target"/> points by an estimate, as large as possible, down to its
+        /// cells; smaller ones if it is so uncertain that they might have twice as many.</summary>
         /// <param name="density">The estimate for the same cube.</param>
         public static PartitionMap Plan(GridCube cube, DensityTree density, long target)
         {

@@ -33,8 +33,7 @@ namespace FastPoints.Partition
 
         /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="Nowhere"/> for numbers that are not
         /// finite or too far out.</summary>
-        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the
-        /// grid.</param>
+        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
         public static unsafe void ToGrid(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long* grid,
             ref double worstLoss)
         {

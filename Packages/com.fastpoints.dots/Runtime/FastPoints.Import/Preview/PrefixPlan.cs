@@ -42,9 +42,8 @@ namespace FastPoints.Preview
         /// <summary>Points taken in the waves so far.</summary>
         public int Taken { get; private set; }
 
-        /// <summary>
-        /// Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in all.
-        /// </summary>
+        /// <summary>Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in
+        /// all.</summary>
         public List<Prefix> Next(int wanted)
         {
             var prefixes = new List<Prefix>();

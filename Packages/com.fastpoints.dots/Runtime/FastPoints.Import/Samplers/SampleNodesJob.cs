@@ -519,8 +519,7 @@ namespace FastPoints.Samplers
             Scratch.Order.ResizeUninitialized(count);
         }
 
-        /// <summary>Sorts the tile's darts by the class of their priority; those of one class follow the Morton
-        /// curve.</summary>
+        /// <summary>Sorts the tile's darts by the class of their priority; those of one class follow the Morton curve.</summary>
         void BeginThrows()
         {
             int* next = stackalloc int[PoissonPriority.Classes + 1];

@@ -55,8 +55,7 @@ namespace FastPoints.Samplers
         /// <summary>From a range's first place on: the points that it offers to the range above, in order.</summary>
         public NativeList<int> Offered;
 
-        /// <summary>The random sampler's: for each of these, log2 of the side of the smallest cube with the one
-        /// before.</summary>
+        /// <summary>The random sampler's: for each of these, log2 of the side of the smallest cube with the one before.</summary>
         public NativeList<byte> OfferedCommon;
 
         /// <summary>The darts of the current tile along the curve, their points, and the order in which they are

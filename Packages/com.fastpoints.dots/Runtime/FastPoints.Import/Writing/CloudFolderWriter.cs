@@ -28,8 +28,7 @@ namespace FastPoints.Writing
         bool m_isKept;
 
         /// <param name="target">The final folder: absent, empty, or a cloud that the new one replaces.</param>
-        /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being
-        /// built.</exception>
+        /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being built.</exception>
         public CloudFolderWriter(string target)
         {
             m_target = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);

@@ -19,10 +19,8 @@ namespace FastPoints.Base
             Inner = inner;
         }
 
-        /// <summary>
-        /// Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
-        /// disposed.
-        /// </summary>
+        /// <summary>Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
+        /// disposed.</summary>
         public static Work Of(IEnumerator<Work> inner) => new Work(default, inner);
 
         public static implicit operator Work(JobHandle jobs) => new Work(jobs, null);

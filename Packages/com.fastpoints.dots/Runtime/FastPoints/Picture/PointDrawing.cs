@@ -46,8 +46,7 @@ namespace FastPoints.Picture
         /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of <see
         /// cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
         /// <param name="pixels">The picture's pixels, row by row from the top.</param>
-        /// <param name="gaps">The gap of each drawn point: see <see cref="PointSize.ToPx"/>. Null if no size is
-        /// adaptive.</param>
+        /// <param name="gaps">The gap of each drawn point: see <see cref="PointSize.ToPx"/>. Null if no size is adaptive.</param>
         /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see
         /// cref="BlendedPixels"/>.</param>
         public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,

@@ -51,8 +51,7 @@ namespace FastPoints.Points
         }
 
         /// <summary>Places a source's numbers on the axis: grid = stored * factor + shift.</summary>
-        /// <param name="loss">The farthest that 32-bit numbers are moved by that, in CRS units; 0 if the grid holds
-        /// them.</param>
+        /// <param name="loss">The farthest that 32-bit numbers are moved by that, in CRS units; 0 if the grid holds them.</param>
         /// <returns>False if the grid has no room for them.</returns>
         public static bool TryPlace(double scale, double offset, double step, double origin, out long factor, out long shift,
             out double loss)

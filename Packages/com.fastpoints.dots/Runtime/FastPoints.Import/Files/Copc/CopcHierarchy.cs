@@ -40,10 +40,8 @@ namespace FastPoints.Files
             AddPage(default, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
         }
 
-        /// <summary>
-        /// Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far as
-        /// they concern <paramref name="node"/> and what is below it.
-        /// </summary>
+        /// <summary>Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
+        /// as they concern <paramref name="node"/> and what is below it.</summary>
         public IEnumerator<Work> Read(int4 node, int levels)
         {
             while (m_pages.TryPeek(node, levels, out var next))

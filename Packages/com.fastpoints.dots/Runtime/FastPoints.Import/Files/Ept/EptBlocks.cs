@@ -69,10 +69,8 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>
-        /// Records that a node gave its last point before <paramref name="point"/>: later blocks are not tried, since each
-        /// would decode the node from its start.
-        /// </summary>
+        /// <summary>Records that a node gave its last point before <paramref name="point"/>: later blocks are not tried, since
+        /// each would decode the node from its start.</summary>
         public void EndNode(in EptBlock block, long point)
         {
             var node = (block.Level, block.Cell);

@@ -51,10 +51,8 @@ namespace FastPoints.Files
             m_pages.Add(default);
         }
 
-        /// <summary>
-        /// Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far as
-        /// they concern <paramref name="node"/> and what is below it.
-        /// </summary>
+        /// <summary>Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
+        /// as they concern <paramref name="node"/> and what is below it.</summary>
         public IEnumerator<Work> Read(int4 node, int levels)
         {
             while (m_waiting.TryPeek(node, levels, out var page))

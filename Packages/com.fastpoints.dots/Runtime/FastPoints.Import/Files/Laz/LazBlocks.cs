@@ -91,10 +91,8 @@ namespace FastPoints.Files
         /// <summary>The checkpoint from which a block is decoded, if not from its chunk's start.</summary>
         public LazCheckpoint CheckpointOf(LazBlock block) => block.Checkpoint < 0 ? null : Checkpoints[block.Checkpoint];
 
-        /// <summary>
-        /// Records that a chunk gave its last point before <paramref name="point"/>, counted in it: later blocks are not tried,
-        /// since each would decode the chunk from its start.
-        /// </summary>
+        /// <summary>Records that a chunk gave its last point before <paramref name="point"/>, counted in it: later blocks are not
+        /// tried, since each would decode the chunk from its start.</summary>
         public void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
         /// <summary>The most points that a chunk can have, as far as is known.</summary>

@@ -6,10 +6,9 @@ namespace FastPoints.Files
 {
     /// <summary>Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's
     /// chunks; any of them can be decoded on its own, and its first points without the rest.</summary>
-    /// <remarks>A chunk of more than <c>MaxBlockPoints</c> points becomes several blocks. In a pointwise chunk each block
-    /// starts from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk
-    /// once. In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by
-    /// default).</remarks>
+    /// <remarks>A chunk of more than <c>MaxBlockPoints</c> points becomes several blocks. In a pointwise chunk each block starts
+    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once.
+    /// In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by default).</remarks>
     internal sealed class LazReader : LazChunkReader
     {
         LazChunkList Chunks => Blocks.Chunks;

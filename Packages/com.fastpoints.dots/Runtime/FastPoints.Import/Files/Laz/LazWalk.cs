@@ -57,9 +57,8 @@ namespace FastPoints.Files
         public IEnumerator<Work> Run(bool isTableLost) =>
             !isTableLost ? WalkLongChunks() : m_format.IsLayered ? WalkHeaders() : WalkStreams(false);
 
-        /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="PrefixPoints"/> points
-        /// or a little more. A chunk that is too long for a block is assumed to have the maximum length, and not
-        /// walked.</summary>
+        /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="PrefixPoints"/> points or a
+        /// little more. A chunk that is too long for a block is assumed to have the maximum length, and not walked.</summary>
         public IEnumerator<Work> WalkPrefix()
         {
             ulong claimed = m_blocks.Info.PointsClaimed;

@@ -56,10 +56,8 @@ namespace FastPoints.Files
         public bool IsPackedNormal =>
             Kind == PotreeAttributeKind.SphereMappedNormal || Kind == PotreeAttributeKind.OctahedralNormal;
 
-        /// <summary>
-        /// Makes an attribute from the name, type and size in the index. If the size does not fit the type, or the type is
-        /// unknown, it is read as single bytes, and <paramref name="oddity"/> says so.
-        /// </summary>
+        /// <summary>Makes an attribute from the name, type and size in the index. If the size does not fit the type, or the type
+        /// is unknown, it is read as single bytes, and <paramref name="oddity"/> says so.</summary>
         /// <param name="scales">The scale of each element, in value = stored * scale + offset; null for 1.</param>
         public static PotreeAttribute Make(string name, string typeName, int bytes, double[] scales, double[] offsets,
             out string oddity)

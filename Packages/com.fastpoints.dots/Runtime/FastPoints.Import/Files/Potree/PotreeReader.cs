@@ -93,8 +93,7 @@ namespace FastPoints.Files
 
         /// <summary>Adds a node and its block.</summary>
         /// <param name="bytes">Bytes of all its points in the file.</param>
-        /// <param name="bytesPerPoint">Bytes of a point if these are fixed, so that a long node can be cut; otherwise
-        /// 0.</param>
+        /// <param name="bytesPerPoint">Bytes of a point if these are fixed, so that a long node can be cut; otherwise 0.</param>
         private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint)
         {
             var node = new SourceNode { Level = level, Cell = cell, Block = -1 };

@@ -5,10 +5,8 @@ namespace FastPoints.Files
     /// <summary>Processes every block of a source: see <see cref="SourceScan"/>.</summary>
     internal interface IBlockConsumer
     {
-        /// <summary>
-        /// Schedules jobs on the slot's columns. They must depend on <paramref name="decoded"/> and use the count in
-        /// <c>read.Result</c>; a consumer whose jobs share state chains them itself.
-        /// </summary>
+        /// <summary>Schedules jobs on the slot's columns. They must depend on <paramref name="decoded"/> and use the count in
+        /// <c>read.Result</c>; a consumer whose jobs share state chains them itself.</summary>
         /// <param name="slot">A number from 0 to slots - 1: state for each slot needs no locks.</param>
         JobHandle Schedule(BlockRead read, int slot, JobHandle decoded);
 

@@ -164,8 +164,7 @@ namespace FastPoints.Files
 
         /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
         /// request.</summary>
-        /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was
-        /// opened.</exception>
+        /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was opened.</exception>
         public void Complete()
         {
             Decoded.Complete();

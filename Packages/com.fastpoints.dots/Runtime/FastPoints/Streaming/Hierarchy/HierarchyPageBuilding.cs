@@ -11,8 +11,7 @@ namespace FastPoints.Streaming
         /// <param name="records">Records of a table without problems, as are <paramref name="ranges"/>.</param>
         /// <param name="planesInTable">Number of planes of each node in the table.</param>
         /// <param name="wanted">The streamed planes.</param>
-        /// <param name="chunks">The pages of all chunks, whose boxes are read. Null if no chunk is attached to the
-        /// page.</param>
+        /// <param name="chunks">The pages of all chunks, whose boxes are read. Null if no chunk is attached to the page.</param>
         public static void Build(NodeRecord* records, PlaneRange* ranges, int nodeCount, int planesInTable, int* wanted,
             int wantedCount, in HierarchyGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
         {

@@ -53,8 +53,7 @@ namespace FastPoints.Streaming
         public long Points => m_points.Value;
 
         /// <summary>Begins a new frame without clouds.</summary>
-        /// <param name="clipBoxes">The clip boxes of all clouds; they must not change before the frame's last
-        /// selection.</param>
+        /// <param name="clipBoxes">The clip boxes of all clouds; they must not change before the frame's last selection.</param>
         public void Begin(NativeArray<ClipBox> clipBoxes = default)
         {
             Frame++;

@@ -25,9 +25,8 @@ namespace FastPoints.Streaming
         public double4 Plane4;
         public double4 Plane5;
 
-        /// <summary>
-        /// A view without a position that sees everything: a length of one unit has <paramref name="scalePx"/> pixels.
-        /// </summary>
+        /// <summary>A view without a position that sees everything: a length of one unit has <paramref name="scalePx"/>
+        /// pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
         /// <param name="right">Unit vector, as are <paramref name="up"/> and <paramref name="forward"/> (into the
