@@ -29,8 +29,10 @@ namespace FastPoints.HostTests.Preview
             string las = Path.Combine(m_folder, "a.las"), cloud = Path.Combine(m_folder, "a.fastpoints");
             WorkPump.RunToEnd(LasScan.Run(las, points, 1, ScanOrder.Strip, null));
             using (var reader = PointReaders.Open(las))
-                WorkPump.RunToEnd(ConvertCloud.Run([reader], cloud, new ConvertSettings { Sampler = Sampler.Random,
-                    PointsPerChunk = 100_000 }, _ => { }, null));
+            {
+                var settings = new ConvertSettings { Sampler = Sampler.Random, PointsPerChunk = 100_000 };
+                WorkPump.RunToEnd(ConvertCloud.Run([reader], cloud, settings, _ => { }, null));
+            }
             var result = new VerifyResult();
             JobTimes.Begin();
             Dictionary<Type, JobRuns> runs = null;

@@ -166,10 +166,15 @@ public enum SettingsScope { User = 0, Project = 1 }
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class SettingsProviderAttribute : Attribute { }
 
-public class SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
+public class SettingsProvider
 {
-    public string settingsPath { get; } = path;
-    public SettingsScope scope { get; } = scopes;
-    public IEnumerable<string> keywords { get; set; } = keywords;
+    public SettingsProvider(string path, SettingsScope scopes, IEnumerable<string> keywords = null)
+    {
+        settingsPath = path;
+        scope = scopes;
+    }
+
+    public string settingsPath { get; }
+    public SettingsScope scope { get; }
     public Action<string> guiHandler { get; set; }
 }

@@ -48,17 +48,21 @@ namespace Unity.Burst.Intrinsics
 
             public static v256 mm256_add_epi32(v256 a, v256 b) => new v256(Net.Add(a.Bits, b.Bits));
 
-            public static v256 mm256_cmpgt_epi32(v256 a, v256 b) => new v256(Net.CompareGreaterThan(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
+            public static v256 mm256_cmpgt_epi32(v256 a, v256 b) =>
+                new v256(Net.CompareGreaterThan(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
 
-            public static v256 mm256_madd_epi16(v256 a, v256 b) => new v256(Net.MultiplyAddAdjacent(a.Bits.AsInt16(), b.Bits.AsInt16()).AsUInt32());
+            public static v256 mm256_madd_epi16(v256 a, v256 b) =>
+                new v256(Net.MultiplyAddAdjacent(a.Bits.AsInt16(), b.Bits.AsInt16()).AsUInt32());
 
             public static v256 mm256_max_epu32(v256 a, v256 b) => new v256(Net.Max(a.Bits, b.Bits));
 
-            public static v256 mm256_min_epi32(v256 a, v256 b) => new v256(Net.Min(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
+            public static v256 mm256_min_epi32(v256 a, v256 b) =>
+                new v256(Net.Min(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
 
             public static v256 mm256_min_epu32(v256 a, v256 b) => new v256(Net.Min(a.Bits, b.Bits));
 
-            public static v256 mm256_sub_epi16(v256 a, v256 b) => new v256(Net.Subtract(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
+            public static v256 mm256_sub_epi16(v256 a, v256 b) =>
+                new v256(Net.Subtract(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
 #else
             public static bool IsAvx2Supported => false;
 

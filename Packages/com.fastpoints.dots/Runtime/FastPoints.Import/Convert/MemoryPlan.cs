@@ -56,8 +56,8 @@ namespace FastPoints.Convert
         /// each.</summary>
         public long PointsPerPartition { get; private set; }
 
-        /// <summary>Bytes that a point takes while its chunk is indexed: keys twice, order, node, what ranges offer, cube, priority
-        /// and number, its record in both orders, and what is written of it.</summary>
+        /// <summary>Bytes that a point takes while its chunk is indexed: keys twice, order, node, what ranges offer, cube,
+        /// priority and number, its record in both orders, and what is written of it.</summary>
         public long IndexBytesPerPoint { get; private set; }
 
         /// <summary>Points of the sample that represents what is not built yet.</summary>

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Samplers;

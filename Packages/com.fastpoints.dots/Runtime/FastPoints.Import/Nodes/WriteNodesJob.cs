@@ -1,3 +1,4 @@
+using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Samplers;

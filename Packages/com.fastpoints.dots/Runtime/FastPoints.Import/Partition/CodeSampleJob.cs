@@ -1,6 +1,5 @@
 using FastPoints.Density;
 using FastPoints.Points;
-using FastPoints.Records;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;

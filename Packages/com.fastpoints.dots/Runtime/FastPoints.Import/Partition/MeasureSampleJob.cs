@@ -1,4 +1,3 @@
-using FastPoints.Records;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;

@@ -1,3 +1,4 @@
+using FastPoints.Partition;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

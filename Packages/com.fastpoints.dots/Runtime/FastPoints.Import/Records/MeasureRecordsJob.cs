@@ -1,3 +1,4 @@
+using FastPoints.Partition;
 using FastPoints.Points;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using Unity.Burst;

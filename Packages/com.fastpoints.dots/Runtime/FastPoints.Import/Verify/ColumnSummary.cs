@@ -84,8 +84,8 @@ namespace FastPoints.Verify
             Finite += count;
         }
 
-        /// <summary>Eight bytes like the eight before them are looked at no closer: most columns of bytes are flags and codes that
-        /// seldom change.</summary>
+        /// <summary>Eight bytes like the eight before them are looked at no closer: most columns of bytes are flags and codes
+        /// that seldom change.</summary>
         static unsafe void IncludeBytes(byte* column, int count, byte bias, ref ulong sum, ref uint min, ref uint max)
         {
             ulong last = 0, sumOfLast = 0;

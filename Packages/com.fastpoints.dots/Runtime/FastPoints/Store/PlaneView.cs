@@ -83,6 +83,7 @@ namespace FastPoints.Store
             return !isWrong && PlaneShape.LengthBytes(word) == lengthBytes;
         }
 
-        static uint MostWidth(PlaneShape shape, int column) => column >= shape.ColumnCount ? 0u : shape.IsWide(column) ? 64u : 32u;
+        static uint MostWidth(PlaneShape shape, int column) =>
+            column >= shape.ColumnCount ? 0u : shape.IsWide(column) ? 64u : 32u;
     }
 }

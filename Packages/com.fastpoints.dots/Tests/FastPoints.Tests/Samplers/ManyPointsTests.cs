@@ -9,8 +9,8 @@ using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Samplers

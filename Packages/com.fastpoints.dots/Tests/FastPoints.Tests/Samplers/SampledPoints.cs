@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Samplers;

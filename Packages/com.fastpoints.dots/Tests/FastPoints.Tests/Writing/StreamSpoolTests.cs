@@ -3,8 +3,8 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using FastPoints.Base;
-using FastPoints.Writing;
 using FastPoints.Tests.Support;
+using FastPoints.Writing;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Writing

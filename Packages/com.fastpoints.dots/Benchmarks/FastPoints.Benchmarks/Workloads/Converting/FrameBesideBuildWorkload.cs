@@ -9,6 +9,7 @@ using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Files;
 using FastPoints.LazEncoding;
+using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Samplers;

@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Threading;
 using FastPoints.Base;
+using FastPoints.Partition;
 using FastPoints.Records;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using FastPoints.Entities;
+using FastPoints.Partition;
 using FastPoints.Records;
 using FastPoints.SourceFeeds;
 using FastPoints.Streaming;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using FastPoints.Partition;
 using FastPoints.Records;
 using FastPoints.Streaming;
 using Unity.Mathematics;

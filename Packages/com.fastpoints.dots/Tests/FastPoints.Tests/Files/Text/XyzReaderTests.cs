@@ -8,8 +8,8 @@ using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Files;
 using FastPoints.Points;
-using FastPoints.Verify;
 using FastPoints.Tests.Support;
+using FastPoints.Verify;
 using NUnit.Framework;
 using Unity.Collections;
 
