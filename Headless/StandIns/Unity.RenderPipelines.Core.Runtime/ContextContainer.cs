@@ -1,3 +1,6 @@
+using System;
+using System.Collections.Generic;
+
 namespace UnityEngine.Rendering;
 
 public abstract class ContextItem

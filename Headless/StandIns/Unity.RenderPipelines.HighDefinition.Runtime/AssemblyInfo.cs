@@ -1,1 +1,3 @@
+using System.Runtime.CompilerServices;
+
 [assembly: InternalsVisibleTo("HostTests")]

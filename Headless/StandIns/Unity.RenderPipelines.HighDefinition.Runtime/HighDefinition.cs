@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace UnityEngine.Rendering.HighDefinition;
 
 public enum CustomPassInjectionPoint { AfterOpaqueAndSky = 6 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal;

@@ -26,9 +26,10 @@ namespace FastPoints.Convert
             foreach (var attribute in build.Attributes)
                 text.Append(attribute).Append('\n');
             text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
-                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.Rules).Append('|')
-                .Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
-                .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2).Append('|').Append(settings.MaxPointsPerLeaf);
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.Rules)
+                .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
+                .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2)
+                .Append('|').Append(settings.MaxPointsPerLeaf);
             string all = text.ToString();
             fixed (char* first = all)
                 return ContentHash.Of(first, all.Length * sizeof(char)) ^
