@@ -1,21 +1,14 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Threading;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Files;
 using FastPoints.LazEncoding;
-using FastPoints.Partition;
 using FastPoints.Points;
-using FastPoints.Records;
 using FastPoints.Samplers;
-using Unity.Burst;
-using Unity.Collections;
-using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
@@ -25,8 +18,6 @@ namespace FastPoints.Benchmarks
     /// run to its end with as many workers.</summary>
     sealed class FrameBesideBuildWorkload : IWorkload
     {
-        const int JobsPerFrame = 4;
-
         /// <summary>Seconds of each stage of the last run to the end of the same build.</summary>
         readonly Dictionary<string, double> m_toTheEnd;
         readonly bool m_isLaz;
@@ -35,7 +26,6 @@ namespace FastPoints.Benchmarks
         readonly double m_tickMs;
         string m_source;
         string m_target;
-        NativeArray<uint> m_values;
 
         /// <param name="frameMs">0 to run to the end.</param>
         FrameBesideBuildWorkload(bool isLaz, Sampler sampler, double frameMs, double tickMs, Dictionary<string, double> toTheEnd)
@@ -68,7 +58,6 @@ namespace FastPoints.Benchmarks
             if (m_isLaz)
                 m_source = Compressed(m_source);
             m_target = Path.Combine(context.ScratchFolder, Name + ".fastpoints");
-            m_values = new NativeArray<uint>(JobsPerFrame, Allocator.Persistent);
         }
 
         static string Compressed(string las)
@@ -108,74 +97,21 @@ namespace FastPoints.Benchmarks
 
         public void Dispose()
         {
-            if (m_values.IsCreated)
-                m_values.Dispose();
             if (Directory.Exists(m_target))
                 Directory.Delete(m_target, true);
         }
 
         void RunBeside(IEnumerator<Work> work, StageProgress progress, ref WorkloadResult done)
         {
-            using var waits = new SliceTimes(Allocator.Persistent);
-            using var ticks = new SliceTimes(Allocator.Persistent);
-            int frames = 0;
-            var pump = new WorkPump(work);
-            try
-            {
-                for (; !pump.IsDone; frames++)
-                    RunFrame(pump, waits, ticks);
-            }
-            finally
-            {
-                pump.Cancel();
-            }
-            done.Error = waits.QuantileMs(0.99);
+            using var frames = new FrameLoop(m_tickMs, JobsUtility.JobWorkerCount);
+            frames.Run(work, m_frameMs);
+            done.Error = frames.WaitMs;
             done.ErrorUnit = "ms p99 wait";
-            done.Note = string.Format(CultureInfo.InvariantCulture, "{0} frames waited for their own jobs {1:0.0} ms (p50), "
-                + "{2:0.0} (p99), {3:0.0} (max), and for the pump {4:0.0}, {5:0.0}, {6:0.0}; stages took, and to the end:"
-                + "{7}", frames, waits.QuantileMs(0.5), waits.QuantileMs(0.99), waits.QuantileMs(1), ticks.QuantileMs(0.5),
-                ticks.QuantileMs(0.99), ticks.QuantileMs(1), Shares(progress));
+            done.Note = frames.Frames + " " + frames.Times + "; stages took, and to the end:" + Shares(progress);
         }
 
         string Shares(StageProgress progress) => string.Concat(progress.Finished.Where(s => m_toTheEnd.ContainsKey(s.Name))
             .Select(s => string.Format(CultureInfo.InvariantCulture, " {0} {1:0} of {2:0} ms,", s.Name, 1000 * s.Seconds,
                 1000 * m_toTheEnd[s.Name]))).TrimEnd(',');
-
-        void RunFrame(WorkPump pump, SliceTimes waits, SliceTimes ticks)
-        {
-            var watch = Stopwatch.StartNew();
-            var own = new SmallJob { Values = m_values }.Schedule(JobsPerFrame, 1);
-            JobHandle.ScheduleBatchedJobs();
-            long begin = SliceTimes.Begin();
-            pump.Tick(m_tickMs);
-            ticks.End(begin);
-            begin = SliceTimes.Begin();
-            own.Complete();
-            waits.End(begin);
-            int left = (int)(m_frameMs - watch.Elapsed.TotalMilliseconds);
-            if (left > 0 && !pump.IsDone)
-                Thread.Sleep(left);
-        }
-
-        /// <summary>About 50 us.</summary>
-        [BurstCompile]
-        struct SmallJob : IJobParallelFor
-        {
-            const int Steps = 20000;
-
-            public NativeArray<uint> Values;
-
-            public void Execute(int index)
-            {
-                uint value = Values[index] | 1;
-                for (int i = 0; i < Steps; i++)
-                {
-                    value ^= value << 13;
-                    value ^= value >> 17;
-                    value ^= value << 5;
-                }
-                Values[index] = value;
-            }
-        }
     }
 }

@@ -50,7 +50,7 @@ namespace FastPoints.Benchmarks
         {
             if (m_path == null)
                 return default;
-            using (var frames = new FrameLoop(m_tickMs))
+            using (var frames = new FrameLoop(m_tickMs, Math.Max(1, Environment.ProcessorCount - 1)))
             {
                 string note = frames.Compare(() => m_begin(m_path));
                 return new WorkloadResult

@@ -5,7 +5,6 @@ using System.Globalization;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Partition;
-using FastPoints.Records;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -13,8 +12,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Frames beside work that a pump steps, as an editor or a game has them: a worker for each core but one, a tick a
-    /// frame, and a few small jobs in each, which it awaits before it ends.</summary>
+    /// <summary>Frames beside work that a pump steps, as an editor or a game has them: a tick a frame, and a few small jobs in
+    /// each, which it awaits before it ends.</summary>
     public sealed class FrameLoop : IDisposable
     {
         const int JobsPerFrame = 4;
@@ -25,11 +24,14 @@ namespace FastPoints.Benchmarks
         readonly SliceTimes m_ticks = new SliceTimes(Allocator.Persistent);
         NativeArray<uint> m_values = new NativeArray<uint>(JobsPerFrame, Allocator.Persistent);
 
-        public FrameLoop(double tickMs)
+        /// <param name="workers">Workers until it is disposed.</param>
+        public FrameLoop(double tickMs, int workers)
         {
             m_tickMs = tickMs;
-            JobsUtility.JobWorkerCount = Math.Max(1, Environment.ProcessorCount - 1);
+            JobsUtility.JobWorkerCount = workers;
         }
+
+        public int Frames { get; private set; }
 
         /// <summary>What 99 of 100 frames did not wait longer for their own jobs than.</summary>
         public double WaitMs => m_waits.QuantileMs(0.99);
@@ -80,6 +82,7 @@ namespace FastPoints.Benchmarks
 
         void RunFrame(WorkPump pump, double frameMs)
         {
+            Frames++;
             var frame = Stopwatch.StartNew();
             var own = new SmallJob { Values = m_values }.Schedule(JobsPerFrame, 1);
             JobHandle.ScheduleBatchedJobs();
