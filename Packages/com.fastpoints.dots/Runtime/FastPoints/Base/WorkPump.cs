@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Diagnostics;
@@ -69,7 +70,7 @@ namespace FastPoints.Base
             }
         }
 
-        void IEnumerator.Reset() => throw new System.NotSupportedException();
+        void IEnumerator.Reset() => throw new NotSupportedException();
 
         bool Next()
         {
@@ -107,13 +108,24 @@ namespace FastPoints.Base
         const double LookMs = 1;
         const int MostLooksInVain = 4;
 
+        static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
+
         readonly WorkSteps m_work;
-        readonly Stopwatch m_tickWatch = new Stopwatch();
+        readonly Func<double> m_nowMs;
         JobHandle m_awaited;
         int m_looksInVain;
         int m_ticksUntilLook;
 
-        public WorkPump(IEnumerator<Work> work) => m_work = new WorkSteps(work);
+        public WorkPump(IEnumerator<Work> work) : this(work, s_nowMs)
+        {
+        }
+
+        /// <param name="nowMs">The clock that budgets go by, in milliseconds.</param>
+        internal WorkPump(IEnumerator<Work> work, Func<double> nowMs)
+        {
+            m_work = new WorkSteps(work);
+            m_nowMs = nowMs;
+        }
 
         public bool IsDone { get; private set; }
 
@@ -135,12 +147,12 @@ namespace FastPoints.Base
         /// <returns>Whether the work is done.</returns>
         public bool Tick(double budgetMs)
         {
-            m_tickWatch.Restart();
+            double beginMs = m_nowMs();
             bool isAwaiting = false;
             double lookUntilMs = 0;
             if (m_ticksUntilLook > 0)
                 m_ticksUntilLook--;
-            while (!IsDone && m_tickWatch.Elapsed.TotalMilliseconds < budgetMs)
+            while (!IsDone && m_nowMs() - beginMs < budgetMs)
             {
                 if (HasEnded(m_awaited))
                 {
@@ -148,9 +160,9 @@ namespace FastPoints.Base
                         m_looksInVain = 0;
                     isAwaiting = false;
                     Step();
-                    lookUntilMs = m_ticksUntilLook == 0 ? m_tickWatch.Elapsed.TotalMilliseconds + LookMs : 0;
+                    lookUntilMs = m_ticksUntilLook == 0 ? m_nowMs() + LookMs : 0;
                 }
-                else if (m_tickWatch.Elapsed.TotalMilliseconds < lookUntilMs)
+                else if (m_nowMs() < lookUntilMs)
                 {
                     isAwaiting = true;
                     Thread.Yield();
@@ -164,7 +176,7 @@ namespace FastPoints.Base
             if (!isAwaiting)
                 return IsDone;
             LooksInVain++;
-            m_ticksUntilLook = 1 << (m_looksInVain = System.Math.Min(m_looksInVain + 1, MostLooksInVain));
+            m_ticksUntilLook = 1 << (m_looksInVain = Math.Min(m_looksInVain + 1, MostLooksInVain));
             return IsDone;
         }
 
@@ -178,7 +190,7 @@ namespace FastPoints.Base
         }
 
         /// <summary>Runs the work on the calling thread until it is done.</summary>
-        /// <exception cref="System.OperationCanceledException">The token was cancelled; everything is freed.</exception>
+        /// <exception cref="OperationCanceledException">The token was cancelled; everything is freed.</exception>
         public static void RunToEnd(IEnumerator<Work> work, CancellationToken cancellation = default)
         {
             var pump = new WorkPump(work);
