@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Threading;
+using System.Linq;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Files;
@@ -189,26 +189,25 @@ namespace FastPoints.Tests.Convert
         {
             Convert(Uneven(), "whole", InMemory());
             var wanted = Files("whole");
-            int steps = 0;
-            for (var count = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { },
-                null)); count.MoveNext(); steps++)
-                count.Current.Complete();
+            var progress = new StageProgress();
+            WorkPump.RunToEnd(ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { }, progress));
+            int stages = progress.Finished.Count;
             var random = new System.Random(4);
             int continued = 0;
             for (int attempt = 0; attempt < 6; attempt++)
             {
                 string name = "broken" + attempt, part = Target(name) + StoreFormat.PartSuffix, kept = part + "-kept";
-                var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target(name), InFiles(), r => { }, null));
-                int stop = (int)((attempt + random.NextDouble()) / 6 * steps);
-                for (int i = 0; i < stop && work.MoveNext(); i++)
+                progress = new StageProgress();
+                var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target(name), InFiles(), r => { }, progress));
+                // Steps depend on how fast reads and writes are.
+                double stop = (attempt + random.NextDouble()) / 6 * stages;
+                while (progress.Finished.Count + progress.Share < stop && work.MoveNext())
                     work.Current.Complete();
-                // What a kill would leave: the folder as it is now, and a file that nobody closed. The writer thread has no end
-                // to wait for here: it is given time, so that no file is renamed while it is copied.
-                Thread.Sleep(30);
+                // What a kill would leave: the folder as it is now, and a file that nobody closed.
                 bool isWhole = Directory.Exists(Target(name));
                 if (!isWhole)
                 {
-                    Copy(part, kept);
+                    CopyWhileWritten(part, kept);
                     foreach (string file in Directory.GetFiles(Path.Combine(kept, BuildFiles.RecordFolderName)))
                         using (var stream = File.Open(file, FileMode.Append))
                             stream.Write(new byte[77], 0, 77);
@@ -251,9 +250,7 @@ namespace FastPoints.Tests.Convert
                 work.Current.Complete();
                 tops = Directory.GetFiles(Path.Combine(part, BuildFiles.TopFolderName), "*.bin").Length;
             }
-            // As above: no file is to be renamed while it is copied.
-            Thread.Sleep(30);
-            Copy(part, part + "-kept");
+            CopyWhileWritten(part, part + "-kept");
             work.Dispose();
             var random = new System.Random(8);
             for (int attempt = 0; attempt < 8; attempt++)
@@ -400,6 +397,28 @@ namespace FastPoints.Tests.Convert
                 long pages = plan.MostPages + plan.MostWaitingPages;
                 Assert.That(plan.ReadBytes + pages * RecordPages.PageBytes(stride), Is.LessThanOrEqualTo(memory));
                 Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MostPages + 16));
+            }
+        }
+
+        /// <summary>Copies a folder as it is at one moment, though another thread writes and renames files in it.</summary>
+        static void CopyWhileWritten(string from, string to)
+        {
+            IEnumerable<(string, long, DateTime)> State() => Directory.GetFiles(from, "*", SearchOption.AllDirectories)
+                .OrderBy(f => f, StringComparer.Ordinal).Select(f => (f, new FileInfo(f).Length, File.GetLastWriteTimeUtc(f)));
+            for (bool isSame = false; !isSame;)
+            {
+                try
+                {
+                    var before = State().ToList();
+                    Copy(from, to);
+                    isSame = State().SequenceEqual(before);
+                }
+                catch (IOException)
+                {
+                    // A file has got another name.
+                }
+                if (!isSame && Directory.Exists(to))
+                    Directory.Delete(to, true);
             }
         }
 
