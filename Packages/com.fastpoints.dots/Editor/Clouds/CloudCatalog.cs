@@ -4,6 +4,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Store;
+using FastPoints.Streaming;
 using FastPoints.Writing;
 
 namespace FastPoints.Editor
@@ -92,6 +93,7 @@ namespace FastPoints.Editor
             {
                 if (Directory.Exists(gone))
                     Directory.Delete(gone, true);
+                StreamFiles.Leave(path);
                 Directory.Move(path, gone);
                 Directory.Delete(gone, true);
                 File.Delete(StampFile.PathOf(path));

@@ -6,6 +6,7 @@ using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Records;
 using FastPoints.Store;
+using FastPoints.Streaming;
 using Unity.Collections;
 
 namespace FastPoints.Writing
@@ -221,6 +222,7 @@ namespace FastPoints.Writing
                 string old = null;
                 if (Directory.Exists(m_target))
                 {
+                    StreamFiles.Leave(m_target);
                     old = m_target + ".old";
                     if (Directory.Exists(old))
                         Directory.Delete(old, true);

@@ -50,10 +50,15 @@ namespace FastPoints.Streaming
                 selector.Forecast(stream.Motion.Ahead, settings.Selection,
                     (long)(settings.Selection.PointBudget * settings.ShareAhead));
 
-            // The cache evicts in this order, from the least needed to the most.
-            Use(stream, selector.Forecasted, NodeReads.FirstForecastRank);
-            Use(stream, selector.Selected, 0);
-            stream.Cache.UsePinned(selector.Frame);
+            new UseNodesJob
+            {
+                Clouds = stream.CloudPages,
+                Selected = selector.Selected,
+                Forecasted = selector.Forecasted,
+                Pinned = stream.Cache.Pinned,
+                Frame = selector.Frame,
+                Order = stream.Cache.Order,
+            }.Run();
             stats.Frame = selector.Frame;
             stats.SelectedNodes = selector.Selected.Length;
             stats.SelectedPoints = selector.Points;
@@ -85,70 +90,25 @@ namespace FastPoints.Streaming
         public static void List(StreamContext stream, ref FrameStats stats)
         {
             long start = Stopwatch.GetTimestamp();
-            ListDraws(stream, ref stats);
-            stats.ListMs = MsSince(start);
-        }
-
-        static void Use(StreamContext stream, NativeArray<SelectedNode> nodes, int firstRank)
-        {
-            for (int i = nodes.Length - 1; i >= 0; i--)
+            new ListDrawnJob
             {
-                var node = nodes[i];
-                int slot = stream.Clouds[node.Cloud].Pages[node.Page].States[node.Node].Slot;
-                if (slot != NodeState.NoSlot)
-                    stream.Cache.Use(slot, stream.Selector.Frame, firstRank + i);
-            }
-        }
-
-        /// <summary>Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself.</summary>
-        static void ListDraws(StreamContext stream, ref FrameStats stats)
-        {
-            var selected = stream.Selector.Selected;
-            var drawnOfSelected = stream.DrawnOfSelected;
-            var drawn = stream.Drawn;
-            drawnOfSelected.Clear();
-            drawn.Clear();
-            bool isAll = true;
-            for (int i = 0; i < selected.Length; i++)
-            {
-                var node = selected[i];
-                var page = stream.Clouds[node.Cloud].Pages + node.Page;
-                var state = page->States + node.Node;
-                int parent = node.Parent < 0 ? StreamContext.NotDrawn : drawnOfSelected[node.Parent];
-                bool isHole = state->Slot == NodeState.NoSlot && page->IsHole(node.Node);
-                bool isComplete = state->Slot != NodeState.NoSlot && stream.Cache[state->Slot].Phase == CachePhase.Resident;
-                isAll &= isHole || isComplete;
-                if (parent == StreamContext.NotShown || !(isHole || isComplete))
-                {
-                    drawnOfSelected.Add(StreamContext.NotShown);
-                    continue;
-                }
-                if (isHole || stream.Cache[state->Slot].IsHidden)
-                {
-                    drawnOfSelected.Add(StreamContext.NotDrawn);
-                    continue;
-                }
-                var slot = stream.Cache[state->Slot];
-                drawnOfSelected.Add(drawn.Length);
-                drawn.Add(new DrawnNode
-                {
-                    Cloud = node.Cloud,
-                    Page = node.Page,
-                    Node = node.Node,
-                    Parent = parent,
-                    Slot = state->Slot,
-                    Range = slot.Run,
-                    Tint = slot.Tint,
-                });
-                stats.DrawnPoints += page->Nodes[node.Node].PointCount;
-            }
-            stats.DrawnNodes = drawn.Length;
+                Clouds = stream.CloudPages,
+                Selected = stream.Selector.Selected,
+                Slots = stream.Cache.Slots,
+                Drawn = stream.Drawn,
+                DrawnOfSelected = stream.DrawnOfSelected,
+                Totals = stream.DrawnTotals,
+            }.Run();
+            var totals = stream.DrawnTotals.Value;
+            stats.DrawnNodes = stream.Drawn.Length;
+            stats.DrawnPoints = totals.Points;
             stats.CachedNodes = stream.Cache.Count;
             stats.PoolBytes = stream.Pool.AllocatedBytes;
             stats.HierarchyBytes = stream.HierarchyBytes;
             stats.ReadsUnderWay = stream.Reads.UnderWay;
-            stats.IsSettled = isAll && stats.ReadsUnderWay == 0 && !stream.Uploads.IsUnderWay && !stream.HasLeaving &&
+            stats.IsSettled = totals.IsAll && stats.ReadsUnderWay == 0 && !stream.Uploads.IsUnderWay && !stream.HasLeaving &&
                 stream.Selector.Missing.Length == 0;
+            stats.ListMs = MsSince(start);
         }
 
         static double MsSince(long start) => (Stopwatch.GetTimestamp() - start) * 1000.0 / Stopwatch.Frequency;

@@ -26,6 +26,7 @@ namespace FastPoints.Streaming
             ClipBoxes = new NativeList<ClipBox>(Allocator.Persistent);
             Drawn = new NativeList<DrawnNode>(1024, Allocator.Persistent);
             DrawnOfSelected = new NativeList<int>(1024, Allocator.Persistent);
+            DrawnTotals = new NativeReference<DrawnTotals>(Allocator.Persistent);
         }
 
         public StreamSettings Settings => m_state.Settings;
@@ -33,7 +34,10 @@ namespace FastPoints.Streaming
         internal NodeCache Cache => m_state.Cache;
         internal NodeSelector Selector => m_state.Selector;
         internal NodeReads Reads { get; }
+        internal StreamFiles Files => m_state.Files;
         internal NodeUploads Uploads { get; }
+        internal NativeArray<CloudPages> CloudPages => m_state.CloudPages;
+        internal NativeReference<DrawnTotals> DrawnTotals { get; }
         internal CameraMotion Motion { get; } = new CameraMotion();
 
         /// <summary>Indexed by number; null for a removed cloud.</summary>
@@ -124,6 +128,7 @@ namespace FastPoints.Streaming
             for (int c = 0; c < m_state.Clouds.Count; c++)
                 if (m_state.Clouds[c] != null && m_state.Clouds[c].IsLeaving)
                     EndLeaving(c);
+            m_state.Files.CloseIdle(Selector.Frame);
             if (Pool.AllocatedBytes > Pool.LimitBytes)
                 LeaveBanks();
             UnloadPage();
@@ -151,6 +156,7 @@ namespace FastPoints.Streaming
             ClipBoxes.Dispose();
             Drawn.Dispose();
             DrawnOfSelected.Dispose();
+            DrawnTotals.Dispose();
         }
 
         void ReleaseIfStill(int slot)
@@ -172,6 +178,7 @@ namespace FastPoints.Streaming
             }
             if (isUsed)
                 return;
+            m_state.Files.Close(cloud);
             cloud.Dispose();
             m_state.Clouds[index] = null;
         }

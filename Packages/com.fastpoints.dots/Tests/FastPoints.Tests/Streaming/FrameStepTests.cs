@@ -8,6 +8,7 @@ using FastPoints.Streaming;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
+using Unity.Jobs;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Streaming
@@ -205,18 +206,54 @@ namespace FastPoints.Tests.Streaming
             Assert.That(m_stream.Drawn.Length, Is.EqualTo(all));
         }
 
+        /// <summary>What a frame runs after its choice, by itself.</summary>
+        void RunJobsOfAFrame(NativeList<SelectedNode> wanted)
+        {
+            var selector = m_stream.Selector;
+            new UseNodesJob
+            {
+                Clouds = m_stream.CloudPages,
+                Selected = selector.Selected,
+                Forecasted = selector.Forecasted,
+                Pinned = m_stream.Cache.Pinned,
+                Frame = selector.Frame,
+                Order = m_stream.Cache.Order,
+            }.Run();
+            for (int i = 0; i < 2; i++)
+                new ListWantedJob
+                {
+                    Clouds = m_stream.CloudPages,
+                    Nodes = i == 0 ? selector.Selected : selector.Forecasted,
+                    Frame = selector.Frame,
+                    Wanted = wanted,
+                }.Run();
+            new ListDrawnJob
+            {
+                Clouds = m_stream.CloudPages,
+                Selected = selector.Selected,
+                Slots = m_stream.Cache.Slots,
+                Drawn = m_stream.Drawn,
+                DrawnOfSelected = m_stream.DrawnOfSelected,
+                Totals = m_stream.DrawnTotals,
+            }.Run();
+        }
+
         [Test]
         public void Run_AtRestAndAmongWhatIsThere_MakesNoGarbage()
         {
             var camera = StreamedTestCloud.Near(60, 60, 0.6);
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+            using var wanted = new NativeList<SelectedNode>(64, Allocator.Persistent);
             var settable = views;
             // The safety checks of the headless host's test build remember each job; nothing else may allocate.
             long OfChecks()
             {
                 long before = GC.GetAllocatedBytesForCurrentThread();
                 for (int i = 0; i < 50; i++)
+                {
                     m_stream.Selector.Choose(settable, m_stream.Settings.Selection);
+                    RunJobsOfAFrame(wanted);
+                }
                 return GC.GetAllocatedBytesForCurrentThread() - before;
             }
             long Garbage(double step)

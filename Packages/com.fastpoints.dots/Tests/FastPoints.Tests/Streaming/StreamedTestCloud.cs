@@ -34,6 +34,14 @@ namespace FastPoints.Tests.Streaming
         public StreamedTestCloud(long pointsPerChunk, params PointReader[] readers)
         {
             Path = m_scratch.File("cloud" + StoreFormat.FolderExtension);
+            Convert(pointsPerChunk, readers);
+        }
+
+        /// <summary>Converts another cloud to the same folder.</summary>
+        public void ConvertAgain(int points) => Convert(6000, new PointReader[] { Hills(points, 8) });
+
+        void Convert(long pointsPerChunk, PointReader[] readers)
+        {
             WorkPump.RunToEnd(ConvertCloud.Run(readers, Path,
                 new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, MaxPointsPerLeaf = 500 }, r => { }, null));
         }

@@ -80,6 +80,8 @@ namespace FastPoints.Streaming
                 (int*)m_planes.GetUnsafeReadOnlyPtr(), m_planes.Length, m_grid, pages + 1, ref pages[0]);
         }
 
+        internal override bool KeepsFilesOpen => !m_folder.IsInTheMaking;
+
         public override string PathOf(int page) => m_pathOfPage[page];
 
         internal override bool IsChecked(int page, int node, int plane) =>

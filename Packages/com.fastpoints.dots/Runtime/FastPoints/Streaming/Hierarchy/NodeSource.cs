@@ -45,6 +45,9 @@ namespace FastPoints.Streaming
         /// <param name="pages">Must have room for <see cref="PageCount"/> pages.</param>
         public abstract unsafe void CreatePages(HierarchyPage* pages);
 
+        /// <summary>Whether its files stay as they are, so that they may be kept open between reads.</summary>
+        internal virtual bool KeepsFilesOpen => false;
+
         /// <summary>The file that holds the planes of a page's nodes.</summary>
         public abstract string PathOf(int page);
 

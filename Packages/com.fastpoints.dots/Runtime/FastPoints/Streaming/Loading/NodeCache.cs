@@ -9,14 +9,13 @@ namespace FastPoints.Streaming
     {
         public const int None = -1;
 
-        NativeList<CachedNode> m_slots;
+        UsefulOrder m_order;
         NativeList<int> m_free;
         NativeList<int> m_pinned;
-        int m_mostUseful = None;
 
         public NodeCache()
         {
-            m_slots = new NativeList<CachedNode>(1024, Allocator.Persistent);
+            m_order = new UsefulOrder(Allocator.Persistent);
             m_free = new NativeList<int>(1024, Allocator.Persistent);
             m_pinned = new NativeList<int>(Allocator.Persistent);
         }
@@ -24,17 +23,23 @@ namespace FastPoints.Streaming
         public int Count { get; private set; }
 
         /// <summary>The first node to evict, or <see cref="None"/>.</summary>
-        public int LeastUseful { get; private set; } = None;
+        public int LeastUseful => m_order.LeastUseful;
 
-        public CachedNode this[int slot] => m_slots[slot];
+        /// <summary>For jobs of the main thread.</summary>
+        public UsefulOrder Order => m_order;
+
+        /// <summary>The slots that are kept as long as there is any memory for them.</summary>
+        public NativeArray<int> Pinned => m_pinned.AsArray();
+
+        public CachedNode this[int slot] => m_order.Slots[slot];
 
         /// <summary>All slots, including free ones.</summary>
-        public NativeArray<CachedNode> Slots => m_slots.AsArray();
+        public NativeArray<CachedNode> Slots => m_order.Slots.AsArray();
 
         /// <summary>Number of slots that were ever in use, including free ones.</summary>
-        public int SlotCount => m_slots.Length;
+        public int SlotCount => m_order.Slots.Length;
 
-        public bool IsAlive(int slot, int version) => m_slots[slot].Version == version;
+        public bool IsAlive(int slot, int version) => m_order.Slots[slot].Version == version;
 
         /// <summary>Adds a slot as the most useful of all.</summary>
         public int Add(int cloud, int page, int node, PoolRange run)
@@ -47,41 +52,41 @@ namespace FastPoints.Streaming
             }
             else
             {
-                slot = m_slots.Length;
-                m_slots.Add(default);
+                slot = m_order.Slots.Length;
+                m_order.Slots.Add(default);
             }
-            m_slots[slot] = new CachedNode
+            m_order.Slots[slot] = new CachedNode
             {
                 Cloud = cloud,
                 Page = page,
                 Node = node,
                 Run = run,
                 Phase = CachePhase.Requested,
-                Version = m_slots[slot].Version,
+                Version = m_order.Slots[slot].Version,
                 Tint = CachedNode.White,
             };
-            Append(slot);
+            m_order.Append(slot);
             Count++;
             return slot;
         }
 
         public void Remove(int slot)
         {
-            Unlink(slot);
+            m_order.Unlink(slot);
             SetPinned(slot, false);
-            int version = m_slots[slot].Version;
-            m_slots[slot] = new CachedNode { Version = version + 1 };
+            int version = m_order.Slots[slot].Version;
+            m_order.Slots[slot] = new CachedNode { Version = version + 1 };
             m_free.Add(slot);
             Count--;
         }
 
-        public void SetHidden(int slot, bool value) => m_slots.ElementAt(slot).IsHidden = value;
+        public void SetHidden(int slot, bool value) => m_order.Slots.ElementAt(slot).IsHidden = value;
 
-        public void SetTint(int slot, uint rgba) => m_slots.ElementAt(slot).Tint = rgba;
+        public void SetTint(int slot, uint rgba) => m_order.Slots.ElementAt(slot).Tint = rgba;
 
         public void SetPinned(int slot, bool value)
         {
-            ref var pinned = ref m_slots.ElementAt(slot);
+            ref var pinned = ref m_order.Slots.ElementAt(slot);
             if (pinned.IsPinned == value)
                 return;
             pinned.IsPinned = value;
@@ -95,61 +100,20 @@ namespace FastPoints.Streaming
                     m_pinned.RemoveAtSwapBack(i);
         }
 
-        /// <summary>Makes pinned nodes more useful than all others.</summary>
-        public void UsePinned(uint frame)
-        {
-            for (int i = 0; i < m_pinned.Length; i++)
-                Use(m_pinned[i], frame, -1);
-        }
+        public void SetPhase(int slot, CachePhase phase) => m_order.Slots.ElementAt(slot).Phase = phase;
 
-        public void SetPhase(int slot, CachePhase phase) => m_slots.ElementAt(slot).Phase = phase;
-
-        public void SetRun(int slot, PoolRange run) => m_slots.ElementAt(slot).Run = run;
+        public void SetRun(int slot, PoolRange run) => m_order.Slots.ElementAt(slot).Run = run;
 
         /// <summary>Makes it the most useful.</summary>
-        public void Use(int slot, uint frame, int rank)
-        {
-            ref var used = ref m_slots.ElementAt(slot);
-            used.UsedFrame = frame;
-            used.Rank = rank;
-            if (m_mostUseful == slot)
-                return;
-            Unlink(slot);
-            Append(slot);
-        }
+        public void Use(int slot, uint frame, int rank) => m_order.Use(slot, frame, rank);
 
         public void Dispose()
         {
-            if (!m_slots.IsCreated)
+            if (!m_free.IsCreated)
                 return;
-            m_slots.Dispose();
+            m_order.Dispose();
             m_free.Dispose();
             m_pinned.Dispose();
-        }
-
-        void Append(int slot)
-        {
-            ref var added = ref m_slots.ElementAt(slot);
-            added.LessUseful = m_mostUseful;
-            added.MoreUseful = None;
-            if (m_mostUseful != None)
-                m_slots.ElementAt(m_mostUseful).MoreUseful = slot;
-            else
-                LeastUseful = slot;
-            m_mostUseful = slot;
-        }
-
-        void Unlink(int slot)
-        {
-            var gone = m_slots[slot];
-            if (gone.LessUseful != None)
-                m_slots.ElementAt(gone.LessUseful).MoreUseful = gone.MoreUseful;
-            else
-                LeastUseful = gone.MoreUseful;
-            if (gone.MoreUseful != None)
-                m_slots.ElementAt(gone.MoreUseful).LessUseful = gone.LessUseful;
-            else
-                m_mostUseful = gone.LessUseful;
         }
     }
 

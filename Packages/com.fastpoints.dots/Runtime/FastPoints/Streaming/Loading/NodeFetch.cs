@@ -13,6 +13,7 @@ namespace FastPoints.Streaming
     /// <see cref="Await"/> waits.</summary>
     internal sealed unsafe class NodeFetch : IDisposable
     {
+        readonly StreamState m_state;
         NativeArray<byte> m_bytes;
         NativeList<ReadCommand> m_commands;
         NativeList<FetchPart> m_parts;
@@ -28,8 +29,9 @@ namespace FastPoints.Streaming
         NodeMaker m_maker;
         long m_readBytes;
 
-        public NodeFetch()
+        public NodeFetch(StreamState state)
         {
+            m_state = state;
             m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
             m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
             m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
@@ -320,7 +322,7 @@ namespace FastPoints.Streaming
                 m_commands.ElementAt(i).Buffer = to;
                 to += m_commands[i].Size;
             }
-            m_read = AsyncReadManager.Read(path, m_commands.GetUnsafePtr(), (uint)m_commands.Length);
+            m_read = m_state.Files.Read(Cloud, path, m_state.Selector.Frame, m_commands.GetUnsafePtr(), m_commands.Length);
             Phase = FetchPhase.Reading;
         }
     }

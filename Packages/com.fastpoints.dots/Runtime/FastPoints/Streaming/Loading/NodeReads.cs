@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
@@ -82,7 +83,7 @@ namespace FastPoints.Streaming
         {
             // All are made at once in the first frame, so that later ones make no garbage.
             while (m_fetches.Count < m_state.Settings.MostReads)
-                m_fetches.Add(new NodeFetch());
+                m_fetches.Add(new NodeFetch(m_state));
             int tables = 0;
             foreach (var fetch in m_fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
@@ -131,22 +132,13 @@ namespace FastPoints.Streaming
                 m_wanted.Dispose();
         }
 
-        /// <summary>Lists nodes without a slot in the cache; <see cref="SelectedNode.Parent"/> of a listed node is its
-        /// rank.</summary>
-        void ListWanted(NativeArray<SelectedNode> nodes)
+        void ListWanted(NativeArray<SelectedNode> nodes) => new ListWantedJob
         {
-            m_wanted.Clear();
-            for (int i = 0; i < nodes.Length; i++)
-            {
-                var node = nodes[i];
-                var page = m_state.Clouds[node.Cloud].Pages + node.Page;
-                var state = page->States + node.Node;
-                if (state->Slot != NodeState.NoSlot || page->IsHole(node.Node) || !m_state.IsTime(page->RetryFrame))
-                    continue;
-                node.Parent = i;
-                m_wanted.Add(node);
-            }
-        }
+            Clouds = m_state.CloudPages,
+            Nodes = nodes,
+            Frame = m_state.Selector.Frame,
+            Wanted = m_wanted,
+        }.Run();
 
         /// <returns>Whether the pool had room for everything requested.</returns>
         bool RequestNodes(int firstRank, ref FrameStats stats)
@@ -272,6 +264,7 @@ namespace FastPoints.Streaming
             {
                 var source = fetch.Cloud.Source;
                 string path = fetch.IsTable ? source.TableOf(fetch.Page).Path : source.PathOf(fetch.Page);
+                m_state.Files.Close(fetch.Cloud, path);
                 Drop(fetch, page);
                 CountFailure(page, path, -1, "cannot be read: the read ended as " + status);
                 return;
@@ -325,6 +318,7 @@ namespace FastPoints.Streaming
             else
             {
                 var piece = fetch.Cloud.Source.TableOf(fetch.Page);
+                m_state.Files.Close(fetch.Cloud, piece.Path);
                 page->Status = HierarchyPageStatus.Absent;
                 CountFailure(page, piece.Path, piece.OffsetBytes, fetch.Describe(problem));
             }

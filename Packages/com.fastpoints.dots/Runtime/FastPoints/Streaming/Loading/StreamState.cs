@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
@@ -10,6 +11,7 @@ namespace FastPoints.Streaming
         /// <summary>The most failures that are kept until they are taken.</summary>
         const int MostFailures = 1000;
 
+        NativeList<CloudPages> m_cloudPages = new NativeList<CloudPages>(Allocator.Persistent);
         readonly Queue<StreamFailure> m_failures = new Queue<StreamFailure>();
 
         public StreamState(NodePool pool) => Pool = pool;
@@ -17,10 +19,23 @@ namespace FastPoints.Streaming
         public StreamSettings Settings { get; } = new StreamSettings();
         public NodePool Pool { get; }
         public NodeCache Cache { get; } = new NodeCache();
+        public StreamFiles Files { get; } = new StreamFiles();
         public NodeSelector Selector { get; } = new NodeSelector();
 
         /// <summary>Indexed by number; null for a removed cloud.</summary>
         public List<StreamedCloud> Clouds { get; } = new List<StreamedCloud>();
+
+        /// <summary>The pages of all clouds, by number; valid until a page is loaded or a cloud comes or goes.</summary>
+        public NativeArray<CloudPages> CloudPages
+        {
+            get
+            {
+                m_cloudPages.Clear();
+                for (int c = 0; c < Clouds.Count; c++)
+                    m_cloudPages.Add(new CloudPages { Pages = Clouds[c] != null ? Clouds[c].Pages : null });
+                return m_cloudPages.AsArray();
+            }
+        }
 
         /// <summary>Takes the oldest failure that was not taken yet.</summary>
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
@@ -79,6 +94,8 @@ namespace FastPoints.Streaming
             var state = cloud.Pages[node.Page].States + node.Node;
             Release(slot);
             cloud.Source.ForgetChecked(node.Page);
+            if (!cloud.Source.MakesNodes)
+                Files.Close(cloud, cloud.Source.PathOf(node.Page));
             if (cloud.IsLeaving || ++state->Failures < Settings.MostTries)
                 return;
             state->Failures = NodeState.IsHole;
@@ -100,6 +117,8 @@ namespace FastPoints.Streaming
         public void Dispose()
         {
             Clouds.Clear();
+            Files.Dispose();
+            m_cloudPages.Dispose();
             Selector.Dispose();
             Cache.Dispose();
             Pool.Dispose();

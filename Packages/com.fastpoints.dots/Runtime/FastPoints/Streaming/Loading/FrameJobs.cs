@@ -1,0 +1,134 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Streaming
+{
+    // They run on the main thread, between steps that need their results at once: a job that is scheduled and awaited costs more
+    // than all of one of them.
+
+    /// <summary>Orders the cache by what a frame has chosen: it evicts foreseen nodes before chosen ones, and those before
+    /// pinned ones.</summary>
+    [BurstCompile]
+    internal struct UseNodesJob : IJob
+    {
+        [ReadOnly] public NativeArray<CloudPages> Clouds;
+        [ReadOnly] public NativeArray<SelectedNode> Selected;
+        [ReadOnly] public NativeArray<SelectedNode> Forecasted;
+        [ReadOnly] public NativeArray<int> Pinned;
+        public uint Frame;
+        public UsefulOrder Order;
+
+        public void Execute()
+        {
+            Use(Forecasted, NodeReads.FirstForecastRank);
+            Use(Selected, 0);
+            for (int i = 0; i < Pinned.Length; i++)
+                Order.Use(Pinned[i], Frame, -1);
+        }
+
+        void Use(NativeArray<SelectedNode> nodes, int firstRank)
+        {
+            for (int i = nodes.Length - 1; i >= 0; i--)
+            {
+                int slot = Clouds[nodes[i].Cloud].StateOf(nodes[i]).Slot;
+                if (slot != NodeState.NoSlot)
+                    Order.Use(slot, Frame, firstRank + i);
+            }
+        }
+    }
+
+    /// <summary>Lists nodes without a slot in the cache that can be requested now.</summary>
+    [BurstCompile]
+    internal unsafe struct ListWantedJob : IJob
+    {
+        [ReadOnly] public NativeArray<CloudPages> Clouds;
+        [ReadOnly] public NativeArray<SelectedNode> Nodes;
+        public uint Frame;
+
+        /// <summary><see cref="SelectedNode.Parent"/> of a listed node is its rank.</summary>
+        public NativeList<SelectedNode> Wanted;
+
+        public void Execute()
+        {
+            Wanted.Clear();
+            for (int i = 0; i < Nodes.Length; i++)
+            {
+                var node = Nodes[i];
+                var page = Clouds[node.Cloud].Pages + node.Page;
+                if (page->States[node.Node].Slot != NodeState.NoSlot || page->IsHole(node.Node) ||
+                    (int)(Frame - page->RetryFrame) < 0)
+                    continue;
+                node.Parent = i;
+                Wanted.Add(node);
+            }
+        }
+    }
+
+    /// <summary>Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself.</summary>
+    [BurstCompile]
+    internal unsafe struct ListDrawnJob : IJob
+    {
+        [ReadOnly] public NativeArray<CloudPages> Clouds;
+        [ReadOnly] public NativeArray<SelectedNode> Selected;
+        [ReadOnly] public NativeArray<CachedNode> Slots;
+        public NativeList<DrawnNode> Drawn;
+        public NativeList<int> DrawnOfSelected;
+        public NativeReference<DrawnTotals> Totals;
+
+        public void Execute()
+        {
+            Drawn.Clear();
+            DrawnOfSelected.Clear();
+            var totals = new DrawnTotals { IsAll = true };
+            for (int i = 0; i < Selected.Length; i++)
+            {
+                var node = Selected[i];
+                var page = Clouds[node.Cloud].Pages + node.Page;
+                int slot = page->States[node.Node].Slot;
+                int parent = node.Parent < 0 ? StreamContext.NotDrawn : DrawnOfSelected[node.Parent];
+                bool isHole = page->IsHole(node.Node);
+                bool isComplete = slot != NodeState.NoSlot && Slots[slot].Phase == CachePhase.Resident;
+                totals.IsAll &= isHole || isComplete;
+                bool isShown = parent != StreamContext.NotShown && (isHole || isComplete);
+                if (!isShown || isHole || Slots[slot].IsHidden)
+                {
+                    DrawnOfSelected.Add(isShown ? StreamContext.NotDrawn : StreamContext.NotShown);
+                    continue;
+                }
+                DrawnOfSelected.Add(Drawn.Length);
+                Drawn.Add(new DrawnNode
+                {
+                    Cloud = node.Cloud,
+                    Page = node.Page,
+                    Node = node.Node,
+                    Parent = parent,
+                    Slot = slot,
+                    Range = Slots[slot].Run,
+                    Tint = Slots[slot].Tint,
+                });
+                totals.Points += page->Nodes[node.Node].PointCount;
+            }
+            Totals.Value = totals;
+        }
+    }
+
+    /// <summary>The sums of a list of what to draw.</summary>
+    internal struct DrawnTotals
+    {
+        public long Points;
+
+        /// <summary>Whether all chosen nodes are complete.</summary>
+        public bool IsAll;
+    }
+
+    /// <summary>The pages of one cloud, by its number. Blittable, for jobs.</summary>
+    internal unsafe struct CloudPages
+    {
+        /// <summary>Null for a removed cloud.</summary>
+        [NativeDisableUnsafePtrRestriction] public HierarchyPage* Pages;
+
+        public readonly NodeState StateOf(SelectedNode node) => Pages[node.Page].States[node.Node];
+    }
+}

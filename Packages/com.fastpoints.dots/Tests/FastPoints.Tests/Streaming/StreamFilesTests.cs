@@ -1,0 +1,138 @@
+using System.IO;
+using System.Linq;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Streaming
+{
+    /// <summary>Files that a stream keeps open between reads.</summary>
+    public sealed class StreamFilesTests
+    {
+        StreamedTestCloud m_cloud;
+        StreamContext m_stream;
+
+        [SetUp]
+        public void MakeCloud()
+        {
+            m_cloud = new StreamedTestCloud(60_000, 1000);
+            m_stream = StreamedTestCloud.Stream();
+        }
+
+        [TearDown]
+        public void DeleteCloud()
+        {
+            m_stream.Dispose();
+            m_cloud.Dispose();
+        }
+
+        int Add()
+        {
+            var source = m_cloud.Open();
+            return m_stream.Add(source, StreamedTestCloud.Geo(source));
+        }
+
+        int MostOpenWhileItSettles()
+        {
+            int most = 0;
+            while (!StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview()).IsSettled)
+                most = System.Math.Max(most, m_stream.Files.OpenPaths.Count);
+            return most;
+        }
+
+        [Test]
+        public void Run_MoreFilesThanMayBeOpen_ClosesTheOldest()
+        {
+            Add();
+            m_stream.Files.MostOpen = 7;
+            Assert.That(MostOpenWhileItSettles(), Is.EqualTo(7));
+        }
+
+        [Test]
+        public void Run_NothingToRead_ClosesAll()
+        {
+            Add();
+            MostOpenWhileItSettles();
+            for (int i = 0; i <= StreamFiles.FramesToClose; i++)
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+            Assert.That(m_stream.Files.OpenPaths.Count, Is.Zero);
+        }
+
+        [Test]
+        public void Remove_FilesOpen_ClosesThoseOfTheCloudAlone()
+        {
+            int first = Add(), second = Add();
+            MostOpenWhileItSettles();
+            int open = m_stream.Files.OpenPaths.Count;
+            m_stream.Remove(first);
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            Assert.That(m_stream.Files.OpenPaths.Count, Is.LessThan(open).And.GreaterThan(0));
+            m_stream.Remove(second);
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            Assert.That(m_stream.Files.OpenPaths.Count, Is.Zero);
+        }
+
+        /// <summary>Windows neither renames nor deletes a folder with an open file.</summary>
+        [Test]
+        public void Leave_FolderIsReadNow_ClosesItsFilesAndThoseOfNoOther()
+        {
+            using var other = new StreamedTestCloud(30_000, 4000);
+            var source = other.Open();
+            m_stream.Add(source, StreamedTestCloud.Geo(source));
+            Add();
+            int Of(StreamedTestCloud cloud) => OpenFilesBelow(cloud.Path);
+            while (Of(m_cloud) == 0 || Of(other) == 0)
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+            int kept = Of(other);
+            StreamFiles.Leave(m_cloud.Path + Path.DirectorySeparatorChar);
+            Assert.That(Of(m_cloud), Is.Zero);
+            Assert.That(Of(other), Is.EqualTo(kept));
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            Assert.That(m_stream.TryTakeFailure(out _), Is.False);
+        }
+
+        [Test]
+        public void Convert_FolderIsShown_ClosesItsFilesBeforeItIsReplaced()
+        {
+            Add();
+            MostOpenWhileItSettles();
+            Assert.That(m_stream.Files.OpenPaths, Is.Not.Empty);
+            m_cloud.ConvertAgain(20_000);
+            Assert.That(m_stream.Files.OpenPaths, Is.Empty);
+        }
+
+        int OpenFilesBelow(string folder) =>
+            m_stream.Files.OpenPaths.Count(p => p.StartsWith(folder, System.StringComparison.Ordinal));
+
+        /// <summary>A handle would go on to read the file that was there before.</summary>
+        [Test]
+        public void Run_FileReplacedAfterItWasDamaged_IsOpenedAgain()
+        {
+            string path = Path.Combine(m_cloud.Path, StoreFormat.UpperName);
+            byte[] sound = File.ReadAllBytes(path), damaged = (byte[])sound.Clone();
+            using (var folder = CloudFolder.Open(m_cloud.Path))
+                damaged[folder.Upper.Planes[0].OffsetBytes + folder.Upper.Planes[0].LengthBytes / 2] ^= 1;
+            File.WriteAllBytes(path, damaged);
+            m_stream.Settings.MostTries = 1000;
+            Add();
+            while (!m_stream.Files.OpenPaths.Contains(path))
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+            string other = path + ".new";
+            File.WriteAllBytes(other, sound);
+            File.Delete(path);
+            File.Move(other, path);
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.Some.EqualTo((0, 0)));
+        }
+
+        [Test]
+        public void Run_FolderInTheMaking_KeepsNothingOpen()
+        {
+            string part = m_cloud.Path + StoreFormat.PartSuffix;
+            Directory.Move(m_cloud.Path, part);
+            var source = new FolderSource(CloudFolder.Open(part), StoreLayout.ColorName);
+            m_stream.Add(source, StreamedTestCloud.Geo(source));
+            Assert.That(MostOpenWhileItSettles(), Is.Zero);
+        }
+    }
+}
