@@ -1,5 +1,6 @@
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
+using System.CommandLine.Parsing;
 using FastPoints.Cli.Verbs;
 using StandIns.Engine;
 
@@ -10,24 +11,31 @@ namespace FastPoints.Cli;
 public static class CommandLine
 {
     /// <param name="errorIsTerminal">Whether progress may be redrawn in place.</param>
+    /// <param name="discard">Cancelled besides where a build that ends early is not to be kept.</param>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public static int Run(IReadOnlyList<string> args, TextWriter output, TextWriter error, bool errorIsTerminal,
-        CancellationToken cancellation)
+        CancellationToken cancellation, CancellationToken discard = default)
     {
         ZstandardDecompressor.Register();
         var verbs = AllVerbs();
         var root = verbs[0].Command;
         foreach (var verb in verbs.Skip(1))
             root.Add(verb.Command);
+        var common = new CommonOptions(root);
         // --help belongs to every command, and is one option: its action is replaced, and its text is ours.
-        root.Options.OfType<HelpOption>().Single().Action = new HelpTextAction(verbs);
+        root.Options.OfType<HelpOption>().Single().Action = new HelpTextAction(verbs, common);
 
+        args = args.ToArray() switch
+        {
+            ["help", .. var rest] => [.. rest, "--help"],
+            ["version"] => ["--version"],
+            var same => same,
+        };
         var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
-        if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
-            return WrongUsage(error, parsed.CommandResult.Command, parsed.Errors[0].Message);
-        if (UnknownOption(parsed) is { } unknown)
-            return WrongUsage(error, parsed.CommandResult.Command, "unknown option " + unknown);
-        var chosen = verbs.FirstOrDefault(v => v.Command == parsed.CommandResult.Command);
+        var asked = parsed.CommandResult.Command;
+        if (Misread(parsed, verbs) is { } misread)
+            return WrongUsage(error, asked, misread);
+        var chosen = verbs.FirstOrDefault(v => v.Command == asked);
         if (chosen == null || !chosen.IsAsked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
@@ -36,7 +44,12 @@ public static class CommandLine
                 EnableDefaultExceptionHandler = false,
                 ProcessTerminationTimeout = null,
             });
-        return Run(chosen, parsed, output, error, errorIsTerminal, cancellation);
+        var run = new CliRun(output, error, common.Read(parsed), cancellation)
+        {
+            Discard = discard,
+            Line = "./fastpoints " + string.Join(" ", args.Select(Quoted)),
+        };
+        return Run(chosen, parsed, common, run, output, error, errorIsTerminal);
     }
 
     /// <summary>The main job first.</summary>
@@ -53,35 +66,82 @@ public static class CommandLine
         return ExitStatus.Usage;
     }
 
-    /// <summary>What looks like an option and is none is taken for a file by the parser. A file of such a name is
-    /// ./-name.</summary>
-    static string? UnknownOption(ParseResult parsed)
+    /// <summary>As a shell reads it again.</summary>
+    static string Quoted(string word) =>
+        word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./,:=+@%".Contains(c)) ? word
+            : "'" + word.Replace("'", "'\\''", StringComparison.Ordinal) + "'";
+
+    /// <summary>What is wrong with the arguments, or null.</summary>
+    static string? Misread(ParseResult parsed, List<Verb> verbs)
     {
-        foreach (var argument in parsed.CommandResult.Command.Arguments)
-            foreach (var token in parsed.GetResult(argument)?.Tokens ?? [])
-                if (token.Value.StartsWith('-'))
-                    return token.Value;
-        return null;
+        var command = parsed.CommandResult.Command;
+        if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
+            return parsed.Errors[0].Message;
+        // Behind -- are files only, whatever they are called.
+        int plain = parsed.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Count();
+        var words = command.Arguments.SelectMany(a => parsed.GetResult(a)?.Tokens ?? []).ToList();
+        foreach (var word in words.Take(words.Count - plain))
+            if (word.Value.StartsWith('-'))
+                return "unknown option " + word.Value + Suggestion(word.Value, parsed.RootCommandResult.Command.Options
+                    .Concat(command.Options).SelectMany(o => o.Aliases.Append(o.Name)));
+        var root = parsed.RootCommandResult;
+        if (command is not RootCommand)
+        {
+            // What stands before a verb is parsed, and belongs to no one.
+            if (root.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).FirstOrDefault() is { } file)
+                return file.Value + " stands before the verb " + command.Name + ", which takes what is behind it";
+            return root.Children.OfType<OptionResult>().FirstOrDefault(o => !o.Implicit && !o.Option.Recursive) is { } option
+                ? option.Option.Name + " stands before the verb " + command.Name + ", which takes what is behind it" : null;
+        }
+        string? first = plain < words.Count ? words[0].Value : null;
+        bool isName = first != null && first.All(c => char.IsAsciiLetterLower(c) || c == '-') && !Path.Exists(first);
+        var names = verbs.Skip(1).Select(v => v.Command.Name).Concat(["help", "version"]);
+        string suggestion = isName ? Suggestion(first!, names) : "";
+        return suggestion.Length > 0 ? "no file and no verb is called " + first + suggestion : null;
     }
 
-    static int Run(Verb verb, ParseResult parsed, TextWriter output, TextWriter error, bool errorIsTerminal,
-        CancellationToken cancellation)
+    static string Suggestion(string word, IEnumerable<string> known)
     {
-        string? json = parsed.GetValue(verb.JsonOption);
-        bool quiet = parsed.GetValue(verb.QuietOption);
-        var run = new CliRun(json == "-" ? TextWriter.Null : output, error, quiet, json, cancellation);
-        using var display = quiet ? null : new ProgressDisplay(run.Progress, error, errorIsTerminal);
-        int status;
-        Failure? failure = null;
+        string? nearest = known.Where(k => Distance(word, k) <= Math.Max(1, word.Length / 2)).MinBy(k => Distance(word, k));
+        return nearest == null ? "" : ": did you mean " + nearest + "?";
+    }
+
+    /// <summary>Letters to change, leave out or put in.</summary>
+    static int Distance(string a, string b)
+    {
+        var row = Enumerable.Range(0, b.Length + 1).ToArray();
+        for (int i = 1; i <= a.Length; i++)
+        {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= b.Length; j++)
+            {
+                int changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.Min(changed, 1 + Math.Min(row[j], row[j - 1]));
+            }
+        }
+        return row[^1];
+    }
+
+    static int Run(Verb verb, ParseResult parsed, CommonOptions common, CliRun run, TextWriter output, TextWriter error,
+        bool errorIsTerminal)
+    {
+        string? json = run.Settings.Json;
+        using var display = run.Settings.IsQuiet ? null : new ProgressDisplay(run.Progress, error, errorIsTerminal);
+        Failure? failure;
         try
         {
-            Threads.Use(parsed.GetValue(verb.ThreadsOption));
+            if (common.UseThreads(parsed) is { } note)
+                run.Warn(note);
             if (json != null)
-                OutputNames.RefuseCloud("--json", "a summary", json);
+                OutputNames.RefuseOther("--json", "a summary", json);
             verb.Run(parsed, run);
             // What a job throws is logged, and the work goes on: what comes of it is not to be trusted.
             LoggedExceptions.ThrowFirst();
-            status = ExitStatus.Done;
+            failure = run.FirstFailure ?? (run.Settings.IsStrict ? Failure.OfStrict(run) : null);
+            if (failure != null && failure != run.FirstFailure)
+                error.WriteLine("fastpoints: " + failure.Message);
         }
         catch (Exception e)
         {
@@ -89,10 +149,10 @@ public static class CommandLine
             if (e is UsageException)
                 return WrongUsage(error, verb.Command, e.Message);
             failure = Failure.Of(e, run.Inputs);
-            status = failure.Status;
             error.WriteLine("fastpoints: " + failure.Message);
         }
         display?.Clear();
+        int status = failure?.Status ?? ExitStatus.Done;
         if (json == null)
             return status;
         try
@@ -107,13 +167,13 @@ public static class CommandLine
         return status;
     }
 
-    sealed class HelpTextAction(List<Verb> verbs) : SynchronousCommandLineAction
+    sealed class HelpTextAction(List<Verb> verbs, CommonOptions common) : SynchronousCommandLineAction
     {
         public override bool ClearsParseErrors => true;
 
         public override int Invoke(ParseResult parsed)
         {
-            HelpText.Write(parsed.InvocationConfiguration.Output, verbs, parsed.CommandResult.Command);
+            HelpText.Write(parsed.InvocationConfiguration.Output, verbs, parsed.CommandResult.Command, common);
             return ExitStatus.Done;
         }
     }

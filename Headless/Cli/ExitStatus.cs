@@ -7,5 +7,9 @@ public static class ExitStatus
     public const int Failed = 1;
     public const int Usage = 2;
     public const int BadInput = 3;
+
+    /// <summary>With <c>--strict</c>: all was done, but a source lacks points or is odd.</summary>
+    public const int Incomplete = 4;
+
     public const int Cancelled = 130;
 }

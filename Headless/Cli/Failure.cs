@@ -11,6 +11,19 @@ public sealed class Failure
     /// <summary>Byte in the file, or -1.</summary>
     public long Offset { get; init; } = -1;
 
+    /// <summary>What <c>--strict</c> makes of a run that is done; null where nothing is lost or odd.</summary>
+    public static Failure? OfStrict(CliRun run)
+    {
+        string lost = run.Points.Lost > 0 ? Human.Count(run.Points.Lost) + " points that are claimed are not there" : "";
+        string odd = run.HasOddSources ? "a source is odd (see the warnings)" : "";
+        return lost.Length + odd.Length == 0 ? null : new Failure
+        {
+            Code = "Incomplete",
+            Message = "--strict: " + string.Join("; ", new[] { lost, odd }.Where(s => s.Length > 0)),
+            Status = ExitStatus.Incomplete,
+        };
+    }
+
     /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a
     /// command as much as a broken one.</param>
     public static Failure Of(Exception e, IReadOnlyCollection<string> inputs)
@@ -20,7 +33,8 @@ public sealed class Failure
         switch (e)
         {
             case OperationCanceledException:
-                return new Failure { Code = "Cancelled", Message = "cancelled", Status = ExitStatus.Cancelled };
+                string message = e is StoppedException ? e.Message : "cancelled";
+                return new Failure { Code = "Cancelled", Message = message, Status = ExitStatus.Cancelled };
             case PointCloudException p:
                 bool isAbsent = p.Code is FailureCode.NotFound or FailureCode.AccessDenied;
                 bool isInput = p.IsBadInput || (isAbsent && inputs.Contains(p.Path));

@@ -23,7 +23,7 @@ public static class HelpText
         return string.Join(" ", words);
     }
 
-    public static void Write(TextWriter writer, List<Verb> verbs, Command command)
+    public static void Write(TextWriter writer, List<Verb> verbs, Command command, CommonOptions common)
     {
         var verb = verbs.First(v => v.Command == command);
         bool isRoot = command is RootCommand;
@@ -39,7 +39,7 @@ public static class HelpText
             foreach (var other in verbs.Skip(1))
                 Wrap(writer, "  " + other.Command.Name, "".PadRight(16), other.Command.Description!);
         }
-        WriteOptions(writer, command);
+        WriteOptions(writer, command, common);
         writer.WriteLine();
         writer.WriteLine("Examples:");
         foreach (var (line, what) in isRoot ? verbs.SelectMany(v => v.Examples) : verb.Examples)
@@ -47,18 +47,22 @@ public static class HelpText
         if (!isRoot)
             return;
         writer.WriteLine();
-        writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled (Ctrl-C leaves "
-            + "nothing half-written).");
+        writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled, 4 incomplete "
+            + "(--strict).");
+        writer.WriteLine("Ctrl-C leaves nothing half-written, but a build that can go on: the same line does. A second Ctrl-C "
+            + "deletes it.");
+        writer.WriteLine("Options that all verbs have may stand before the verb; behind -- are files only. "
+            + "Counts may be 500k, 2M, 1e6.");
         writer.WriteLine("Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.");
     }
 
-    static void WriteOptions(TextWriter writer, Command command)
+    static void WriteOptions(TextWriter writer, Command command, CommonOptions common)
     {
         writer.WriteLine();
         writer.WriteLine("Options:");
         foreach (var argument in command.Arguments)
             Wrap(writer, "  " + argument.Name, "".PadRight(26), argument.Description!);
-        foreach (var option in command.Options.Where(o => !o.Hidden))
+        foreach (var option in command.Options.Except(common.All).Where(o => !o.Hidden).Concat(common.All))
         {
             string? letter = option.Aliases.FirstOrDefault(a => a.Length == 2 && a[0] == '-' && char.IsLetter(a[1]));
             string names = letter == null ? option.Name : letter + ", " + option.Name;

@@ -7,10 +7,14 @@ public static class Program
     public static int Main(string[] args)
     {
         using var cancellation = new CancellationTokenSource();
-        // The first signal ends the work in good order; the second one kills, in case the first cannot get through.
+        using var discard = new CancellationTokenSource();
+        // The first signal ends the work in good order, so that a build can go on; with the second nothing is kept; the third one
+        // kills, in case the others cannot get through.
         void Cancel(PosixSignalContext signal)
         {
-            signal.Cancel = !cancellation.IsCancellationRequested;
+            signal.Cancel = !discard.IsCancellationRequested;
+            if (cancellation.IsCancellationRequested)
+                discard.Cancel();
             cancellation.Cancel();
         }
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
@@ -18,7 +22,7 @@ public static class Program
         var utf8 = new UTF8Encoding(false);
         using var output = new StreamWriter(Console.OpenStandardOutput(), utf8, 4096);
         using var error = new StreamWriter(Console.OpenStandardError(), utf8, 1024) { AutoFlush = true };
-        int status = CommandLine.Run(args, output, error, !Console.IsErrorRedirected, cancellation.Token);
+        int status = CommandLine.Run(args, output, error, !Console.IsErrorRedirected, cancellation.Token, discard.Token);
         try
         {
             output.Flush();

@@ -1,3 +1,5 @@
+using FastPoints.Writing;
+
 namespace FastPoints.Cli.Convert;
 
 /// <summary>A cloud that was converted, and what is to be said of it.</summary>
@@ -10,11 +12,37 @@ public sealed class ConvertStep
     {
         double begin = run.Seconds;
         ConvertResult? result = null;
-        run.Pump(ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress));
+        if (run.IsDiscarding)
+            CloudFolderWriter.DeleteUnfinished(target);
+        // The build must know that it is stopped, not failed, before it ends.
+        using var stop = new CancellationTokenSource();
+        using var stopping = run.Cancellation.Register(() =>
+        {
+            settings.KeepUnfinished = !run.IsDiscarding;
+            stop.Cancel();
+        });
+        try
+        {
+            WorkPump.RunToEnd(ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress), stop.Token);
+        }
+        catch (OperationCanceledException)
+        {
+            // Only points in files can be gone on with.
+            string part = Path.TrimEndingDirectorySeparator(target) + StoreFormat.PartSuffix;
+            if (File.Exists(Path.Combine(part, BuildFiles.JournalName)) && !run.IsDiscarding)
+                throw new StoppedException(target, run.Line);
+            CloudFolderWriter.DeleteUnfinished(target);
+            throw;
+        }
         foreach (var reader in readers)
             run.Warn(reader.Info);
-        return new ConvertStep { Result = result!, Seconds = run.Seconds - begin };
+        if (result!.Manifest.PointsLeftOut > 0)
+            run.Warn(readers[0].Info.Path + ": " + Human.Count(result.Manifest.PointsLeftOut)
+                + " points whose coordinates are no numbers are left out");
+        return new ConvertStep { Result = result, Seconds = run.Seconds - begin };
     }
+
+    public long PointsFound => Result.Manifest.Points + Result.Manifest.PointsLeftOut;
 
     public string Describe()
     {

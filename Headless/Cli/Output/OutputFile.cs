@@ -13,7 +13,7 @@ public sealed class OutputFile : IDisposable
     public OutputFile(string path)
     {
         m_path = path;
-        m_temporaryPath = path + "." + Environment.ProcessId + ".part";
+        m_temporaryPath = IsDevice(path) ? path : path + "." + Environment.ProcessId + ".part";
         Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1 << 16));
     }
 
@@ -24,7 +24,8 @@ public sealed class OutputFile : IDisposable
         Guarded(m_path, () =>
         {
             Stream.Dispose();
-            File.Move(m_temporaryPath, m_path, overwrite: true);
+            if (!IsDevice(m_path))
+                File.Move(m_temporaryPath, m_path, overwrite: true);
         });
         m_isCommitted = true;
     }
@@ -41,8 +42,14 @@ public sealed class OutputFile : IDisposable
         {
             // What could not be flushed is deleted all the same.
         }
-        File.Delete(m_temporaryPath);
+        if (!IsDevice(m_path))
+            File.Delete(m_temporaryPath);
     }
+
+    /// <summary>A pipe or a device, /dev/stdout for one, which is written to and not replaced.</summary>
+    public static bool IsDevice(string path) =>
+        !OperatingSystem.IsWindows() && Path.GetFullPath(path) is var full && (full.StartsWith("/dev/", StringComparison.Ordinal)
+            && !full.StartsWith("/dev/shm/", StringComparison.Ordinal) || full.StartsWith("/proc/", StringComparison.Ordinal));
 
     public static void Write(string path, ReadOnlySpan<byte> bytes)
     {

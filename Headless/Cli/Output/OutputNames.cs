@@ -11,12 +11,22 @@ static class OutputNames
     static readonly StringComparison s_ofPaths =
         OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase;
 
+    static readonly string[] s_others = [".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp", ".tif", ".tiff", ".html", ".csv"];
+
     /// <param name="option">The option that gives the name.</param>
-    /// <param name="what">What is written there.</param>
-    public static void RefuseCloud(string option, string what, string path)
+    /// <param name="what">What is written there, which is neither a point cloud nor a picture.</param>
+    public static void RefuseOther(string option, string what, string path)
     {
-        if (IsCloud(path))
-            throw new UsageException(option + ": " + what + " is no point cloud, got the name " + path);
+        if (IsCloud(path) || s_others.Any(ending => HasEnding(path, ending)))
+            throw new UsageException(option + ": " + what + (IsCloud(path) ? " is no point cloud" : " is no such file")
+                + ", got the name " + path);
+    }
+
+    /// <summary>The name of a picture.</summary>
+    public static void RefuseNoPicture(string path)
+    {
+        if (Path.GetExtension(path) is { Length: > 0 } ending && !HasEnding(path, ".png"))
+            throw new UsageException("--output: a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
     }
 
     /// <summary>The name of a folder that is converted into.</summary>
@@ -24,7 +34,9 @@ static class OutputNames
     {
         if (IsCloud(path) && !HasEnding(path, StoreFormat.FolderExtension))
             throw new UsageException("--output: convert makes a folder, NAME" + StoreFormat.FolderExtension
-                + ", and exports no files; got " + path);
+                + "; a point cloud file is an export, which this version cannot write yet: " + path);
+        if (!IsCloud(path))
+            RefuseOther("--output", "a converted cloud", path);
     }
 
     /// <summary>Nothing is written over what is read: not by another spelling, nor through links.</summary>
@@ -40,12 +52,25 @@ static class OutputNames
         }
     }
 
-    /// <summary>A scan of somebody's is not replaced by a made-up one.</summary>
+    /// <summary>What somebody else has made is not replaced.</summary>
     /// <param name="force">Do it all the same.</param>
     public static void RefuseForeign(string path, bool force)
     {
-        if (!force && File.Exists(path) && !IsOwn(path))
+        if (!force && !OutputFile.IsDevice(path) && File.Exists(path) && !IsOwn(path))
             throw new UsageException(path + " already exists and was not made by this tool: --force replaces it");
+    }
+
+    /// <summary>The name of a folder for several files: new, empty, or one that the same verb has filled before.</summary>
+    /// <param name="what">What is written there.</param>
+    /// <param name="marker">A file that this verb always writes there.</param>
+    public static void RefuseForeignFolder(string what, string path, string marker, bool force)
+    {
+        RefuseOther("--output", what, path);
+        if (File.Exists(path))
+            throw new UsageException("--output: " + what + " is a folder, and this is a file: " + path);
+        if (!force && Directory.Exists(path) && Directory.EnumerateFileSystemEntries(path).Any()
+            && !File.Exists(Path.Combine(path, marker)))
+            throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
 
     static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
@@ -53,7 +78,7 @@ static class OutputNames
     static bool HasEnding(string path, string ending) =>
         path.TrimEnd('/', Path.DirectorySeparatorChar).EndsWith(ending, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether the head of a LAS, LAZ or PLY file names this tool.</summary>
+    /// <summary>Whether it is empty, or its head names this tool, or it is a summary.</summary>
     static bool IsOwn(string path)
     {
         var head = new byte[512];
@@ -64,8 +89,9 @@ static class OutputNames
             bytes = file.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
         });
         string text = Encoding.Latin1.GetString(head, 0, bytes);
-        return text.Contains("FastPoints", StringComparison.Ordinal)
-            || text.Contains("comment seeded terrestrial laser scan", StringComparison.Ordinal);
+        return bytes == 0 || text.Contains("FastPoints", StringComparison.Ordinal)
+            || text.Contains("comment seeded terrestrial laser scan", StringComparison.Ordinal)
+            || text.StartsWith('{') && text[1..].TrimStart().StartsWith("\"verb\":", StringComparison.Ordinal);
     }
 
     /// <summary>The full path with all links followed.</summary>

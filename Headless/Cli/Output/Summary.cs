@@ -15,16 +15,15 @@ public static class Summary
     /// <param name="destination">A file, or <c>-</c> for <paramref name="output"/>.</param>
     public static void Write(string destination, TextWriter output, string verb, CliRun run, Failure? failure)
     {
-        var bytes = new ArrayBufferWriter<byte>(4096);
-        using (var json = new Utf8JsonWriter(bytes, s_options))
+        byte[] bytes = ToBytes(json =>
         {
-            json.WriteStartObject();
             json.WriteString("verb", verb);
             json.WriteStartArray("inputs");
             foreach (string input in run.Inputs)
                 json.WriteStringValue(input);
             json.WriteEndArray();
             run.WriteKeys?.Invoke(json);
+            run.Points.WriteKeys(json);
             json.WriteNumber("seconds", Math.Round(run.Seconds, 6));
             json.WriteStartArray("stages");
             foreach (var stage in run.Progress.Finished)
@@ -37,12 +36,26 @@ public static class Summary
             json.WriteEndArray();
             if (failure != null)
                 WriteFailure(json, failure);
+        });
+        if (destination == "-")
+            output.WriteLine(Encoding.UTF8.GetString(bytes));
+        else
+            OutputFile.Write(destination, bytes);
+    }
+
+    /// <summary>A file with one object.</summary>
+    public static void WriteFile(string path, Action<Utf8JsonWriter> keys) => OutputFile.Write(path, ToBytes(keys));
+
+    static byte[] ToBytes(Action<Utf8JsonWriter> keys)
+    {
+        var bytes = new ArrayBufferWriter<byte>(4096);
+        using (var json = new Utf8JsonWriter(bytes, s_options))
+        {
+            json.WriteStartObject();
+            keys(json);
             json.WriteEndObject();
         }
-        if (destination == "-")
-            output.WriteLine(Encoding.UTF8.GetString(bytes.WrittenSpan));
-        else
-            OutputFile.Write(destination, bytes.WrittenSpan);
+        return bytes.WrittenSpan.ToArray();
     }
 
     static void WriteStage(Utf8JsonWriter json, StageProgress.Stage stage)
@@ -55,7 +68,7 @@ public static class Summary
         json.WriteEndObject();
     }
 
-    static void WriteFailure(Utf8JsonWriter json, Failure failure)
+    public static void WriteFailure(Utf8JsonWriter json, Failure failure)
     {
         json.WriteStartObject("failure");
         json.WriteString("code", failure.Code);

@@ -5,17 +5,16 @@ namespace FastPoints.Cli.Settings;
 /// <summary>How many threads work. The main thread is one of them: it runs jobs while it waits.</summary>
 public static class Threads
 {
-    public static void Use(int? threads)
+    /// <returns>What is to be said where the cores are fewer than asked for; null otherwise.</returns>
+    public static string? Use(long? threads)
     {
+        JobsUtility.ResetJobWorkerCount();
         if (threads is not { } count)
-        {
-            JobsUtility.ResetJobWorkerCount();
-            return;
-        }
-        int most = JobsUtility.JobWorkerMaximumCount + 1;
-        if (count < 1 || count > most)
-            throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"--threads {count}: wanted 1 to {most}"));
-        JobsUtility.JobWorkerCount = count - 1;
+            return null;
+        int most = Math.Min(JobsUtility.JobWorkerMaximumCount + 1, Environment.ProcessorCount);
+        JobsUtility.JobWorkerCount = (int)Math.Min(count, most) - 1;
+        return count <= most ? null
+            : string.Create(CultureInfo.InvariantCulture, $"--threads {count}: there are {most} cores, and so many threads work");
     }
 
     public static int InUse => JobsUtility.JobWorkerCount + 1;

@@ -5,6 +5,7 @@ public sealed class SourceFacts(PointReader reader)
 {
     const int NameWidth = 22;
 
+    readonly long m_points = reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable;
     TreeFacts? m_tree;
 
     /// <summary>What the scan of all points found, or null without one.</summary>
@@ -13,7 +14,9 @@ public sealed class SourceFacts(PointReader reader)
     public SourceInfo Info { get; } = reader.Info;
 
     /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
-    public long Points => Found?.Points ?? (reader.BlocksAreKnown ? reader.PointCount : Info.PointsReadable);
+    public long Points => Found?.Points ?? m_points;
+
+    public PointsAccount Account => PointsAccount.Of(Info, Points);
 
     public string Kind => Info.Format + (Info.Version != null ? " " + Info.Version : "")
         + (Info.PointFormat >= 0 ? ", point format " + Info.PointFormat : "")
@@ -149,7 +152,7 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteEndObject();
     }
 
-    /// <summary>The keys of <c>info</c>, into an object that is open.</summary>
+    /// <summary>The keys of <c>info</c> but for those of <see cref="Account"/>, into an object that is open.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteString("format", Info.Format);
@@ -158,14 +161,14 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteNumber("pointFormat", Info.PointFormat);
         else
             json.WriteNull("pointFormat");
-        if (Info.HasPointsClaimed)
-            json.WriteInteger("pointsClaimed", Info.PointsClaimed);
-        else
-            json.WriteNull("pointsClaimed");
+        bool isClaimed = Found == null && Info.HasPointsClaimed;
         if (Found != null)
             json.WriteInteger("points", Found.Points);
+        else if (isClaimed)
+            json.WriteInteger("points", Points < 0 ? Info.PointsClaimed : (ulong)Points);
         else
             json.WriteNull("points");
+        json.WriteString("pointsAre", Found != null ? "counted" : isClaimed ? "claimed" : null);
         json.WriteBounds("boundsClaimed", Info.HasBoundsClaimed ? Info.BoundsClaimed : BoundsGeo.Empty);
         json.WriteBounds("bounds", Found?.Bounds ?? BoundsGeo.Empty);
         json.WriteVector("scale", Info.Transform.Scale);

@@ -19,25 +19,16 @@ public sealed class BenchVerb : Verb
             + "its --json summary): each workload's time is given by that run's, and marked where the difference is beyond "
             + "the scatter of the samples.",
     };
-    readonly Option<string> m_out = new("--out", "-o")
+    readonly Option<string> m_out = new("--output", "-o", "--out")
     {
         HelpName = "DIR",
         Description = "Folder for report.html and PerformanceTestResults.json, in the format of Unity's "
             + "Performance Testing package (default: ./bench-report/).",
         DefaultValueFactory = _ => "bench-report",
     };
-    readonly Option<int> m_points = new("--points")
-    {
-        HelpName = "N",
-        Description = "Points that a made input has (default: 4,000,000).",
-        DefaultValueFactory = _ => 4_000_000,
-    };
-    readonly Option<int> m_runs = new("--runs")
-    {
-        HelpName = "N",
-        Description = "Timed runs of each workload, interleaved (default: 7). The median counts.",
-        DefaultValueFactory = _ => 7,
-    };
+    readonly Option<long> m_points = Counts.Of("--points", "Points that a made input has (default: 4,000,000).", 4_000_000);
+    readonly Option<long> m_runs = Counts.Of("--runs",
+        "Timed runs of each workload, interleaved (default: 7). The median counts.", 7);
     readonly Option<bool> m_list = new("--list") { Description = "Name the workloads and run none." };
 
     public BenchVerb() : base(new Command("bench",
@@ -50,7 +41,6 @@ public sealed class BenchVerb : Verb
         Command.Add(m_points);
         Command.Add(m_runs);
         Command.Add(m_list);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -68,7 +58,7 @@ public sealed class BenchVerb : Verb
         if (names is ["stability"])
         {
             StabilityTable.Run(parsed.GetResult(m_points)?.Implicit == false
-                ? parsed.GetValue(m_points)
+                ? Counts.ToInt(parsed.GetValue(m_points))
                 : StabilityTable.DefaultPoints, run);
             return;
         }
@@ -84,11 +74,11 @@ public sealed class BenchVerb : Verb
                 run.Out.WriteLine(workload.Name + (workload.LimitName == null ? "" : "   (limit: " + workload.LimitName + ")"));
             return;
         }
-        int points = parsed.GetValue(m_points), runs = parsed.GetValue(m_runs);
-        if (points < 1 || runs < 1)
-            throw new UsageException("--points and --runs are at least 1");
+        int points = Counts.ToInt(parsed.GetValue(m_points)), runs = Counts.ToInt(parsed.GetValue(m_runs));
         var baseline = parsed.GetValue(m_baseline) is { } path ? new Baseline(path, PerformanceResults.Read(path)) : null;
         string folder = parsed.GetValue(m_out)!;
+        OutputNames.RefuseForeignFolder("a report", folder, PerformanceResults.FileName, run.Settings.IsForced);
+        run.Begin([]);
         OutputFile.MakeFolder(folder);
         Report(Take(groups, points, runs, run), baseline, points, folder, run);
     }

@@ -41,6 +41,10 @@ public sealed class ConvertVerb : Verb
         Description = "Also build with every sampler and several spacings, and write their errors beside their times into "
             + "NAME-samplers/: CSV, SVG and report.html.",
     };
+    readonly Option<bool> m_discard = new("--discard")
+    {
+        Description = "Do not go on with a build that was stopped, and keep nothing of this one when it is.",
+    };
     readonly SourceSettings m_source;
 
     public ConvertVerb() : base(new Command("convert",
@@ -52,8 +56,8 @@ public sealed class ConvertVerb : Verb
         Command.Add(m_memory);
         Command.Add(m_attributes);
         Command.Add(m_report);
+        Command.Add(m_discard);
         m_source = new SourceSettings(Command);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -80,20 +84,25 @@ public sealed class ConvertVerb : Verb
             settings.MemoryBytes = Memory.ForBuild(memory);
         string output = parsed.GetRequiredValue(m_output);
         OutputNames.RefuseFile(output);
-        run.Begin(files, output);
+        run.Begin(files);
+        OutputNames.RefuseInputs(output, files);
+        string samplers = Path.ChangeExtension(output, null) + "-samplers";
+        if (parsed.GetValue(m_report))
+            OutputNames.RefuseForeignFolder("a report", samplers, "pictures.csv", run.Settings.IsForced);
         using var reader = PointReaders.Open(files, m_source.Read(parsed));
         run.Warn(reader.Info);
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+        run.IsDiscarding = parsed.GetValue(m_discard);
         var result = ConvertStep.Run([reader], output, settings, run);
+        run.Points.Add(reader.Info, result.PointsFound);
         run.WriteKeys = result.WriteKeys;
         run.Out.WriteLine(output + ": " + result.Describe());
         StageTable.Of(run.Progress).Write(run.Out, "  ");
         if (!parsed.GetValue(m_report))
             return;
-        string folder = Path.ChangeExtension(output, null) + "-samplers";
-        new SamplerReport(reader, folder, settings, run).Write();
-        run.Out.WriteLine(Path.Combine(folder, "report.html"));
+        new SamplerReport(reader, samplers, settings, run).Write();
+        run.Out.WriteLine(Path.Combine(samplers, "report.html"));
     }
 }

@@ -11,12 +11,7 @@ public sealed class DemoCloudVerb : Verb
         Required = true,
         Description = "What to write: .las or .laz (1.4, point format 7) or .ply (binary).",
     };
-    readonly Option<long> m_points = new("--points")
-    {
-        HelpName = "N",
-        Description = "Points, exactly (default: 5,000,000).",
-        DefaultValueFactory = _ => DemoCloud.DefaultPoints,
-    };
+    readonly Option<long> m_points = Counts.Of("--points", "Points, exactly (default: 5,000,000).", DemoCloud.DefaultPoints);
     readonly Option<uint> m_seed = new("--seed")
     {
         HelpName = "S",
@@ -37,7 +32,6 @@ public sealed class DemoCloudVerb : Verb
         Description = "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid "
             + "steps; to .las, or from LAZ to .laz without decoding.",
     };
-    readonly Option<bool> m_force = new("--force") { Description = "Replace a scan that this tool did not make." };
     readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
 
     public DemoCloudVerb() : base(
@@ -50,8 +44,6 @@ public sealed class DemoCloudVerb : Verb
         Command.Add(m_order);
         Command.Add(m_tile);
         Command.Add(m_times);
-        Command.Add(m_force);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -81,14 +73,12 @@ public sealed class DemoCloudVerb : Verb
             written = parsed.GetValue(m_points);
             if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) || !Enum.IsDefined(order))
                 throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
-            if (written < 1)
-                throw new UsageException("--points is at least 1");
             if (order != ScanOrder.Strip && written > DemoCloud.MostOrderedPoints)
                 throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
                     + Human.Count(DemoCloud.MostOrderedPoints));
             if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
                 throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
-            OutputNames.RefuseForeign(output, parsed.GetValue(m_force));
+            run.Begin([], output);
             DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
         }
         long bytes = new FileInfo(output).Length;

@@ -6,6 +6,7 @@ namespace FastPoints.Cli.Verbs;
 public sealed class FlyVerb : Verb
 {
     const double FrameSeconds = 1 / 60.0;
+    const int DefaultFrames = 600;
 
     /// <summary>An animation shows a picture for a minute at most: 65,535 ms.</summary>
     const int MostFramesAPicture = 3600;
@@ -22,11 +23,8 @@ public sealed class FlyVerb : Verb
         Description = "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] "
             + "(default: an overview, a dive, a way along the ground, a cut).",
     };
-    readonly Option<int> m_frames = new("--frames")
-    {
-        HelpName = "N",
-        Description = "Frames, 60 a second (default: 360, or as many as the path has).",
-    };
+    readonly Option<long?> m_frames = Counts.Optional("--frames",
+        "Frames, 60 a second (default: 600, or as many as the path has).");
     readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (default)." };
     readonly Option<bool> m_gpu =
         new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
@@ -36,30 +34,12 @@ public sealed class FlyVerb : Verb
         Description = "Draw: frames.csv, flight.png (an animation that browsers play) and last.png. "
             + "Without it nothing is drawn.",
     };
-    readonly Option<int> m_every = new("--every")
-    {
-        HelpName = "N",
-        Description = "Draw every Nth frame (default: 6, ten pictures a second).",
-        DefaultValueFactory = _ => 6,
-    };
-    readonly Option<long> m_budget = new("--budget")
-    {
-        HelpName = "N",
-        Description = "Points of all clouds at once (default: 2,000,000).",
-        DefaultValueFactory = _ => 2_000_000,
-    };
-    readonly Option<int> m_pool = new("--pool")
-    {
-        HelpName = "MIB",
-        Description = "Memory of what is resident (default: 256 MiB). A hard limit.",
-        DefaultValueFactory = _ => 256,
-    };
-    readonly Option<int> m_upload = new("--upload")
-    {
-        HelpName = "KIB",
-        Description = "Copied into it in one frame at most (default: 4096 KiB).",
-        DefaultValueFactory = _ => 4096,
-    };
+    readonly Option<long> m_every = Counts.Of("--every", "Draw every Nth frame (default: 6, ten pictures a second).", 6);
+    readonly Option<long> m_budget = Counts.Of("--budget", "Points of all clouds at once (default: 2,000,000).", 2_000_000);
+    readonly Option<long> m_pool = Counts.Of("--pool",
+        "Memory of what is resident (default: 256 MiB). A hard limit.", 256, "MIB");
+    readonly Option<long> m_upload = Counts.Of("--upload",
+        "Copied into it in one frame at most (default: 4096 KiB).", 4096, "KIB");
     readonly PictureSettings m_picture;
 
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
@@ -76,7 +56,6 @@ public sealed class FlyVerb : Verb
         Command.Add(m_pool);
         Command.Add(m_upload);
         m_picture = new PictureSettings(Command, canFilter: true);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -89,22 +68,23 @@ public sealed class FlyVerb : Verb
     {
         var clouds = parsed.GetRequiredValue(m_clouds);
         string? output = parsed.GetValue(m_output);
+        run.Begin(clouds);
         if (output != null)
-            OutputNames.RefuseCloud("--output", "a folder of pictures", output);
-        run.Begin(clouds, output != null ? [output] : []);
+        {
+            OutputNames.RefuseInputs(output, clouds);
+            OutputNames.RefuseForeignFolder("a flight", output, "frames.csv", run.Settings.IsForced);
+        }
         var options = m_picture.Read(parsed);
-        int every = parsed.GetValue(m_every), asked = parsed.GetValue(m_frames);
-        if (asked < 0 || parsed.GetValue(m_budget) < 1 || parsed.GetValue(m_pool) < 1 || parsed.GetValue(m_upload) < 1)
-            throw new UsageException("--frames, --budget, --pool and --upload are at least 1");
-        if (every < 1 || every > MostFramesAPicture)
+        int every = Counts.ToInt(parsed.GetValue(m_every)), asked = Counts.ToInt(parsed.GetValue(m_frames) ?? 0);
+        if (every > MostFramesAPicture)
             throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
         if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
             throw new UsageException("--cpu or --gpu, not both");
         if (output != null)
-            Directory.CreateDirectory(output);
+            OutputFile.MakeFolder(output);
 
-        long pool = (long)parsed.GetValue(m_pool) << 20;
-        int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 30, (long)parsed.GetValue(m_upload) << 10);
+        long pool = Math.Min(parsed.GetValue(m_pool), 1 << 30) << 20;
+        int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 20, parsed.GetValue(m_upload)) << 10;
         var shaders = parsed.GetValue(m_gpu) ? new GpuShaders() : null;
         using var stream = new StreamContext(shaders?.CreatePool(pool, bank, upload) ?? new MemoryNodePool(pool, bank));
         stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
@@ -127,7 +107,7 @@ public sealed class FlyVerb : Verb
         var up = new double3(0, 0, 0);
         up[(int)options.UpAxis] = 1;
         var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
-            : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : 360, options.FovDegrees);
+            : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : DefaultFrames, options.FovDegrees);
         int frames = asked > 0 ? asked : path.FrameCount;
 
         var log = new FlightLog(frames);

@@ -23,7 +23,6 @@ public sealed class InfoVerb : Verb
         Command.Add(m_scan);
         Command.Add(m_asOne);
         m_source = new SourceSettings(Command);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -39,46 +38,31 @@ public sealed class InfoVerb : Verb
         var files = parsed.GetRequiredValue(m_files);
         bool scan = parsed.GetValue(m_scan);
         run.Begin(files);
-        var all = new List<SourceFacts>();
+        var source = m_source.Read(parsed);
         var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
-        run.WriteKeys = json => WriteKeys(json, clouds.Length, all);
+        var all = new CloudList(clouds.Select(c => c[0]));
+        run.WriteKeys = all.WriteKeys;
         foreach (var cloud in clouds)
-        {
-            using var reader = PointReaders.Open(cloud, m_source.Read(parsed));
-            var facts = new SourceFacts(reader);
-            all.Add(facts);
-            if (reader.Tree != null && !reader.BlocksAreKnown)
-                run.Pump(reader.FindBlocks());
-            if (scan)
-            {
-                var summarise = new SummariseCloud(reader);
-                run.Pump(summarise.Run(run.Progress));
-                facts.Found = summarise.Summary;
-            }
-            facts.Write(run.Out);
-            run.Out.WriteLine();
-            run.Warn(reader.Info, isShown: true);
-        }
+            all.Take(run, () => Say(cloud, source, scan, run));
         if (scan)
             StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    /// <summary>One file's keys stand in the summary itself, those of several in a list.</summary>
-    static void WriteKeys(Utf8JsonWriter json, int files, List<SourceFacts> all)
+    static (Action<Utf8JsonWriter>, PointsAccount) Say(string[] cloud, ReadOptions source, bool scan, CliRun run)
     {
-        if (files == 1)
+        using var reader = PointReaders.Open(cloud, source);
+        if (reader.Tree != null && !reader.BlocksAreKnown)
+            run.Pump(reader.FindBlocks());
+        var facts = new SourceFacts(reader);
+        if (scan)
         {
-            all.FirstOrDefault()?.WriteKeys(json);
-            return;
+            var summarise = new SummariseCloud(reader);
+            run.Pump(summarise.Run(run.Progress));
+            facts.Found = summarise.Summary;
         }
-        json.WriteStartArray("files");
-        foreach (var facts in all)
-        {
-            json.WriteStartObject();
-            json.WriteString("input", facts.Info.Path);
-            facts.WriteKeys(json);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        facts.Write(run.Out);
+        run.Out.WriteLine();
+        run.Warn(reader.Info, isShown: true);
+        return (facts.WriteKeys, facts.Account);
     }
 }

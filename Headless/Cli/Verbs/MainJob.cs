@@ -13,17 +13,13 @@ public sealed class MainJob : Verb
         Description = "Point clouds, or folders of them. Without one, a street is scanned first (see demo-cloud).",
     };
     readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: report on that." };
-    readonly Option<string?> m_out = new("--out")
+    readonly Option<string?> m_out = new("--output", "-o", "--out")
     {
         HelpName = "DIR",
         Description = "Where the report goes (default: ./NAME-report; with several files a folder for each, in DIR).",
     };
-    readonly Option<long> m_points = new("--points")
-    {
-        HelpName = "N",
-        Description = "Points of the scan that is made without a FILE (default: 5,000,000).",
-        DefaultValueFactory = _ => DemoCloud.DefaultPoints,
-    };
+    readonly Option<long> m_points = Counts.Of("--points",
+        "Points of the scan that is made without a FILE (default: 5,000,000).", DemoCloud.DefaultPoints);
     readonly Option<uint> m_seed = new("--seed")
     {
         HelpName = "S",
@@ -31,6 +27,10 @@ public sealed class MainJob : Verb
         DefaultValueFactory = _ => 1,
     };
 
+    readonly Option<bool> m_discard = new("--discard")
+    {
+        Description = "Do not go on with an octree that was stopped, and keep nothing of this one when it is.",
+    };
     readonly SourceSettings m_source;
 
     public MainJob() : base(new RootCommand(
@@ -42,8 +42,8 @@ public sealed class MainJob : Verb
         Command.Add(m_out);
         Command.Add(m_points);
         Command.Add(m_seed);
+        Command.Add(m_discard);
         m_source = new SourceSettings(Command);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -58,50 +58,43 @@ public sealed class MainJob : Verb
         var files = parsed.GetValue(m_files) ?? [];
         string? outFolder = parsed.GetValue(m_out);
         long points = parsed.GetValue(m_points);
-        if (points < 1)
-            throw new UsageException("--points is at least 1");
-        var reports = new List<Report>();
-        var clouds = parsed.GetValue(m_asOne) && files.Length > 0 ? [files] : files.Select(f => new[] { f }).ToArray();
-        run.WriteKeys = json => WriteKeys(json, Math.Max(1, clouds.Length), reports);
+        var source = m_source.Read(parsed);
+        run.IsDiscarding = parsed.GetValue(m_discard);
+        run.Begin(files);
+        string demo = Path.Combine(outFolder ?? "demo-report", "demo.las");
+        var clouds = files.Length == 0 ? [[demo]]
+            : parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
+        string[] folders = files.Length == 0 ? [Path.GetDirectoryName(demo)!]
+            : clouds.Length == 1 && outFolder != null ? [outFolder]
+            : Report.FoldersOf(clouds).Select(f => Path.Combine(outFolder ?? "", f)).ToArray();
+        for (int i = 0; i < clouds.Length; i++)
+            Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
+        var all = new CloudList(clouds.Select(c => c[0]));
+        run.WriteKeys = all.WriteKeys;
         if (files.Length == 0)
         {
-            string folder = outFolder ?? "demo-report";
-            string demo = Path.Combine(folder, "demo.las");
-            OutputFile.MakeFolder(folder);
+            Report.Mark(folders[0], demo);
             run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points) + " points into " + demo);
             run.Out.Flush();
             DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
-            reports.Add(Report.Make([demo], new ReadOptions(), folder, run));
         }
-        run.Begin(files);
-        foreach (var cloud in clouds)
+        var pages = new List<string>();
+        for (int i = 0; i < clouds.Length; i++)
         {
-            string own = CloudName.Of(cloud[0]) + "-report";
-            string folder = outFolder == null ? own : clouds.Length == 1 ? outFolder : Path.Combine(outFolder, own);
-            reports.Add(Report.Make(cloud, m_source.Read(parsed), folder, run));
+            string[] cloud = clouds[i];
+            string folder = folders[i];
+            all.Take(run, () =>
+            {
+                var report = Report.Make(cloud, source, folder, run);
+                report.WriteSummary(folder);
+                pages.Add(report.Page);
+                return (report.WriteKeys, report.Account);
+            });
         }
         StageTable.Of(run.Progress).Write(run.Out, "  ");
         run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
-        foreach (var report in reports)
-            run.Out.WriteLine(report.Page);
-    }
-
-    static void WriteKeys(Utf8JsonWriter json, int files, List<Report> reports)
-    {
-        if (files == 1)
-        {
-            reports.FirstOrDefault()?.WriteKeys(json);
-            return;
-        }
-        json.WriteStartArray("files");
-        foreach (var report in reports)
-        {
-            json.WriteStartObject();
-            json.WriteString("input", report.File);
-            report.WriteKeys(json);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        foreach (string page in pages)
+            run.Out.WriteLine(page);
     }
 
     /// <summary>One cloud's part of the job.</summary>
@@ -111,6 +104,9 @@ public sealed class MainJob : Verb
 
         /// <summary>Streamed to the card: few enough for a processor that stands in for it.</summary>
         const int GpuPoints = 1_000_000;
+
+        /// <summary>A summary of the cloud for scripts; it tells as well whose report is in a folder.</summary>
+        const string SummaryName = "report.json";
 
         public required string File { get; init; }
         public required string Page { get; init; }
@@ -122,6 +118,63 @@ public sealed class MainJob : Verb
         /// <summary>Null where there is no graphics card, and nothing that stands in for one.</summary>
         public required DrawStep? Gpu { get; init; }
 
+        public required PointsAccount Account { get; init; }
+
+        /// <summary>A folder for each cloud, by its name; where two have the same, by that of the file, then by number.</summary>
+        public static string[] FoldersOf(string[][] clouds)
+        {
+            string[] names = clouds.Select(c => CloudName.Of(c[0])).ToArray();
+            var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+            return names.Select((name, i) =>
+            {
+                bool isShared = names.Count(n => n.Equals(name, StringComparison.OrdinalIgnoreCase)) > 1;
+                string first = isShared ? NameOf(clouds[i][0]) : name, folder = first + "-report";
+                for (int n = 2; !taken.Add(folder); n++)
+                    folder = first + "-report-" + n;
+                return folder;
+            }).ToArray();
+        }
+
+        /// <exception cref="UsageException">In the folder is a report on another cloud, or something else.</exception>
+        public static void Refuse(string folder, string file, bool force)
+        {
+            OutputNames.RefuseForeignFolder("a report", folder, SummaryName, force);
+            string summary = Path.Combine(folder, SummaryName);
+            if (force || !System.IO.File.Exists(summary))
+                return;
+            string? other = SummaryInput(summary);
+            if (other != Path.GetFullPath(file))
+                throw new UsageException(folder + " has the report on " + (other ?? "something else")
+                    + ": --output names another folder, --force writes over it");
+        }
+
+        static string? SummaryInput(string path)
+        {
+            try
+            {
+                using var json = JsonDocument.Parse(System.IO.File.ReadAllBytes(path));
+                return json.RootElement.GetProperty("input").GetString();
+            }
+            catch (Exception e) when (e is IOException or JsonException or KeyNotFoundException or InvalidOperationException)
+            {
+                return null;
+            }
+        }
+
+        /// <summary>Says whose report the folder will have.</summary>
+        public static void Mark(string folder, string file)
+        {
+            OutputFile.MakeFolder(folder);
+            Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", Path.GetFullPath(file)));
+        }
+
+        public void WriteSummary(string folder) => Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
+        {
+            json.WriteString("input", Path.GetFullPath(File));
+            WriteKeys(json);
+            Account.WriteKeys(json);
+        });
+
         public static Report Make(string[] files, ReadOptions source, string folder, CliRun run)
         {
             int firstStage = run.Progress.Finished.Count;
@@ -132,7 +185,7 @@ public sealed class MainJob : Verb
             run.Out.WriteLine();
             run.Out.Flush();
             run.Warn(reader.Info, isShown: true);
-            OutputFile.MakeFolder(folder);
+            Mark(folder, file);
 
             string previewPath = Path.Combine(folder, "preview.png"), picturePath = Path.Combine(folder, "picture.png");
             var picture = new PictureOptions();
@@ -192,6 +245,7 @@ public sealed class MainJob : Verb
             return new Report
             {
                 File = file,
+                Account = PointsAccount.Of(reader.Info, convert.PointsFound),
                 Page = pagePath,
                 Facts = facts,
                 Preview = preview,

@@ -13,11 +13,8 @@ public sealed class PictureVerb : Verb
     };
     readonly Option<string> m_output =
         new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
-    readonly Option<long> m_budget = new("--budget")
-    {
-        HelpName = "N",
-        Description = "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).",
-    };
+    readonly Option<long?> m_budget = Counts.Optional("--budget",
+        "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).");
     readonly Option<string?> m_against = new("--against")
     {
         HelpName = "Q.png",
@@ -39,7 +36,6 @@ public sealed class PictureVerb : Verb
         Command.Add(m_against);
         Command.Add(m_gpu);
         m_source = new SourceSettings(Command);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -59,10 +55,8 @@ public sealed class PictureVerb : Verb
         string output = parsed.GetRequiredValue(m_output);
         string? against = parsed.GetValue(m_against);
         var options = m_picture.Read(parsed);
-        long budget = parsed.GetValue(m_budget);
-        if (budget < 0)
-            throw new UsageException("--budget is at least 1");
-        OutputNames.RefuseCloud("--output", "a picture", output);
+        long budget = parsed.GetValue(m_budget) ?? 0;
+        OutputNames.RefuseNoPicture(output);
         run.Begin(against != null ? clouds.Append(against) : clouds, output);
         var reference = against != null ? Png.Read(against) : null;
         if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
@@ -104,6 +98,8 @@ public sealed class PictureVerb : Verb
     {
         using var reader = PointReaders.Open(files, source);
         run.Warn(reader.Info);
-        return DrawStep.Run(reader, options, budget, run);
+        var drawn = DrawStep.Run(reader, options, budget, run);
+        run.Points.Add(reader.Info, reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable);
+        return drawn;
     }
 }

@@ -12,12 +12,8 @@ public sealed class PreviewVerb : Verb
     };
     readonly Option<string> m_output =
         new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
-    readonly Option<int> m_points = new("--points")
-    {
-        HelpName = "N",
-        Description = "Points of the sample (default: 1,000,000).",
-        DefaultValueFactory = _ => new PreviewOptions().Points,
-    };
+    readonly Option<long> m_points = Counts.Of("--points", "Points of the sample (default: 1,000,000).",
+        new PreviewOptions().Points);
     readonly Option<bool> m_exact = new("--exact")
     {
         Description = "Choose from a scan of all points, not from short runs of them: the reference.",
@@ -33,7 +29,7 @@ public sealed class PreviewVerb : Verb
             + "points: distances, empty cells, evenness, pictures. Writes a page with charts, and a table. Reads "
             + "the file some dozen times.",
     };
-    readonly Option<string?> m_out = new("--out")
+    readonly Option<string?> m_out = new("--report-output", "--out")
     {
         HelpName = "DIR",
         Description = "Where --report goes (default: ./NAME-preview-report).",
@@ -52,7 +48,6 @@ public sealed class PreviewVerb : Verb
         Command.Add(m_out);
         m_picture = new PictureSettings(Command, canFilter: false);
         m_source = new SourceSettings(Command);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -64,26 +59,27 @@ public sealed class PreviewVerb : Verb
     public override void Run(ParseResult parsed, CliRun run)
     {
         var files = parsed.GetRequiredValue(m_files);
-        int points = parsed.GetValue(m_points);
-        if (points < 1)
-            throw new UsageException("--points is at least 1");
         var options = new PreviewOptions
         {
-            Points = points,
+            Points = Counts.ToInt(parsed.GetValue(m_points)),
             Exact = parsed.GetValue(m_exact),
             Quick = parsed.GetValue(m_quick),
             Picture = m_picture.Read(parsed),
         };
         string? outFolder = parsed.GetValue(m_out);
         if (outFolder != null && !parsed.GetValue(m_report))
-            throw new UsageException("--out belongs to --report");
+            throw new UsageException("--report-output belongs to --report");
+        string errors = outFolder ?? CloudName.Of(files[0]) + "-preview-report";
+        if (parsed.GetValue(m_report))
+            OutputNames.RefuseForeignFolder("a report", errors, "errors.csv", run.Settings.IsForced);
         string output = parsed.GetRequiredValue(m_output);
-        OutputNames.RefuseCloud("--output", "a picture", output);
+        OutputNames.RefuseNoPicture(output);
         run.Begin(files, output);
         var source = m_source.Read(parsed);
         using var reader = PointReaders.Open(files, source);
         run.Warn(reader.Info);
         var result = PreviewStep.Run(reader, options, run);
+        run.Points.Add(reader.Info, reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable);
         OutputFile.Write(output, result.Png);
         run.WriteKeys = json => result.WriteKeys(json);
         if (parsed.GetValue(m_report))
@@ -92,7 +88,7 @@ public sealed class PreviewVerb : Verb
             using (var again = PointReaders.Open(files, source))
                 result.Slices = PreviewStep.Run(again, options, run).Slices;
             result.Error = ErrorStep.Run(() => PointReaders.Open(files, source), options, run);
-            ErrorReport.Write(outFolder ?? CloudName.Of(files[0]) + "-preview-report", result.Error, reader.Info);
+            ErrorReport.Write(errors, result.Error, reader.Info);
         }
 
         run.Out.WriteLine(output + ": " + result.Describe());

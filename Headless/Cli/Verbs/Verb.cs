@@ -4,23 +4,6 @@ namespace FastPoints.Cli.Verbs;
 /// <see cref="CommandLine"/>.</summary>
 public abstract class Verb
 {
-    public Option<string?> JsonOption { get; } = new("--json")
-    {
-        HelpName = "FILE",
-        Description = "Write a summary of the run as JSON; - for standard output, which then holds nothing else.",
-    };
-
-    public Option<int?> ThreadsOption { get; } = new("--threads")
-    {
-        HelpName = "N",
-        Description = "Threads that work (default: one a core). Results do not depend on it.",
-    };
-
-    public Option<bool> QuietOption { get; } = new("--quiet")
-    {
-        Description = "No progress and no warnings on standard error; errors only.",
-    };
-
     protected Verb(Command command)
     {
         Command = command;
@@ -37,12 +20,4 @@ public abstract class Verb
 
     /// <summary>Whether the arguments ask for this verb itself, and not for --help or --version.</summary>
     public bool IsAsked(ParseResult parsed) => parsed.Action == Command.Action;
-
-    /// <summary>The options that every verb has, behind its own.</summary>
-    protected void AddCommonOptions()
-    {
-        Command.Add(JsonOption);
-        Command.Add(ThreadsOption);
-        Command.Add(QuietOption);
-    }
 }

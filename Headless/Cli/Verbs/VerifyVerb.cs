@@ -21,7 +21,6 @@ public sealed class VerifyVerb : Verb
         Command.Add(m_cloud);
         Command.Add(m_against);
         m_source = new SourceSettings(Command);
-        AddCommonOptions();
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -46,6 +45,8 @@ public sealed class VerifyVerb : Verb
                 run.Warn(readers[0].Info);
             }
             run.Pump(VerifyCloud.Run(cloud, readers, result, run.Progress));
+            foreach (var reader in readers)
+                run.Points.Add(reader.Info, reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable);
         }
         finally
         {

@@ -49,7 +49,8 @@ public class AnimatedPngTests
                 Assert.That(Big(file, at + 8), Is.EqualTo(3));
             at += 12 + (int)length;
         }
-        Assert.That(names, Is.EqualTo(new[] { "IHDR", "sRGB", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "IEND" }));
+        Assert.That(names, Is.EqualTo(new[]
+            { "IHDR", "sRGB", "tEXt", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "IEND" }));
         Assert.That(sequence, Is.EqualTo(new uint[] { 0, 1, 2, 3, 4 }));
     }
 

@@ -32,6 +32,9 @@ public sealed class OutputNameTests
     [TestCase("fly", "@scan.txt", "-o", "@scan.txt", "--frames", "1")]
     [TestCase("demo-cloud", "--tile", "@scan.las", "--times", "2", "-o", "@scan.las")]
     [TestCase("@scan.txt", "--json", "@scan.txt", "--out", "@report")]
+    [TestCase("@scan.txt", "-o", "@scan.txt")]
+    [TestCase("--force", "preview", "@scan.las", "-o", "@scan.las")]
+    [TestCase("--force", "info", "@scan.txt", "--json", "@scan.txt")]
     public void Output_OfAnInput_IsWrongUsageAndNothingIsWritten(params string[] args)
     {
         byte[][] before = Contents();
@@ -64,6 +67,50 @@ public sealed class OutputNameTests
         Assert.That(new FileInfo(m_scratch["scan.las"]).Length, Is.EqualTo(600));
         Assert.That(CliCall.Of(demo.Append("--force").ToArray()).Status, Is.Zero);
     }
+
+    /// <summary>Each verb's own output is replaced by the next run; somebody else's only with --force.</summary>
+    [TestCase("@p.png", "preview", "@scan.las", "-o", "@p.png", "--size", "16x16")]
+    [TestCase("@p.png", "picture", "@scan.las", "-o", "@p.png", "--size", "16x16")]
+    [TestCase("@s.json", "info", "@scan.las", "--json", "@s.json")]
+    [TestCase("@s.las", "demo-cloud", "-o", "@s.las", "--points", "10")]
+    [TestCase("@s.laz", "demo-cloud", "-o", "@s.laz", "--points", "10")]
+    [TestCase("@s.ply", "demo-cloud", "-o", "@s.ply", "--points", "10")]
+    public void Output_OfSomebodyElse_WantsForce(string output, params string[] args)
+    {
+        output = Real(output);
+        args = args.Select(Real).ToArray();
+        File.WriteAllText(output, "of somebody else");
+        var refused = CliCall.Of(args);
+        Assert.That(refused.Status, Is.EqualTo(ExitStatus.Usage), refused.Error);
+        Assert.That(refused.Error, Does.Contain("--force"));
+        Assert.That(File.ReadAllText(output), Is.EqualTo("of somebody else"));
+        Assert.That(CliCall.Of(args.Append("--force").ToArray()).Status, Is.Zero);
+        Assert.That(CliCall.Of(args).Status, Is.Zero, "its own output is replaced");
+        File.WriteAllText(output, "");
+        Assert.That(CliCall.Of(args).Status, Is.Zero, "nothing is lost with an empty file");
+    }
+
+    [TestCase("report.json", "@scan.las", "-o", "@d")]
+    [TestCase("PerformanceTestResults.json", "bench", "job chain", "--runs", "1", "--points", "100", "-o", "@d")]
+    public void Folder_WithOtherThings_WantsForce(string made, params string[] args)
+    {
+        args = args.Select(Real).ToArray();
+        Directory.CreateDirectory(m_scratch["d"]);
+        File.WriteAllText(m_scratch["d/notes.txt"], "of somebody else");
+        var refused = CliCall.Of(args);
+        Assert.That(refused.Status, Is.EqualTo(ExitStatus.Usage), refused.Error);
+        Assert.That(Directory.GetFiles(m_scratch["d"]), Has.Length.EqualTo(1));
+        Assert.That(CliCall.Of(args.Prepend("--force").ToArray()).Status, Is.Zero);
+        Assert.That(File.Exists(m_scratch["d/" + made]), Is.True);
+        Assert.That(CliCall.Of(args).Status, Is.Zero, "its own folder is filled again");
+        Assert.That(File.ReadAllText(m_scratch["d/notes.txt"]), Is.EqualTo("of somebody else"));
+    }
+
+    [Test]
+    public void Convert_ToAPointCloud_SaysThatThisIsAnExport() => Assert.That(
+        CliCall.Of("convert", m_scratch["scan.las"], "-o", m_scratch["new.laz"]).Error, Does.Contain("export"));
+
+    string Real(string arg) => arg.StartsWith('@') ? m_scratch[arg[1..]] : arg;
 
     byte[][] Contents() => Directory.GetFiles(m_scratch.Root, "*", SearchOption.AllDirectories).Order()
         .Select(File.ReadAllBytes).ToArray();

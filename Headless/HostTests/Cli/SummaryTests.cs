@@ -31,6 +31,8 @@ public sealed class SummaryTests
         HasKey(json, "inputs", JsonValueKind.Array);
         HasKey(json, "seconds", JsonValueKind.Number);
         HasKey(json, "peakResidentBytes", JsonValueKind.Number);
+        foreach (string count in new[] { "pointsClaimed", "pointsFound", "pointsLost" })
+            HasKey(json, count, JsonValueKind.Number, JsonValueKind.Null);
         HasKey(json, "warnings", JsonValueKind.Array);
         HasKey(json, "stages", JsonValueKind.Array);
         foreach (var stage in json.GetProperty("stages").EnumerateArray())
@@ -50,8 +52,8 @@ public sealed class SummaryTests
         Assert.That(json.GetProperty("format").GetString(), Is.EqualTo("LAS"));
         Assert.That(json.GetProperty("version").GetString(), Is.EqualTo("1.4"));
         Assert.That(json.GetProperty("pointFormat").GetInt32(), Is.EqualTo(7));
-        Assert.That(json.GetProperty("pointsClaimed").GetInt64(), Is.EqualTo(3000));
-        HasKey(json, "points", scanned ? JsonValueKind.Number : JsonValueKind.Null);
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        Assert.That(json.GetProperty("pointsAre").GetString(), Is.EqualTo(scanned ? "counted" : "claimed"));
         HasKey(json, "bounds", scanned ? JsonValueKind.Object : JsonValueKind.Null);
         Assert.That(json.GetProperty("boundsClaimed").GetProperty("min").GetArrayLength(), Is.EqualTo(3));
         Assert.That(json.GetProperty("boundsClaimed").GetProperty("max").GetArrayLength(), Is.EqualTo(3));
@@ -95,6 +97,8 @@ public sealed class SummaryTests
     {
         var json = Summary("info", "info", m_demo, m_demo);
         Assert.That(json.GetProperty("files").GetArrayLength(), Is.EqualTo(2));
+        Assert.That(json.GetProperty("pointsClaimed").GetInt64(), Is.EqualTo(6000), "of all files");
+        Assert.That(json.GetProperty("pointsLost").GetInt64(), Is.Zero);
         HasInfoKeys(json.GetProperty("files")[1], false);
     }
 
@@ -240,7 +244,7 @@ public sealed class SummaryTests
         HasPictureKeys(json.GetProperty("picture"), JsonValueKind.Number);
         Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")), Is.True);
         Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
-        string[] always = ["report.html", "preview.png", "picture.png"];
+        string[] always = ["report.html", "preview.png", "picture.png", "report.json"];
         Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
             Is.EquivalentTo(HeadlessGraphics.IsAvailable ? always.Append("gpu.png") : always));
         Assert.That(json.TryGetProperty("gpu", out var gpu), Is.EqualTo(HeadlessGraphics.IsAvailable));

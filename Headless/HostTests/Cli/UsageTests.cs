@@ -14,7 +14,8 @@ public sealed class UsageTests
             Assert.That(call.Output, Does.Contain("\n  " + verb + " "));
             Assert.That(call.Output, Does.Contain("./fastpoints " + verb + " "), "an example of " + verb);
         }
-        Assert.That(call.Output, Does.Contain("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled"));
+        Assert.That(call.Output, Does.Contain("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled, "
+            + "4 incomplete"));
         Assert.That(call.Error, Is.Empty);
     }
 
@@ -25,7 +26,7 @@ public sealed class UsageTests
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done));
         Assert.That(call.Output, Does.StartWith("usage: ./fastpoints " + verb));
         Assert.That(call.Output, Does.Contain("Examples:\n  ./fastpoints " + verb));
-        foreach (string option in new[] { "--json FILE", "--threads N", "--quiet" })
+        foreach (string option in new[] { "--json FILE", "--threads N", "--quiet", "--force", "--strict" })
             Assert.That(call.Output, Does.Contain("  " + option));
     }
 
@@ -37,12 +38,40 @@ public sealed class UsageTests
         Assert.That(call.Output.Trim(), Does.Match(@"^\d+\.\d+\.\d+"));
     }
 
+    [TestCase("inof", "x.las", "info")]
+    [TestCase("convret", "x.las", "convert")]
+    [TestCase("hepl", "", "help")]
+    [TestCase("info", "--scna", "--scan")]
+    [TestCase("--jsn", "x.json", "--json")]
+    public void Word_NearlyRight_GetsASuggestion(string first, string second, string meant)
+    {
+        var call = CliCall.Of(second.Length > 0 ? new[] { first, second } : new[] { first });
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(call.Error, Does.Contain("did you mean " + meant + "?"));
+    }
+
+    [Test]
+    public void HelpAndVersion_AreVerbsAsWell()
+    {
+        Assert.That(CliCall.Of("help").Output, Is.EqualTo(CliCall.Of("--help").Output));
+        Assert.That(CliCall.Of("help", "convert").Output, Is.EqualTo(CliCall.Of("convert", "--help").Output));
+        Assert.That(CliCall.Of("version").Output, Is.EqualTo(CliCall.Of("--version").Output));
+    }
+
     [TestCase("info", "--no-such-option", "x.las")]
     [TestCase("info")]
     [TestCase("preview", "x.las")]
     [TestCase("demo-cloud")]
     [TestCase("demo-cloud", "-o", "x.las", "--points", "many")]
     [TestCase("--no-such-option")]
+    [TestCase("x.las", "info", "y.las")]
+    [TestCase("--points", "5", "info", "x.las")]
+    [TestCase("--as-one", "info", "x.las")]
+    [TestCase("preview", "x.las", "-o", "x.png", "--points", "1.5")]
+    [TestCase("preview", "x.las", "-o", "x.png", "--points", "-2M")]
+    [TestCase("bench", "--runs", "0")]
+    [TestCase("fly", "x.fastpoints", "--frames", "0")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--budget", "0")]
     public void Arguments_ThatDoNotParse_AreUsageErrorsWithTheUsage(params string[] args)
     {
         var call = CliCall.Of(args);
@@ -70,6 +99,12 @@ public sealed class UsageTests
     [TestCase("demo-cloud", "-o", "x.las", "--times", "3")]
     [TestCase("demo-cloud", "-o", "x.las", "--tile", "y.las")]
     [TestCase("bench", "no such workload")]
+    [TestCase("preview", "x.las", "-o", "x.jpg")]
+    [TestCase("picture", "x.las", "-o", "x.tiff")]
+    [TestCase("info", "x.las", "--json", "x.png")]
+    [TestCase("convert", "x.las", "-o", "x.png")]
+    [TestCase("fly", "x.fastpoints", "-o", "x.png")]
+    [TestCase("preview", "x.las", "-o", "x.png", "--report-output", "x")]
     public void Arguments_ThatCannotBeMeant_AreUsageErrors(params string[] args)
     {
         var call = CliCall.Of(args);

@@ -63,6 +63,7 @@ namespace FastPoints.Picture
             header[9] = (byte)(opaque ? ColorRgb : ColorRgba);
             WriteChunk(file, "IHDR", header);
             WriteChunk(file, "sRGB", new byte[] { 0 });
+            WriteChunk(file, "tEXt", System.Text.Encoding.ASCII.GetBytes("Software\0FastPoints"));
         }
 
         /// <summary>The pixels of a picture without its transparency, compressed for IDAT.</summary>

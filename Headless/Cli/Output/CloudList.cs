@@ -1,0 +1,44 @@
+namespace FastPoints.Cli.Output;
+
+/// <summary>The clouds of a run, each with its own outcome. <c>files</c> has them all; the keys of a single one stand at the
+/// top of the summary as well.</summary>
+public sealed class CloudList(IEnumerable<string> inputs)
+{
+    sealed record Entry(string Input)
+    {
+        public Action<Utf8JsonWriter>? WriteKeys;
+        public PointsAccount Points = new();
+        public Failure? Failure;
+    }
+
+    readonly List<Entry> m_all = inputs.Select(i => new Entry(i)).ToList();
+    int m_taken;
+
+    /// <summary>Works on the next one: where it is bad input, the run goes on.</summary>
+    /// <param name="work">Gives what writes the cloud's keys.</param>
+    public void Take(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointsAccount Points)> work)
+    {
+        var entry = m_all[m_taken++];
+        entry.Failure = run.Try(() => (entry.WriteKeys, entry.Points) = work());
+        run.Points.Add(entry.Points);
+    }
+
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        if (m_all.Count == 1)
+            m_all[0].WriteKeys?.Invoke(json);
+        json.WriteStartArray("files");
+        foreach (var entry in m_all)
+        {
+            json.WriteStartObject();
+            json.WriteString("input", entry.Input);
+            json.WriteNumber("status", entry.Failure?.Status ?? ExitStatus.Done);
+            entry.WriteKeys?.Invoke(json);
+            entry.Points.WriteKeys(json);
+            if (entry.Failure != null)
+                Summary.WriteFailure(json, entry.Failure);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+}

@@ -1,0 +1,47 @@
+namespace FastPoints.Cli.Settings;
+
+/// <summary>What every verb can be told, before its name or behind it.</summary>
+/// <param name="Json">Where the summary goes: a file, - or null.</param>
+public sealed record RunSettings(string? Json = null, bool IsQuiet = false, bool IsForced = false, bool IsStrict = false);
+
+/// <summary>The options that all verbs have. They belong to the root: the parser knows them at any place.</summary>
+public sealed class CommonOptions
+{
+    readonly Option<string?> m_json = new("--json")
+    {
+        HelpName = "FILE",
+        Description = "Write a summary of the run as JSON; - for standard output, which then holds nothing else.",
+    };
+    readonly Option<long?> m_threads = Counts.Optional("--threads",
+        "Threads that work (default: one a core, and no more). Results do not depend on it.");
+    readonly Option<bool> m_quiet = new("--quiet")
+    {
+        Description = "No progress and no warnings on standard error; errors only. The summary has the warnings all the same.",
+    };
+    readonly Option<bool> m_force = new("--force")
+    {
+        Description = "Write over what exists and was not made by this tool, or by another run of it. Never over an input.",
+    };
+    readonly Option<bool> m_strict = new("--strict")
+    {
+        Description = "End with 4 where a source has fewer points than it claims, or anything is odd about it.",
+    };
+
+    public CommonOptions(Command root)
+    {
+        foreach (var option in All)
+        {
+            option.Recursive = true;
+            root.Add(option);
+        }
+    }
+
+    public IReadOnlyList<Option> All => [m_json, m_threads, m_quiet, m_force, m_strict];
+
+    public RunSettings Read(ParseResult parsed) => new(parsed.GetValue(m_json), parsed.GetValue(m_quiet),
+        parsed.GetValue(m_force), parsed.GetValue(m_strict));
+
+    /// <returns>What is to be said about the number of threads; null where it is as asked.</returns>
+    /// <exception cref="UsageException">There is no such number.</exception>
+    public string? UseThreads(ParseResult parsed) => Threads.Use(parsed.GetValue(m_threads));
+}

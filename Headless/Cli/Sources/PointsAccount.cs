@@ -1,0 +1,59 @@
+namespace FastPoints.Cli.Sources;
+
+/// <summary>Points that sources claim to hold, those that they have, and the difference; unknown as soon as one is.</summary>
+public sealed class PointsAccount
+{
+    ulong m_claimed;
+    long m_found;
+    bool m_isAny, m_isClaimUnknown, m_isFoundUnknown;
+
+    /// <summary>0 where it is unknown.</summary>
+    public ulong Lost { get; private set; }
+
+    public static PointsAccount Of(SourceInfo info, long found)
+    {
+        var account = new PointsAccount();
+        account.Add(info, found);
+        return account;
+    }
+
+    /// <param name="found">-1 where nobody has counted.</param>
+    public void Add(SourceInfo info, long found)
+    {
+        ulong claimed = info.HasPointsClaimed ? info.PointsClaimed : 0;
+        Add(new PointsAccount
+        {
+            m_isAny = true,
+            m_isClaimUnknown = !info.HasPointsClaimed,
+            m_isFoundUnknown = found < 0,
+            m_found = Math.Max(0, found),
+            m_claimed = claimed,
+            Lost = found >= 0 && claimed > (ulong)found ? claimed - (ulong)found : 0,
+        });
+    }
+
+    public void Add(PointsAccount other)
+    {
+        m_isAny |= other.m_isAny;
+        m_isClaimUnknown |= other.m_isClaimUnknown;
+        m_isFoundUnknown |= other.m_isFoundUnknown;
+        m_found += other.m_found;
+        m_claimed = other.m_claimed > ulong.MaxValue - m_claimed ? ulong.MaxValue : m_claimed + other.m_claimed;
+        Lost = other.Lost > ulong.MaxValue - Lost ? ulong.MaxValue : Lost + other.Lost;
+    }
+
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        Write(json, "pointsClaimed", m_isAny && !m_isClaimUnknown, m_claimed);
+        Write(json, "pointsFound", m_isAny && !m_isFoundUnknown, (ulong)m_found);
+        Write(json, "pointsLost", m_isAny && !m_isClaimUnknown && !m_isFoundUnknown, Lost);
+    }
+
+    static void Write(Utf8JsonWriter json, string key, bool isKnown, ulong value)
+    {
+        if (isKnown)
+            json.WriteInteger(key, value);
+        else
+            json.WriteNull(key);
+    }
+}

@@ -1,0 +1,102 @@
+using System.Diagnostics;
+
+namespace FastPoints.HostTests.Cli;
+
+/// <summary>A build that is stopped: what can go on is kept, unless it is not wanted.</summary>
+public sealed class StopTests
+{
+    const string LittleMemory = "160MiB";
+
+    ScratchFolder m_scratch;
+    string m_cloud, m_target, m_part;
+
+    [SetUp]
+    public void MakeCloud()
+    {
+        m_scratch = new ScratchFolder();
+        m_cloud = m_scratch.Demo("cloud.las", 20_000);
+        m_target = m_scratch["cloud.fastpoints"];
+        m_part = m_target + ".part";
+    }
+
+    [TearDown]
+    public void RemoveCloud() => m_scratch.Dispose();
+
+    string[] Convert(params string[] more) => ["convert", m_cloud, "-o", m_target, "--memory", LittleMemory, "--quiet", .. more];
+
+    /// <summary>As a build leaves it whose points are in files.</summary>
+    void LeaveABuild()
+    {
+        Directory.CreateDirectory(m_part);
+        File.WriteAllText(Path.Combine(m_part, "build.json"), "{}");
+    }
+
+    [Test]
+    public void Stop_OfWhatCanGoOn_KeepsItAndNamesTheCommand()
+    {
+        LeaveABuild();
+        var call = CliCall.Of(new CancellationToken(true), Convert());
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Cancelled));
+        Assert.That(call.Error, Does.Contain(m_target + " is kept, and this goes on: ./fastpoints "
+            + string.Join(" ", Convert())));
+        Assert.That(File.Exists(Path.Combine(m_part, "build.json")), Is.True);
+        Assert.That(CliCall.Of(Convert()).Status, Is.Zero, "the same command");
+        Assert.That(Directory.Exists(m_part), Is.False);
+    }
+
+    [Test]
+    public void Stop_WithDiscard_KeepsNothing()
+    {
+        LeaveABuild();
+        var call = CliCall.Of(new CancellationToken(true), Convert("--discard"));
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Cancelled));
+        Assert.That(call.Error, Is.EqualTo("fastpoints: cancelled" + Environment.NewLine));
+        Assert.That(Directory.Exists(m_part), Is.False);
+    }
+
+    [Test]
+    public void SecondStop_KeepsNothing()
+    {
+        LeaveABuild();
+        using var error = new StringWriter();
+        var stopped = new CancellationToken(true);
+        int status = CommandLine.Run(Convert(), TextWriter.Null, error, false, stopped, stopped);
+        Assert.That(status, Is.EqualTo(ExitStatus.Cancelled));
+        Assert.That(error.ToString(), Is.EqualTo("fastpoints: cancelled" + Environment.NewLine));
+        Assert.That(Directory.Exists(m_part), Is.False);
+    }
+
+    /// <summary>The way of systemd and docker. A build that is done before the signal is tried again with more points.</summary>
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void Sigterm_WhilePointsAreInFiles_KeepsThemForTheSameCommand()
+    {
+        for (int times = 40; ; times *= 2)
+        {
+            Assert.That(CliCall.Of("demo-cloud", "-o", m_scratch["many.las"], "--tile", m_cloud, "--times", times.ToString(),
+                "--quiet").Status, Is.Zero);
+            string[] args = ["convert", m_scratch["many.las"], "-o", m_target, "--memory", LittleMemory, "--quiet"];
+            using var process = Process.Start(new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"), args)
+            {
+                RedirectStandardError = true,
+            });
+            while (!process.HasExited && !File.Exists(Path.Combine(m_part, "build.json")))
+                Thread.Yield();
+            using (var kill = Process.Start("kill", new[] { "-TERM", process.Id.ToString() }))
+                kill.WaitForExit();
+            string said = process.StandardError.ReadToEnd();
+            process.WaitForExit();
+            if (process.ExitCode == ExitStatus.Done && times < 1000)
+            {
+                Directory.Delete(m_target, true);
+                continue;
+            }
+            Assert.That(process.ExitCode, Is.EqualTo(ExitStatus.Cancelled), said);
+            Assert.That(said, Does.Contain("this goes on: ./fastpoints convert " + m_scratch["many.las"]));
+            var next = CliCall.Of(args.Where(a => a != "--quiet").ToArray());
+            Assert.That(next.Status, Is.Zero, next.Error);
+            Assert.That(next.Output, Does.Contain("continued a build that was broken off"));
+            return;
+        }
+    }
+}
