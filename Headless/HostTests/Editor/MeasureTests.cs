@@ -157,6 +157,16 @@ public sealed class MeasureTests
     }
 
     [Test]
+    public void ScenePicker_CloudThatTheCameraDoesNotShow_IsNotFound()
+    {
+        using var picker = new ScenePicker();
+        Assert.That(Find(picker, Down()).Point, Is.Not.Null);
+        var ray = Down();
+        ray.Mask.HiddenLayers = 1u << m_cloud.gameObject.layer;
+        Assert.That(Find(picker, ray).Point, Is.Null);
+    }
+
+    [Test]
     public void ScenePicker_NoWorldOrNoCloud_FindsNothing()
     {
         using (var picker = new ScenePicker())

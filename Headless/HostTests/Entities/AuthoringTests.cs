@@ -80,6 +80,48 @@ public sealed class AuthoringTests
     }
 
     [Test]
+    public void PointCloud_LayerSceneAndEye_AreThoseOfItsGameObject()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(FastPoints.Editor.SceneVisibility).TypeHandle);
+        var scene = new GameObject("scan") { layer = 5 };
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        Frames(() => IsStreamed(cloud.Entity));
+        var camera = new GameObject("camera").AddComponent<Camera>();
+        var target = new RenderTexture(new RenderTextureDescriptor(100, 100));
+        camera.targetTexture = target;
+        camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
+        bool Sees()
+        {
+            SceneLoop.Update();
+            m_world.Update();
+            return CameraViews.StreamViewOf(camera).Mask.Sees(m_group.Stream.Clouds[0].Placement.SeenBy);
+        }
+        Assert.That(Sees(), Is.True);
+        camera.cullingMask = ~(1 << 5);
+        Assert.That(Sees(), Is.False, "culling mask");
+        scene.layer = 6;
+        Assert.That(Sees(), Is.True, "another layer");
+
+        SceneVisibilityManager.instance.Set(scene, true);
+        Assert.That(Sees(), Is.True, "a game's camera");
+        camera.cameraType = CameraType.SceneView;
+        Assert.That(Sees(), Is.False, "the eye is closed");
+        SceneVisibilityManager.instance.Set(scene, false);
+        Assert.That(Sees(), Is.True, "the eye is open");
+
+        camera.scene = new UnityEngine.SceneManagement.Scene { Mask = 4 };
+        Assert.That(Sees(), Is.False, "a prefab stage");
+        scene.SceneMask = 4;
+        Assert.That(Sees(), Is.True, "in the stage");
+        camera.overrideSceneCullingMask = 8;
+        Assert.That(Sees(), Is.False, "an override");
+        foreach (var made in new[] { scene, camera.gameObject })
+            UnityEngine.Object.DestroyImmediate(made);
+        target.Release();
+    }
+
+    [Test]
     public void PointCloud_ColourAndClasses_DecideOnWhatIsStreamed()
     {
         var scene = new GameObject("scan");

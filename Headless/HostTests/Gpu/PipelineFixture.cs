@@ -17,6 +17,10 @@ public abstract class PipelineFixture : GraphicsFixture
     protected PointCloudSystemGroup Group { get; private set; }
     internal PointScene Scene { get; private set; }
 
+    /// <summary>Of the cloud that was added last.</summary>
+    protected Entity Cloud { get; private set; }
+    protected EntityManager Entities => m_world.EntityManager;
+
     protected void Begin(string pipeline) => m_pipeline = PipelineHost.Make(pipeline);
 
     [OneTimeSetUp]
@@ -67,10 +71,9 @@ public abstract class PipelineFixture : GraphicsFixture
         placement.OriginWorld -= math.round(ranges.Robust.Center);
         reference.Clouds[number].Placement = placement;
         var source = new FolderSource(Store.CloudFolder.Open(m_cloud), Store.StoreLayout.ColorName);
-        var entities = m_world.EntityManager;
-        var entity = entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
-        entities.SetComponentData(entity, new PointCloudPlacement { Value = placement });
-        entities.AddComponentObject(entity, new PointCloudSource { Source = source });
+        Cloud = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
+        Entities.SetComponentData(Cloud, new PointCloudPlacement { Value = placement });
+        Entities.AddComponentObject(Cloud, new PointCloudSource { Source = source });
         Scene.SetLook(0, CloudLooks.Of(plan.Colors, source));
         return plan;
     }

@@ -140,6 +140,64 @@ public sealed class PipelinePassTests : PipelineFixture
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
+    public void Render_CloudThatACameraDoesNotShow_IsNeitherDrawnNorSelected(string pipeline)
+    {
+        Begin(pipeline);
+        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, EdlStrength = 0, Color = ColorMode.Rgb };
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, options, out _);
+        var camera = LookingCamera(out var target);
+        void Shows(bool isShown, string why)
+        {
+            var drawn = Render(camera);
+            bool isEmpty = Enumerable.Range(0, WidthPx * HeightPx).All(i => drawn[i % WidthPx, i / WidthPx] == drawn[0, 0]);
+            Assert.That(isEmpty, Is.Not.EqualTo(isShown), why);
+            Assert.That(Group.Stats.SelectedNodes > 0, Is.EqualTo(isShown), why);
+        }
+        camera.cullingMask = ~(1 << 7);
+        Shows(true, "it has no layer");
+        Entities.AddComponentData(Cloud, new PointCloudLayer { Value = 7 });
+        Shows(false, "its layer is hidden");
+        camera.cullingMask = 1 << 7;
+        Shows(true, "its layer alone is shown");
+        Entities.AddComponent<Disabled>(Cloud);
+        Shows(false, "its entity is disabled");
+        Entities.RemoveComponent<Disabled>(Cloud);
+        Shows(true, "its entity is enabled again");
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [Test]
+    public void Render_OverlayCameraOfUrp_DrawsWhereItIsAskedTo()
+    {
+        Begin(nameof(UrpHost));
+        var camera = LookingCamera(out var target);
+        bool IsSeen()
+        {
+            Scene.BeginFrame();
+            RenderOnce(camera);
+            return Scene.NextViews.Length > 0;
+        }
+        var data = UnityEngine.Rendering.Universal.CameraExtensions.GetUniversalAdditionalCameraData(camera);
+        Assert.That(IsSeen(), Is.True);
+        data.renderType = UnityEngine.Rendering.Universal.CameraRenderType.Overlay;
+        Assert.That(IsSeen(), Is.False, "overlay");
+        var choice = camera.gameObject.AddComponent<PointCloudCamera>();
+        Assert.That(IsSeen(), Is.True, "it asks");
+        choice.enabled = false;
+        Assert.That(IsSeen(), Is.False, "what asks is disabled");
+        data.renderType = UnityEngine.Rendering.Universal.CameraRenderType.Base;
+        choice.enabled = true;
+        choice.DrawsClouds = false;
+        Assert.That(IsSeen(), Is.False, "it asks for none");
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [TestCase(nameof(BuiltInHost))]
+    [TestCase(nameof(UrpHost))]
+    [TestCase(nameof(HdrpHost))]
     public void Render_CameraOfAPreview_DrawsNothingAndIsNotSelectedFor(string pipeline)
     {
         Begin(pipeline);

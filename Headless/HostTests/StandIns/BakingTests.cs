@@ -32,6 +32,27 @@ public sealed class BakingTests
             Throws.InvalidOperationException.With.Message.Contains("Used"));
 
     [Test]
+    public void GetLayer_OfAnAuthoring_IsADependency()
+    {
+        m_object.layer = 4;
+        var baker = new LayerBaker();
+        Baking.Bake(baker, m_authoring, m_world);
+        Assert.That(baker.Layer, Is.EqualTo(4));
+        Assert.That(baker.Dependencies, Does.Contain(m_object));
+    }
+
+    sealed class LayerBaker : Baker<Authoring>
+    {
+        public int Layer;
+
+        public override void Bake(Authoring authoring)
+        {
+            DependsOn(authoring.Used);
+            Layer = GetLayer();
+        }
+    }
+
+    [Test]
     public void Bake_OneComponentTwice_IsRefused() =>
         Assert.That(() => Baking.Bake(new TwiceBaker(), m_authoring, m_world),
             Throws.InvalidOperationException.With.Message.Contains("duplicate"));

@@ -39,6 +39,17 @@ public sealed class EntityTests
     int Count(EntityQuery query) => query.CalculateEntityCount();
 
     [Test]
+    public void Query_DisabledEntities_AreThereForThoseWhoAskForThem()
+    {
+        Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+        Entities.AddComponent<Disabled>(Entities.CreateEntity(ComponentType.ReadWrite<Health>()));
+        EntityQueryBuilder Healthy() => new EntityQueryBuilder(Allocator.Temp).WithAll<Health>();
+        Assert.That(Count(Healthy().Build(Entities)), Is.EqualTo(1));
+        Assert.That(Count(Healthy().WithOptions(EntityQueryOptions.IncludeDisabledEntities).Build(Entities)), Is.EqualTo(2));
+        Assert.That(Count(Healthy().WithAll<Disabled>().Build(Entities)), Is.EqualTo(1));
+    }
+
+    [Test]
     public void CreateAndDestroy_ManyInAnyOrder_KeepTheirData()
     {
         var random = new Unity.Mathematics.Random(3);

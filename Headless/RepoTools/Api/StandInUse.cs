@@ -61,6 +61,9 @@ public sealed class StandInUse
     {
         foreach (TypeDefinition type in standIn.GetTypes().Where(StandInAudit.IsVisible))
         {
+            // Constants alone: the compiler leaves no name of them.
+            if (!type.IsEnum && !type.HasMethods && type.HasFields && type.Fields.All(f => f.IsLiteral))
+                continue;
             if (!m_names.Contains(DocId.DefinitionName(type)))
             {
                 yield return DocId.OfType(type);

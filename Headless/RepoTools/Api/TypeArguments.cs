@@ -106,11 +106,19 @@ internal sealed class TypeArguments(UnityApi api, string generation)
             implemented = implemented.Append(row.Type);
         foreach (string text in implemented.Select(t => DocId.Substitute(t, arguments, new List<string>())))
         {
-            if (text == wanted || (text.StartsWith("Unity", System.StringComparison.Ordinal)
-                && UnityImplements("T:" + text, new List<string>(), wanted)))
+            if (text == wanted || (text.StartsWith("Unity", System.StringComparison.Ordinal) && UnityImplements(text, wanted)))
                 return true;
         }
         return false;
+    }
+
+    private bool UnityImplements(string signature, string wanted)
+    {
+        int brace = signature.IndexOf('{');
+        if (brace < 0)
+            return UnityImplements("T:" + signature, new List<string>(), wanted);
+        List<string> arguments = SplitTypes(signature[(brace + 1)..^1]).ToList();
+        return UnityImplements($"T:{signature[..brace]}`{arguments.Count}", arguments, wanted);
     }
 
     /// <summary>Types separated by ", ", not within braces.</summary>

@@ -12,6 +12,7 @@ static class Baking
     public static Entity Bake<T>(Baker<T> baker, T authoring, World world) where T : Component
     {
         baker.Entities = world.EntityManager;
+        baker.Authoring = authoring;
         baker.Primary = world.EntityManager.CreateEntity();
         baker.Bake(authoring);
         foreach (var field in SerializedFields.Of(typeof(T)))

@@ -6,6 +6,7 @@ public abstract class IBaker
 
     internal EntityManager Entities;
     internal Entity Primary;
+    internal UnityEngine.Component Authoring;
 
     /// <summary>Objects of which a change has everything baked again.</summary>
     internal readonly HashSet<UnityEngine.Object> Dependencies = new HashSet<UnityEngine.Object>();
@@ -19,6 +20,9 @@ public abstract class IBaker
             Dependencies.Add(dependency);
         return dependency;
     }
+
+    /// <summary>A change of it has everything baked again.</summary>
+    public int GetLayer() => DependsOn(Authoring.gameObject).layer;
 
     public void AddComponent<T>(Entity entity, in T component) where T : unmanaged, IComponentData
     {

@@ -45,6 +45,12 @@ public ref struct EntityQueryBuilder
         return this;
     }
 
+    public EntityQueryBuilder WithOptions(EntityQueryOptions options)
+    {
+        m_terms.Options |= options;
+        return this;
+    }
+
     public EntityQuery Build(EntityManager entityManager) => new EntityQuery(entityManager.Store, m_terms);
     public EntityQuery Build(SystemBase systemBase) => Build(systemBase.EntityManager);
 }

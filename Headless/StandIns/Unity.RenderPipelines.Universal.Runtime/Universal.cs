@@ -3,6 +3,8 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal;
 
+public enum CameraRenderType { Base = 0, Overlay = 1 }
+
 public enum RenderPassEvent { AfterRenderingOpaques = 300 }
 
 public abstract class ScriptableRenderPass : IRenderGraphRecorder
@@ -23,6 +25,8 @@ public abstract class ScriptableRenderer
 
 public class UniversalAdditionalCameraData : MonoBehaviour
 {
+    public CameraRenderType renderType { get; set; }
+
     /// <summary>The pipeline's own, where the camera has none.</summary>
     public ScriptableRenderer scriptableRenderer =>
         (GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer;

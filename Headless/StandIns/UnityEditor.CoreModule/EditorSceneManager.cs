@@ -4,10 +4,33 @@ using UnityEngine.SceneManagement;
 namespace UnityEditor
 {
     public class SceneAsset : UnityEngine.Object { }
+
+    /// <summary>The eyes of the hierarchy; a child is hidden by its own, which closing a parent's closes, too.</summary>
+    public class SceneVisibilityManager : ScriptableSingleton<SceneVisibilityManager>
+    {
+        readonly HashSet<GameObject> m_hidden = new HashSet<GameObject>();
+
+        public static event Action visibilityChanged;
+
+        public bool IsHidden(GameObject gameObject, bool includeDescendants = false) => m_hidden.Contains(gameObject);
+
+        /// <summary>As a user's click on the eye.</summary>
+        internal void Set(GameObject gameObject, bool isHidden)
+        {
+            if (isHidden ? m_hidden.Add(gameObject) : m_hidden.Remove(gameObject))
+                visibilityChanged?.Invoke();
+        }
+    }
 }
 
 namespace UnityEditor.SceneManagement
 {
+    public static class SceneCullingMasks
+    {
+        public const ulong GameViewObjects = 1UL << 63;
+        public const ulong MainStageSceneViewObjects = 3UL << 61;
+    }
+
     public enum NewSceneSetup { EmptyScene = 0, DefaultGameObjects = 1 }
 
     public enum NewSceneMode { Single = 0, Additive = 1 }
@@ -33,6 +56,8 @@ namespace UnityEditor.SceneManagement
                 Camera.main = new GameObject("Main Camera").AddComponent<Camera>();
             return default;
         }
+
+        public static ulong GetSceneCullingMask(Scene scene) => scene.Mask;
 
         static void CheckIsEditing()
         {

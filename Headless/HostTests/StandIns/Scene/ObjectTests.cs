@@ -26,6 +26,15 @@ public sealed class ObjectTests
     }
 
     [Test]
+    public void Layer_OutOfRange_IsLoggedAndStaysAsItWas()
+    {
+        m_object.layer = 31;
+        m_object.layer = 32;
+        Assert.That(m_object.layer, Is.EqualTo(31));
+        Assert.That(m_logged, Has.Count.EqualTo(1).And.All.Contains("[0...31]"));
+    }
+
+    [Test]
     public void Destroyed_Object_IsNullAndIsNotToBeUsed()
     {
         var told = m_object.AddComponent<AlwaysTold>();

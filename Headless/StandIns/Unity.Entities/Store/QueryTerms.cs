@@ -20,8 +20,12 @@ sealed class QueryTerms
     /// <summary>There, whether enabled or not.</summary>
     public readonly List<int> Present = new List<int>();
 
+    static readonly int s_disabled = TypeRegistry.Of<Disabled>.Index.Value;
+
     /// <summary>Not there.</summary>
     public readonly List<int> Absent = new List<int>();
+
+    public EntityQueryOptions Options;
 
     public static QueryTerms Of(ComponentType[] types)
     {
@@ -36,6 +40,9 @@ sealed class QueryTerms
     public bool MayMatch(Archetype archetype)
     {
         if (!HasEach(archetype, All) || !HasEach(archetype, Disabled) || !HasEach(archetype, Present))
+            return false;
+        if (Options != EntityQueryOptions.IncludeDisabledEntities && !All.Contains(s_disabled) &&
+            archetype.Find(s_disabled) != null)
             return false;
         foreach (int type in Absent)
             if (archetype.Find(type) != null)

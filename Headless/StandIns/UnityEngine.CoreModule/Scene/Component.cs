@@ -16,5 +16,11 @@ public class Component : Object
 
     public Transform transform => gameObject.transform;
 
+    public bool TryGetComponent<T>(out T component)
+    {
+        component = GetComponent<T>();
+        return component != null;
+    }
+
     public T GetComponent<T>() => gameObject.GetComponent<T>();
 }

@@ -5,6 +5,7 @@ public sealed class GameObject : Object
     readonly List<Component> m_components = new List<Component>();
     readonly Transform m_transform;
     bool m_isActive = true;
+    int m_layer;
 
     public GameObject(string name)
     {
@@ -19,6 +20,24 @@ public sealed class GameObject : Object
 
     public bool activeInHierarchy =>
         activeSelf && (m_transform.Parent is null || m_transform.Parent.gameObject.activeInHierarchy);
+
+    public int layer
+    {
+        get => There(m_layer);
+        set
+        {
+            CheckIsThere();
+            if (value < 0 || value > 31)
+                Debug.LogError("A game object can only be in one layer. The layer needs to be in the range [0...31]");
+            else
+                m_layer = value;
+        }
+    }
+
+    /// <summary>Of the scene that it is in.</summary>
+    public ulong sceneCullingMask => There(SceneMask);
+
+    internal ulong SceneMask { get; set; } = 7UL << 61;
 
     public void SetActive(bool value)
     {

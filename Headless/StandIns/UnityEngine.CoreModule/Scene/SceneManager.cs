@@ -8,6 +8,10 @@ public struct Scene
     /// <summary>Empty for one that was never saved.</summary>
     public string path => Path ?? "";
 
+    internal ulong Mask;
+
+    public bool IsValid() => Mask != 0 || Path != null;
+
     public GameObject[] GetRootGameObjects() => Roots;
 }
 

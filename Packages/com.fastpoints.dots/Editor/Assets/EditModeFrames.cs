@@ -1,3 +1,4 @@
+using System;
 using FastPoints.Entities;
 using Unity.Entities;
 using UnityEditor;
@@ -11,6 +12,7 @@ namespace FastPoints.Editor
     {
         static World s_world;
         static PointCloudSystemGroup s_group;
+        static int s_asked;
 
         static EditModeFrames()
         {
@@ -24,11 +26,15 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor.</summary>
         public static void Update()
         {
-            if (EditorApplication.isPlaying || !Wants(World.DefaultGameObjectInjectionWorld))
+            if (EditorApplication.isPlaying || !Wants(World.DefaultGameObjectInjectionWorld) && s_asked == 0)
                 return;
+            s_asked = Math.Max(0, s_asked - 1);
             EditorApplication.QueuePlayerLoopUpdate();
             SceneView.RepaintAll();
         }
+
+        /// <summary>Asks for a frame, and for a picture after it.</summary>
+        public static void Ask() => s_asked = 2;
 
         static bool Wants(World world)
         {

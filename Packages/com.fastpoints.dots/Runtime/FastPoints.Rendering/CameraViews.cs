@@ -1,3 +1,4 @@
+using System;
 using FastPoints.Picking;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -9,8 +10,26 @@ namespace FastPoints.Rendering
     /// included.</summary>
     public static class CameraViews
     {
+        /// <summary>The editor's scene culling mask of a camera, where there is an editor.</summary>
+        internal static Func<Camera, ulong> SceneMaskOf { get; set; }
+
+        static ViewMask MaskOf(Camera camera) => new ViewMask
+        {
+            HiddenLayers = ~(uint)camera.cullingMask,
+            Scenes = SceneMaskOf?.Invoke(camera) ?? 0,
+            IsSceneView = camera.cameraType == CameraType.SceneView,
+        };
+
         /// <summary>What a camera needs of the clouds.</summary>
-        public static StreamView StreamViewOf(Camera camera) => StreamViewOf(EyeMatrices.Of(camera), camera.pixelHeight);
+        public static StreamView StreamViewOf(Camera camera) => StreamViewOf(camera, EyeMatrices.Of(camera), camera.pixelHeight);
+
+        /// <summary>What one of a camera's eyes needs of the clouds that the camera shows.</summary>
+        internal static StreamView StreamViewOf(Camera camera, in EyeMatrices eye, int heightPx)
+        {
+            var view = StreamViewOf(eye, heightPx);
+            view.Mask = MaskOf(camera);
+            return view;
+        }
 
         /// <summary>What an eye needs of the clouds.</summary>
         public static StreamView StreamViewOf(in EyeMatrices eye, int heightPx)
@@ -57,6 +76,13 @@ namespace FastPoints.Rendering
         /// plane.</param>
         /// <param name="radiusPx">How far from it a point may be, in pixels of the camera's picture.</param>
         public static PickRay PickRayOf(Camera camera, Ray ray, double radiusPx)
+        {
+            var picked = UnmaskedRayOf(camera, ray, radiusPx);
+            picked.Mask = MaskOf(camera);
+            return picked;
+        }
+
+        static PickRay UnmaskedRayOf(Camera camera, Ray ray, double radiusPx)
         {
             var projection = camera.projectionMatrix;
             var near = new double3(ray.origin.x, ray.origin.y, ray.origin.z);

@@ -85,9 +85,14 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Whether clouds are drawn for a camera: previews of assets and reflections show none.</summary>
-        public static bool IsDrawn(Camera camera) =>
-            camera.cameraType != CameraType.Preview && camera.cameraType != CameraType.Reflection;
+        /// <summary>Whether clouds are drawn for a camera. Previews of assets and reflections show none; other cameras do, and
+        /// overlay cameras where a <see cref="PointCloudCamera"/> asks for it.</summary>
+        public static bool IsDrawn(Camera camera, bool isOverlay = false)
+        {
+            if (camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection)
+                return false;
+            return camera.TryGetComponent<PointCloudCamera>(out var choice) && choice.enabled ? choice.DrawsClouds : !isOverlay;
+        }
 
         /// <summary>Makes the next frame select for this camera, too, as it was last announced: for both eyes of a headset, even
         /// if they are drawn one after the other. A camera may be drawn any number of times before that frame comes, if it comes
@@ -110,7 +115,7 @@ namespace FastPoints.Rendering
             }
             for (int eye = 0; eye < views; eye++)
                 m_nextViews[seen.FirstView + eye] =
-                    CameraViews.StreamViewOf(EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
+                    CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
         }
 
         /// <summary>Records the clouds as a camera sees them, into the current target.</summary>
@@ -120,7 +125,7 @@ namespace FastPoints.Rendering
             var renderer = Seen(camera).Renderer;
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
-            var seen = CameraViews.StreamViewOf(target.Eye, target.HeightPx);
+            var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
             var view = CameraViews.RenderViewOf(target, target.Eye);
             view.Style = Style;
             if (!target.HasBothEyes)
@@ -129,7 +134,7 @@ namespace FastPoints.Rendering
                 renderer.Record(commands, view);
                 return;
             }
-            renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(target.RightEye, target.HeightPx), Style);
+            renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), Style);
             var right = CameraViews.RenderViewOf(target, target.RightEye);
             right.Style = Style;
             var offset = target.RightEye.PlaceWorld - target.Eye.PlaceWorld;

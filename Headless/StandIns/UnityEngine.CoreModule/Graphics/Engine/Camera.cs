@@ -16,6 +16,14 @@ public sealed class Camera : Behaviour
     public static Camera main { get; internal set; }
 
     public CameraType cameraType { get; set; } = CameraType.Game;
+
+    /// <summary>A bit for each layer; everything at first.</summary>
+    public int cullingMask { get; set; } = -1;
+
+    /// <summary>0 where the scene or the kind of camera says it.</summary>
+    public ulong overrideSceneCullingMask { get; set; }
+
+    public SceneManagement.Scene scene { get; set; }
     public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;
     public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Picture;
@@ -91,6 +92,9 @@ namespace FastPoints.Entities
             }
         }
 
+        /// <summary>Whether the eye in the hierarchy hides a GameObject from scene views, where there is an editor.</summary>
+        internal static Func<GameObject, bool> IsHiddenInSceneViews { get; set; }
+
         /// <summary>Null while the component is disabled.</summary>
         public Entity Entity => m_entity.Value;
 
@@ -149,8 +153,18 @@ namespace FastPoints.Entities
             if (!IsAsOpened)
                 Reopen();
             if (m_entity.TryGet(out var entities))
+            {
                 entities.SetComponentData(Entity, TransformMatrix.Of(transform));
+                entities.SetComponentData(Entity, Layer);
+            }
         }
+
+        PointCloudLayer Layer => new PointCloudLayer
+        {
+            Value = gameObject.layer,
+            Scenes = gameObject.sceneCullingMask,
+            IsHiddenInSceneViews = IsHiddenInSceneViews != null && IsHiddenInSceneViews(gameObject),
+        };
 
         void OnDrawGizmosSelected()
         {
@@ -181,6 +195,7 @@ namespace FastPoints.Entities
             if ((m_cloud == null && string.IsNullOrEmpty(m_path)) || !m_entity.TryCreate(out var entities))
                 return;
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));
+            entities.AddComponentData(Entity, Layer);
             var file = m_cloud != null ? m_cloud.File() : new PointCloudFile { Path = m_path };
             file.Color = m_color;
             file.Gradient = m_gradient;

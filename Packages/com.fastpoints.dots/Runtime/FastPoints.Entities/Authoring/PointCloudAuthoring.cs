@@ -39,6 +39,7 @@ namespace FastPoints.Entities
             file.Gradient = authoring.Gradient;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
             AddComponentObject(entity, file);
+            AddComponent(entity, new PointCloudLayer { Value = GetLayer() });
         }
     }
 }

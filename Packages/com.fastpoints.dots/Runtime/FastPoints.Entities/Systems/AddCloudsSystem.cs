@@ -20,7 +20,7 @@ namespace FastPoints.Entities
             m_coming = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<PointCloudSource>()
                 .WithNone<StreamedPointCloud>().Build(this);
             m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<StreamedPointCloud>()
-                .Build(this);
+                .WithOptions(EntityQueryOptions.IncludeDisabledEntities).Build(this);
             m_leaving = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().WithNone<PointCloudPlacement>()
                 .Build(this);
         }
@@ -63,8 +63,22 @@ namespace FastPoints.Entities
             succession.Update();
             if (succession.Cloud != shown)
                 Show(entity, states, shown);
-            succession.Place(EntityManager.GetComponentData<PointCloudPlacement>(entity).Value);
+            var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
+            placement.SeenBy = SeenBy(entity);
+            succession.Place(placement);
             EntityManager.SetComponentData(entity, StreamedOf(states));
+        }
+
+        CloudVisibility SeenBy(Entity entity)
+        {
+            var seen = new CloudVisibility { IsHidden = EntityManager.HasComponent<Disabled>(entity) };
+            if (!EntityManager.HasComponent<PointCloudLayer>(entity))
+                return seen;
+            var layer = EntityManager.GetComponentData<PointCloudLayer>(entity);
+            seen.Layer = 1u << layer.Value;
+            seen.Scenes = layer.Scenes;
+            seen.IsHiddenInSceneViews = layer.IsHiddenInSceneViews;
+            return seen;
         }
 
         void TakeNext(Entity entity, PointCloudSource source, PointCloudStates states)

@@ -80,14 +80,16 @@ namespace FastPoints.Rendering.Urp
         static void Enqueue(ScriptableRenderContext context, Camera camera)
         {
             var scene = PointScene.Current;
-            if (scene == null || !PointScene.IsDrawn(camera) ||
-                !(GraphicsSettings.currentRenderPipeline is UniversalRenderPipelineAsset))
+            if (scene == null || !(GraphicsSettings.currentRenderPipeline is UniversalRenderPipelineAsset))
+                return;
+            var cameraData = camera.GetUniversalAdditionalCameraData();
+            if (!PointScene.IsDrawn(camera, cameraData.renderType == CameraRenderType.Overlay))
                 return;
             scene.Announce(camera);
             if (s_pass == null)
                 s_pass = new UrpPass();
             s_pass.m_camera = camera;
-            camera.GetUniversalAdditionalCameraData().scriptableRenderer?.EnqueuePass(s_pass);
+            cameraData.scriptableRenderer?.EnqueuePass(s_pass);
         }
     }
 }

@@ -1,3 +1,4 @@
+using FastPoints.Streaming;
 using Unity.Mathematics;
 
 namespace FastPoints.Picking
@@ -21,10 +22,13 @@ namespace FastPoints.Picking
         public double From;
         public double To;
 
+        /// <summary>Of the view that the ray is through.</summary>
+        internal ViewMask Mask;
+
         /// <summary>Makes the ray of a perspective camera.</summary>
         /// <param name="direction">A vector of any length.</param>
         /// <param name="scalePx">Pixels of one unit at a distance of one unit (<see
-        /// cref="Streaming.StreamView.ScalePx"/>).</param>
+        /// cref="StreamView.ScalePx"/>).</param>
         /// <param name="radiusPx">Must be above 0: a ray without width hits nothing.</param>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {

@@ -53,7 +53,7 @@ namespace FastPoints.Picking
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud == null || cloud.IsLeaving)
+                if (cloud == null || cloud.IsLeaving || !ray.Mask.Sees(cloud.Placement.SeenBy))
                     continue;
                 m_targets.Add(new Target
                 {

@@ -48,13 +48,12 @@ namespace FastPoints.Tests.Support
         /// <summary>Whether the newest generation that was found is the one that is shown.</summary>
         public bool IsCurrent => m_succession.IsCurrent && m_generations.IsIdle && m_generations.Newest == null;
 
-        /// <summary>Once a frame, after it. Never waits.</summary>
+        /// <summary>Once a frame, after it. Never waits. A generation that is not shown yet may never be: its files get other
+        /// names with the next one.</summary>
         /// <exception cref="PointCloudException">As of <see cref="FolderGenerations.Update"/>.</exception>
         public void Update()
         {
             m_succession.Update();
-            if (!m_succession.IsCurrent)
-                return;
             m_generations.Update();
             if (m_generations.Newest != null)
                 Add(m_generations.Take());

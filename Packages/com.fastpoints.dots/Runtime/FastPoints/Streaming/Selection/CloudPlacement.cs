@@ -10,11 +10,13 @@ namespace FastPoints.Streaming
     {
         public double3x3 Linear;
         public double3 OriginWorld;
+        internal CloudVisibility SeenBy;
 
         public CloudPlacement(double3x3 linear, double3 originWorld)
         {
             Linear = linear;
             OriginWorld = originWorld;
+            SeenBy = default;
         }
 
         /// <summary>The placement whose world is the cloud's own georeferenced space.</summary>
@@ -23,7 +25,10 @@ namespace FastPoints.Streaming
 
         /// <summary>The placement of another state of the same cloud, if this is the placement of one.</summary>
         public CloudPlacement Along(NodeSource here, NodeSource other) => new CloudPlacement(Linear, OriginWorld +
-            math.mul(Linear, other.Grid.ToGeo(other.Root.Corner) - here.Grid.ToGeo(here.Root.Corner)));
+            math.mul(Linear, other.Grid.ToGeo(other.Root.Corner) - here.Grid.ToGeo(here.Root.Corner)))
+        {
+            SeenBy = SeenBy,
+        };
 
         /// <summary>Whether it has a volume: a cloud that is flattened to nothing is not shown.</summary>
         public bool IsSound

@@ -9,6 +9,9 @@ namespace FastPoints.Streaming
     {
         public double3 Eye;
         public bool IsOrthographic;
+
+        /// <summary>Whether the view shows the cloud at all.</summary>
+        public bool IsShown;
         public int PlaneCount;
         public double ScalePx;
 
@@ -25,6 +28,7 @@ namespace FastPoints.Streaming
             var fromEye = placement.OriginWorld - view.EyeWorld;
             Eye = math.mul(math.inverse(linear), -fromEye);
             IsOrthographic = view.IsOrthographic;
+            IsShown = view.Mask.Sees(placement.SeenBy);
             ScalePx = view.ScalePx;
             PlaneCount = view.PlaneCount;
             AxisScale = new double3(math.length(linear.c0), math.length(linear.c1), math.length(linear.c2));
@@ -46,6 +50,8 @@ namespace FastPoints.Streaming
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Sees(double3 center, double3 half)
         {
+            if (!IsShown)
+                return false;
             for (int p = 0; p < PlaneCount; p++)
             {
                 double x = m_planes[4 * p], y = m_planes[4 * p + 1], z = m_planes[4 * p + 2];

@@ -50,7 +50,7 @@ namespace FastPoints.Streaming
             Selected.Clear();
             Missing.Clear();
             for (int c = 0; c < Clouds.Length; c++)
-                if (Clouds[c].Pages[0].IsLoaded && Clouds[c].Pages[0].NodeCount > 0)
+                if (Clouds[c].Pages[0].IsLoaded && Clouds[c].Pages[0].NodeCount > 0 && IsShown(c))
                     Heap.Push(new SelectionCandidate { SpacingPx = float.MaxValue, Cloud = c, Parent = -1 });
             long points = 0, more = 0;
             while (!Heap.IsEmpty)
@@ -79,6 +79,14 @@ namespace FastPoints.Streaming
                     PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, place);
             }
             Points.Value = points;
+        }
+
+        bool IsShown(int cloud)
+        {
+            bool isShown = ViewCount == 0;
+            for (int v = 0; v < ViewCount; v++)
+                isShown |= Views[cloud * ViewCount + v].IsShown;
+            return isShown;
         }
 
         int Choose(in SelectionCandidate best, in SelectionCloud cloud, HierarchyPage* page, ref long more)

@@ -25,6 +25,8 @@ namespace FastPoints.Streaming
         public double4 Plane4;
         public double4 Plane5;
 
+        internal ViewMask Mask;
+
         /// <summary>A view without a position that sees everything: a length of one unit has <paramref name="scalePx"/>
         /// pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };

@@ -1,0 +1,35 @@
+using FastPoints.Entities;
+using FastPoints.Rendering;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Has clouds shown where the editor shows other objects: in prefab stages and isolated scenes, and not where the
+    /// eye in the hierarchy is closed.</summary>
+    [InitializeOnLoad]
+    internal static class SceneVisibility
+    {
+        static SceneVisibility()
+        {
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                return;
+            CameraViews.SceneMaskOf = MaskOf;
+            PointCloud.IsHiddenInSceneViews = cloud => SceneVisibilityManager.instance.IsHidden(cloud);
+            // Clouds look in their updates.
+            SceneVisibilityManager.visibilityChanged += EditModeFrames.Ask;
+        }
+
+        /// <summary>As the render pipelines ask for it.</summary>
+        static ulong MaskOf(Camera camera)
+        {
+            if (camera.overrideSceneCullingMask != 0)
+                return camera.overrideSceneCullingMask;
+            if (camera.scene.IsValid())
+                return EditorSceneManager.GetSceneCullingMask(camera.scene);
+            return camera.cameraType == CameraType.SceneView ? SceneCullingMasks.MainStageSceneViewObjects
+                : SceneCullingMasks.GameViewObjects;
+        }
+    }
+}

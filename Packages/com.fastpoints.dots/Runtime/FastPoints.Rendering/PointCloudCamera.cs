@@ -1,0 +1,27 @@
+using UnityEngine;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>Says of its camera whether it draws point clouds. Without it all cameras do, but for URP's overlay cameras. Which
+    /// clouds a camera draws is for its culling mask and their layers to say.</summary>
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(Camera))]
+    [AddComponentMenu("FastPoints/Point Cloud Camera")]
+    public sealed class PointCloudCamera : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("Off: this camera draws no clouds. On: it does, as an overlay camera of URP, too.")]
+        bool m_drawsClouds = true;
+
+        public bool DrawsClouds
+        {
+            get => m_drawsClouds;
+            set => m_drawsClouds = value;
+        }
+
+        // Without it, Unity shows no checkbox to disable the component with.
+        void OnEnable()
+        {
+        }
+    }
+}
