@@ -12,7 +12,6 @@ public abstract class PipelineFixture : GraphicsFixture
     ScratchFolder m_scratch;
     string m_cloud;
     World m_world;
-    PipelineHost m_pipeline;
 
     protected PointCloudSystemGroup Group { get; private set; }
     internal PointScene Scene { get; private set; }
@@ -21,7 +20,9 @@ public abstract class PipelineFixture : GraphicsFixture
     protected Entity Cloud { get; private set; }
     protected EntityManager Entities => m_world.EntityManager;
 
-    protected void Begin(string pipeline) => m_pipeline = PipelineHost.Make(pipeline);
+    private protected PipelineHost Pipeline { get; private set; }
+
+    protected void Begin(string pipeline) => Pipeline = PipelineHost.Make(pipeline);
 
     [OneTimeSetUp]
     public void MakeCloud()
@@ -57,7 +58,7 @@ public abstract class PipelineFixture : GraphicsFixture
     [TearDown]
     public void EndWorld()
     {
-        m_pipeline?.Dispose();
+        Pipeline?.Dispose();
         HeadlessGraphics.WaitForIdle();
         Scene.Dispose();
         m_world.Dispose();
@@ -103,7 +104,7 @@ public abstract class PipelineFixture : GraphicsFixture
         new Vector4((float)axis.x, (float)axis.y, (float)axis.z, (float)-math.dot(axis, eye));
 
     /// <summary>The pipeline draws the camera once.</summary>
-    protected void RenderOnce(Camera camera) => m_pipeline.Render(camera);
+    protected void RenderOnce(Camera camera) => Pipeline.Render(camera);
 
     /// <summary>The picture when streaming has come to rest.</summary>
     /// <param name="slice">Of the camera's target.</param>
@@ -111,7 +112,7 @@ public abstract class PipelineFixture : GraphicsFixture
     {
         for (int frame = 0; frame < MostFrames; frame++)
         {
-            m_pipeline.Render(camera);
+            Pipeline.Render(camera);
             m_world.Update();
             HeadlessGraphics.EndFrame();
             if (frame > 2 && Group.Stats.IsSettled)
@@ -119,7 +120,7 @@ public abstract class PipelineFixture : GraphicsFixture
             Thread.Yield();
         }
         Assert.That(Group.Stats.IsSettled, Is.True, "streaming did not come to rest");
-        m_pipeline.Render(camera);
+        Pipeline.Render(camera);
         var request = AsyncGPUReadback.Request(camera.targetTexture);
         request.WaitForCompletion();
         // Into a texture the engine draws with the lowest row first.

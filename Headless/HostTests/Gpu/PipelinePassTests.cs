@@ -118,6 +118,51 @@ public sealed class PipelinePassTests : PipelineFixture
     }
 
     [Test]
+    public void Enqueue_UrpInCompatibilityMode_WarnsOnceAndHasNoPass()
+    {
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(text);
+        var settings = new UnityEngine.Rendering.Universal.RenderGraphSettings { enableRenderCompatibilityMode = true };
+        GraphicsSettings.Settings[settings.GetType()] = settings;
+        try
+        {
+            using var host = new UrpHost();
+            var camera = LookingCamera(out var target);
+            for (int i = 0; i < 3; i++)
+                host.Render(camera);
+            Assert.That(host.PassCount, Is.Zero);
+            Assert.That(logged, Has.Count.EqualTo(1).And.All.Contains("Compatibility Mode"));
+            settings.enableRenderCompatibilityMode = false;
+            host.Render(camera);
+            Assert.That(host.PassCount, Is.EqualTo(1));
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+            target.Release();
+        }
+        finally
+        {
+            GraphicsSettings.Settings.Clear();
+            Debug.s_sink = null;
+        }
+    }
+
+    [Test]
+    public void Draw_BuiltInAfterAReloadOfScripts_HasOneBufferInEachCamera()
+    {
+        Begin(nameof(BuiltInHost));
+        var camera = LookingCamera(out var target);
+        // What scripts from before the reload left; their own lists are gone.
+        using var left = new CommandBuffer { name = "FastPoints" };
+        using var other = new CommandBuffer { name = "other" };
+        camera.AddCommandBuffer(CameraEvent.AfterForwardOpaque, left);
+        camera.AddCommandBuffer(CameraEvent.AfterForwardOpaque, other);
+        RenderOnce(camera);
+        var buffers = camera.GetCommandBuffers(CameraEvent.AfterForwardOpaque);
+        Assert.That(buffers, Has.Length.EqualTo(2).And.Contains(other).And.Not.Contains(left));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [Test]
     public void Begin_HdrpBegunTwice_DrawsEachCameraOnce()
     {
         // A host begins twice.

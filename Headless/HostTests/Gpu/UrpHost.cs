@@ -9,6 +9,9 @@ sealed class UrpHost : PipelineHost
 {
     readonly Renderer m_renderer = new Renderer();
 
+    /// <summary>Of a headset whose eyes are drawn in turn.</summary>
+    public int Eye { get; set; }
+
     /// <summary>What the camera that was drawn last had in its graph.</summary>
     public int PassCount { get; private set; }
 
@@ -32,6 +35,8 @@ sealed class UrpHost : PipelineHost
         var cameraData = frame.GetOrCreate<UniversalCameraData>();
         cameraData.camera = camera;
         cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;
+        cameraData.xrRendering = camera.stereoEnabled;
+        cameraData.Eye = Eye;
         foreach (var pass in m_renderer.Passes)
             pass.RecordRenderGraph(graph, frame);
         m_renderer.Passes.Clear();

@@ -3,6 +3,12 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal;
 
+public class RenderGraphSettings : IRenderPipelineGraphicsSettings
+{
+    /// <summary>Where it is on, passes are not recorded.</summary>
+    public bool enableRenderCompatibilityMode { get; internal set; }
+}
+
 public enum CameraRenderType { Base = 0, Overlay = 1 }
 
 public enum RenderPassEvent { AfterRenderingOpaques = 300 }
@@ -57,8 +63,17 @@ public class UniversalCameraData : ContextItem
     public Camera camera;
     public RenderTextureDescriptor cameraTargetDescriptor;
 
-    public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => cameraTargetDescriptor.volumeDepth > 1
-        ? camera.GetStereoProjectionMatrix((Camera.StereoscopicEye)viewIndex) : camera.projectionMatrix;
+    /// <summary>Whether a headset shows the picture.</summary>
+    public bool xrRendering;
+
+    /// <summary>The eye that is drawn where eyes are drawn in turn.</summary>
+    internal int Eye;
+
+    public Matrix4x4 GetViewMatrix(int viewIndex = 0) =>
+        xrRendering ? camera.GetStereoViewMatrix((Camera.StereoscopicEye)(Eye + viewIndex)) : camera.worldToCameraMatrix;
+
+    public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) =>
+        xrRendering ? camera.GetStereoProjectionMatrix((Camera.StereoscopicEye)(Eye + viewIndex)) : camera.projectionMatrix;
 
     public bool IsRenderTargetProjectionMatrixFlipped(RTHandle color, RTHandle depth = null) => true;
     public override void Reset() => camera = null;

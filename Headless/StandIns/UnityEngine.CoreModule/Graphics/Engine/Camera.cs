@@ -43,6 +43,9 @@ public sealed class Camera : Behaviour
     public int pixelHeight => targetTexture == null ? 0 : targetTexture.height;
 
     public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Add((evt, buffer));
+    public CommandBuffer[] GetCommandBuffers(CameraEvent evt) =>
+        m_commands.Where(c => c.Event == evt).Select(c => c.Commands).ToArray();
+
     public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Remove((evt, buffer));
 
     /// <summary>Its target cleared, then the command buffers: what the Built-in pipeline makes of a camera in a scene without

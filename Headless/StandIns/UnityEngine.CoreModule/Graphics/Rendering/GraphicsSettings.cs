@@ -1,7 +1,18 @@
 namespace UnityEngine.Rendering;
 
+public interface IRenderPipelineGraphicsSettings { }
+
 public sealed class GraphicsSettings : Object
 {
+    /// <summary>Of the pipeline's global settings, by type.</summary>
+    internal static readonly Dictionary<Type, object> Settings = new Dictionary<Type, object>();
+
+    public static bool TryGetRenderPipelineSettings<T>(out T settings) where T : class, IRenderPipelineGraphicsSettings
+    {
+        settings = Settings.TryGetValue(typeof(T), out object found) ? (T)found : null;
+        return settings != null;
+    }
+
     /// <summary>Null in the Built-in pipeline; a test sets another.</summary>
     public static RenderPipelineAsset currentRenderPipeline { get; internal set; }
 

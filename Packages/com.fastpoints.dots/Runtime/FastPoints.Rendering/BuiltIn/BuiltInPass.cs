@@ -9,6 +9,7 @@ namespace FastPoints.Rendering.BuiltIn
     internal static class BuiltInPass
     {
         const CameraEvent Place = CameraEvent.AfterForwardOpaque;
+        const string Name = "FastPoints";
 
         static readonly List<Camera> s_cameras = new List<Camera>();
         static readonly List<CommandBuffer> s_commands = new List<CommandBuffer>();
@@ -63,7 +64,11 @@ namespace FastPoints.Rendering.BuiltIn
                 s_commands.RemoveAt(i);
                 s_cameras.RemoveAt(i);
             }
-            var commands = new CommandBuffer { name = "FastPoints" };
+            // A camera that outlives a reload of scripts, as a scene view's, still has the buffer from before.
+            foreach (var old in camera.GetCommandBuffers(Place))
+                if (old.name == Name)
+                    camera.RemoveCommandBuffer(Place, old);
+            var commands = new CommandBuffer { name = Name };
             camera.AddCommandBuffer(Place, commands);
             s_cameras.Add(camera);
             s_commands.Add(commands);

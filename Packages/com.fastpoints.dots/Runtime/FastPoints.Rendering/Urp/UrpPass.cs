@@ -10,6 +10,7 @@ namespace FastPoints.Rendering.Urp
     internal sealed class UrpPass : ScriptableRenderPass
     {
         static UrpPass s_pass;
+        static bool s_isWarned;
 
         /// <summary>The camera whose pass is enqueued but not yet recorded.</summary>
         Camera m_camera;
@@ -70,17 +71,40 @@ namespace FastPoints.Rendering.Urp
             target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
             target.WidthPx = size.width;
             target.HeightPx = size.height;
+            if (camera.xrRendering)
+            {
+                // Where a headset's eyes are drawn in turn, Camera.stereoActiveEye does not say which one this is.
+                target.Eye = EyeMatrices.Of(camera.GetViewMatrix(), camera.GetProjectionMatrix());
+                if (hasBothEyes)
+                    target.RightEye = EyeMatrices.Of(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1));
+            }
             // This includes the jitter of temporal anti-aliasing.
             target.Eye.Projection = camera.GetProjectionMatrix();
-            if (hasBothEyes)
-                target.RightEye.Projection = camera.GetProjectionMatrix(1);
             data.Scene.Record(commands, camera.camera, target);
+        }
+
+        /// <summary>In Compatibility Mode passes are not recorded, and Unity would warn of each in each frame.</summary>
+        static bool IsWithoutRenderGraph()
+        {
+#if UNITY_6000_5_OR_NEWER
+            return false;
+#else
+            if (!GraphicsSettings.TryGetRenderPipelineSettings<RenderGraphSettings>(out var settings) ||
+                !settings.enableRenderCompatibilityMode)
+                return false;
+            if (!s_isWarned)
+                Debug.LogWarning("Point clouds are not drawn in URP's Compatibility Mode (Project Settings > Graphics > URP)");
+            s_isWarned = true;
+            return true;
+#endif
         }
 
         static void Enqueue(ScriptableRenderContext context, Camera camera)
         {
             var scene = PointScene.Current;
             if (scene == null || !(GraphicsSettings.currentRenderPipeline is UniversalRenderPipelineAsset))
+                return;
+            if (IsWithoutRenderGraph())
                 return;
             var cameraData = camera.GetUniversalAdditionalCameraData();
             if (!PointScene.IsDrawn(camera, cameraData.renderType == CameraRenderType.Overlay))
