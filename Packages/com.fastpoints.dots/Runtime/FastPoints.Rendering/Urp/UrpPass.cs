@@ -10,7 +10,6 @@ namespace FastPoints.Rendering.Urp
     internal sealed class UrpPass : ScriptableRenderPass
     {
         static UrpPass s_pass;
-        static bool s_isWarned;
 
         /// <summary>The camera whose pass is enqueued but not yet recorded.</summary>
         Camera m_camera;
@@ -83,6 +82,10 @@ namespace FastPoints.Rendering.Urp
             data.Scene.Record(commands, camera.camera, target);
         }
 
+#if !UNITY_6000_5_OR_NEWER
+        static bool s_isWarned;
+
+#endif
         /// <summary>In Compatibility Mode passes are not recorded, and Unity would warn of each in each frame.</summary>
         static bool IsWithoutRenderGraph()
         {
