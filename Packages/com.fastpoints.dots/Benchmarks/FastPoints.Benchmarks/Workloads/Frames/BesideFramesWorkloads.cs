@@ -1,31 +1,47 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Draw;
 using FastPoints.Files;
+using FastPoints.LazEncoding;
+using FastPoints.Points;
+using FastPoints.Samplers;
 using FastPoints.SourceFeeds;
 using FastPoints.Verify;
+using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Work that a pump steps beside frames: alone, at 60 Hz, and at 10 Hz, as an editor without focus has. The error is
-    /// how long frames wait for their own jobs; the note has the shares of the speed alone, and the ticks.</summary>
+    /// <summary>Work that a pump steps beside frames, at 60 Hz and at 10 Hz, as an editor without focus has. Its limit is the
+    /// same work run to its end by as many workers, while the main thread does nothing but step it; with the main thread's
+    /// help there is one more of them. The error is how long frames wait for their own jobs; the note has medians of all
+    /// runs.</summary>
     public sealed class BesideFramesWorkload : IWorkload
     {
-        readonly double m_tickMs;
+        /// <summary>How the work is run: by a frame, the pump's share of it, and how far workers are kept busy ahead.</summary>
+        static readonly (string Name, double FrameMs, double TickMs, double AheadMs)[] s_modes =
+        {
+            ("to its end by workers alone", 0, 0, 0), ("with the main thread's help", -1, 0, 0),
+            ("at 60 Hz", 1000.0 / 60, 2, 50), ("at 10 Hz", 100, 4, 250),
+        };
+
         readonly Func<WorkloadContext, string> m_find;
-        readonly Func<string, IEnumerator<Work>> m_begin;
+        readonly Func<BesideFramesWorkload, StageProgress, double, IEnumerator<Work>> m_begin;
+        readonly List<double>[] m_runMs = s_modes.Select(m => new List<double>()).ToArray();
         string m_path;
+        string m_target;
         long m_points;
 
-        /// <param name="tickMs">Main-thread time of the work in a frame.</param>
         /// <param name="find">The input's path; null where there is none.</param>
-        /// <param name="begin">Makes the work once more.</param>
-        BesideFramesWorkload(string name, double tickMs, Func<WorkloadContext, string> find,
-            Func<string, IEnumerator<Work>> begin)
+        /// <param name="begin">Makes the work once more, for so many ms ahead.</param>
+        BesideFramesWorkload(string name, Func<WorkloadContext, string> find,
+            Func<BesideFramesWorkload, StageProgress, double, IEnumerator<Work>> begin)
         {
             Name = "frame beside " + name;
-            m_tickMs = tickMs;
             m_find = find;
             m_begin = begin;
         }
@@ -33,54 +49,105 @@ namespace FastPoints.Benchmarks
         public string Name { get; }
         public string LimitName => null;
 
-        public static IEnumerable<IWorkload> All() => new[]
+        public static IEnumerable<IWorkload> All()
         {
-            new BesideFramesWorkload("verify", 4, TerrainBenchmarkFile.MakeConverted, Verify),
-            new BesideFramesWorkload("preview las", 2, TerrainBenchmarkFile.Make, Preview),
-            new BesideFramesWorkload("preview laz", 2, c => BenchmarkSamples.Find(c, BenchmarkSamples.LazLayered), Preview),
-        };
+            foreach (var sampler in new[] { Sampler.Random, Sampler.Poisson })
+            {
+                string name = sampler.ToString().ToLowerInvariant();
+                yield return new BesideFramesWorkload("convert las " + name, TerrainBenchmarkFile.Make,
+                    (w, progress, ms) => w.Convert(sampler, progress, ms));
+                yield return new BesideFramesWorkload("convert laz " + name, Compressed,
+                    (w, progress, ms) => w.Convert(sampler, progress, ms));
+            }
+            yield return new BesideFramesWorkload("verify", TerrainBenchmarkFile.MakeConverted, Verify);
+            yield return new BesideFramesWorkload("preview las", TerrainBenchmarkFile.Make, Preview);
+            yield return new BesideFramesWorkload("preview laz",
+                c => BenchmarkSamples.Find(c, BenchmarkSamples.LazLayered), Preview);
+        }
 
         public void Prepare(WorkloadContext context)
         {
             m_path = m_find(context);
             m_points = context.Points;
+            m_target = Path.Combine(context.ScratchFolder, Name + ".fastpoints");
         }
 
         public WorkloadResult Run()
         {
             if (m_path == null)
                 return default;
-            using (var frames = new FrameLoop(m_tickMs, Math.Max(1, Environment.ProcessorCount - 1)))
+            var result = new WorkloadResult { Points = s_modes.Length * m_points, ErrorUnit = "ms p99 wait" };
+            var stages = new StageProgress[s_modes.Length];
+            var times = new string[s_modes.Length];
+            for (int i = 0; i < s_modes.Length; i++)
             {
-                string note = frames.Compare(() => m_begin(m_path));
-                return new WorkloadResult
-                {
-                    Points = 3 * m_points,
-                    Error = frames.WaitMs,
-                    ErrorUnit = "ms p99 wait",
-                    Note = note,
-                };
+                var mode = s_modes[i];
+                stages[i] = new StageProgress();
+                using var frames = new FrameLoop(mode.TickMs, Math.Max(1, JobsUtility.JobWorkerCount));
+                m_runMs[i].Add(frames.Run(m_begin(this, stages[i], mode.AheadMs), mode.FrameMs));
+                stages[i].End();
+                times[i] = frames.Frames == 0 ? "" : ", " + frames.Times;
+                result.Error = Math.Max(result.Error, frames.Frames == 0 ? 0 : frames.WaitMs);
+                Delete();
             }
+            result.Note = string.Join("; ", s_modes.Select((m, i) => Text("{0} {1:0} ms ({2:0} %){3}", m.Name, Median(i),
+                100 * Median(0) / Median(i), times[i]))) + "; stages in this order, ms:" + Stages(stages);
+            return result;
         }
 
-        public void Dispose()
+        public void Dispose() => Delete();
+
+        void Delete()
         {
+            if (Directory.Exists(m_target))
+                Directory.Delete(m_target, true);
         }
 
-        static IEnumerator<Work> Verify(string cloud)
+        double Median(int mode) => m_runMs[mode].OrderBy(ms => ms).ElementAt(m_runMs[mode].Count / 2);
+
+        static string Stages(StageProgress[] stages) => string.Concat(stages[0].Finished.Select((s, i) => " " + s.Name + " "
+            + string.Join(", ", stages.Select(m => i < m.Finished.Count ? Text("{0:0}", 1000 * m.Finished[i].Seconds) : "-"))
+            + ";")).TrimEnd(';');
+
+        static string Text(string format, params object[] values) => string.Format(CultureInfo.InvariantCulture, format, values);
+
+        static string Compressed(WorkloadContext context)
+        {
+            string las = TerrainBenchmarkFile.Make(context), laz = Path.ChangeExtension(las, ".laz");
+            if (File.Exists(laz))
+                return laz;
+            using var stream = File.Create(laz);
+            LazFile.Write(las, stream, new StageProgress(), default);
+            return laz;
+        }
+
+        IEnumerator<Work> Convert(Sampler sampler, StageProgress progress, double aheadMs)
+        {
+            var settings = new ConvertSettings
+            {
+                Sampler = sampler,
+                Workers = JobsUtility.JobWorkerCount,
+                AheadMs = aheadMs,
+                Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue },
+            };
+            using var reader = PointReaders.Open(m_path);
+            yield return Work.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, r => { }, progress));
+        }
+
+        static IEnumerator<Work> Verify(BesideFramesWorkload workload, StageProgress progress, double aheadMs)
         {
             var result = new VerifyResult();
-            yield return Work.Of(VerifyCloud.Run(cloud, Array.Empty<PointReader>(), result, null));
+            yield return Work.Of(VerifyCloud.Run(workload.m_path, Array.Empty<PointReader>(), result, progress));
             if (!result.Ok)
                 throw new InvalidOperationException(result.Problems[0]);
         }
 
         /// <summary>As a scene takes it, and drawn.</summary>
-        static IEnumerator<Work> Preview(string file)
+        static IEnumerator<Work> Preview(BesideFramesWorkload workload, StageProgress progress, double aheadMs)
         {
-            using (var reader = PointReaders.Open(file))
+            using (var reader = PointReaders.Open(workload.m_path))
             using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = SourceFeed.PreviewPoints }))
-                yield return Work.Of(preview.Run(null));
+                yield return Work.Of(preview.Run(progress));
         }
     }
 }
