@@ -12,6 +12,8 @@ public sealed class ConvertStep
     {
         double begin = run.Seconds;
         ConvertResult? result = null;
+        // The work is awaited, not ticked.
+        settings.AheadMs = 0;
         if (run.IsDiscarding)
             CloudFolderWriter.DeleteUnfinished(target);
         // The build must know that it is stopped, not failed, before it ends.

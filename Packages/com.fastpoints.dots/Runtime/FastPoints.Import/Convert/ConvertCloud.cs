@@ -42,7 +42,10 @@ namespace FastPoints.Convert
             progress?.Begin(BuildStages.Sample);
             yield return Work.Of(convert.Sample());
             yield return Work.Of(convert.Partition());
+            // The pump looks at its budget: memory is allocated in steps.
+            yield return default;
             convert.Resume();
+            yield return default;
             if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
             {
                 progress?.Begin(BuildStages.Read);
@@ -74,7 +77,6 @@ namespace FastPoints.Convert
         IEnumerator<Work> Sample()
         {
             var statistics = new NativeReference<SampleStatistics>(Allocator.Persistent);
-            var job = default(JobHandle);
             try
             {
                 foreach (var reader in m_build.Readers)
@@ -82,22 +84,18 @@ namespace FastPoints.Convert
                     reader.MostJobs = m_build.Settings.Workers;
                     if (!reader.BlocksAreKnown)
                         yield return Work.Of(reader.FindBlocks());
-                    yield return Work.Of(SourceSample.Read(reader, m_build.AheadMs, m_build.Settings.Workers, m_samples.Add));
-                    var stored = m_samples[m_samples.Count - 1].Stored;
-                    job = MeasureSampleJob.Schedule(new MeasureSampleJob
-                    {
-                        Stored = stored,
-                        Statistics = statistics,
-                        Slices = m_build.Slices,
-                    });
-                    yield return job;
-                    job.Complete();
+                    yield return Work.Of(SourceSample.Read(reader, m_build.AheadMs, m_build.Settings.Workers,
+                        (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
+                        {
+                            Stored = stored,
+                            Statistics = statistics,
+                            Slices = m_build.Slices,
+                        }, loaded), m_samples.Add));
                     m_sampleStatistics.Add(statistics.Value);
                 }
             }
             finally
             {
-                job.Complete();
                 statistics.Dispose();
             }
         }

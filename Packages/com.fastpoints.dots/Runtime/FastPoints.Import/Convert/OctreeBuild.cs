@@ -39,6 +39,9 @@ namespace FastPoints.Convert
             }
         }
 
+        /// <summary>Points of chunks that a worker takes in a millisecond at most.</summary>
+        const double PointsPerMs = 8000;
+
         readonly BuildContext m_build;
         readonly ChunkSet m_chunks;
         readonly NativeStoreLayout m_store;
@@ -84,22 +87,7 @@ namespace FastPoints.Convert
         {
             m_build.Progress?.Begin(BuildStages.Index);
             yield return Work.Of(IndexChunks());
-            // Large blocks take milliseconds to free.
-            while (m_spare.Count > 0)
-            {
-                m_spare.Pop().Dispose();
-                yield return default;
-            }
-            foreach (var lane in m_lanes)
-            {
-                lane.Dispose();
-                yield return default;
-            }
-            m_writes.Dispose();
-            yield return default;
-            while (RecordPagePool.Of(m_build.Pool).FreeSlab())
-                yield return default;
-
+            yield return Work.Of(Free());
             m_build.Progress?.Begin(BuildStages.Merge);
             int lowest = Manifest.Root.SideLog2;
             foreach (var result in m_results)
@@ -114,6 +102,31 @@ namespace FastPoints.Convert
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_merge.BytesOfPlane[p];
             LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - Math.Min(lowest, m_merge.LowestSideLog2) + 1;
+        }
+
+        /// <summary>Frees what chunks needed, a part a step: large blocks take milliseconds.</summary>
+        IEnumerator<Work> Free()
+        {
+            var freed = default(JobHandle);
+            try
+            {
+                for (int slabs = RecordPagePool.Of(m_build.Pool).SlabCount; slabs > 0; slabs--)
+                    freed = new FreeSlabJob { Pool = m_build.Pool }.Schedule(freed);
+                JobHandle.ScheduleBatchedJobs();
+                for (; m_spare.Count > 0; m_spare.Pop().Dispose())
+                    yield return default;
+                foreach (var lane in m_lanes)
+                {
+                    lane.Dispose();
+                    yield return default;
+                }
+                m_writes.Dispose();
+                yield return freed;
+            }
+            finally
+            {
+                freed.Complete();
+            }
         }
 
         public void Dispose()
@@ -210,7 +223,8 @@ namespace FastPoints.Convert
             for (int i = 0; i < lanes; i++)
                 m_lanes.Add(m_build.CreateLane(m_store));
             long room = Math.Max(0, plan.IndexBytes - lanes * m_chunkBytes) / 2 / m_aheadBytes;
-            m_ahead = new WorkAhead(lanes, (int)Math.Min(chunks, lanes + room), m_build.AheadMs);
+            int first = WorkAhead.CountFor(lanes, m_build.AheadMs(), lanes, m_build.Plan.PointsPerChunk / PointsPerMs);
+            m_ahead = new WorkAhead(first, (int)Math.Min(chunks, lanes + room), m_build.AheadMs);
             m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_ahead.Most);
         }
 

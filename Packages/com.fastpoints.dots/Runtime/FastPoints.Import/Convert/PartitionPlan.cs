@@ -29,7 +29,8 @@ namespace FastPoints.Convert
             int sampled = 0;
             foreach (var sample in samples)
                 sampled += sample.Stored.Length;
-            var codes = new NativeArray<uint>(Math.Max(1, sampled), Allocator.Persistent);
+            var codes = new NativeArray<uint>(Math.Max(1, sampled), Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
             var runs = new NativeList<SampleRun>(Allocator.Persistent);
             JobHandle coded = default;
             try
@@ -58,14 +59,12 @@ namespace FastPoints.Convert
                         });
                     first += samples[i].Stored.Length;
                 }
-                yield return coded;
-                coded.Complete();
                 // Empty runs would mean that each point stands for itself.
                 if (runs.Length == 0)
                     runs.Add(default);
                 double share = Math.Min(1, sampled / (double)Math.Max(1, points));
                 yield return Work.Of(DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
-                    density => take(Partition(cube, density, plan))));
+                    coded, density => take(Partition(cube, density, plan))));
             }
             finally
             {

@@ -106,7 +106,6 @@ namespace FastPoints.Convert
             var batch = new PointBatch(wanted, RunPoints * RunsAtOnce, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
             var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.Records, m_build.Map, batch);
-            var grouped = default(JobHandle);
             try
             {
                 for (int first = 0; first < runs.Count; first += RunsAtOnce)
@@ -114,17 +113,16 @@ namespace FastPoints.Convert
                     int count = Math.Min(RunsAtOnce, runs.Count - first), points = 0;
                     for (int r = first; r < first + count; r++)
                         points += runs[r].Count;
-                    yield return Work.Of(RunRead.Run(reader, runs, first, count, batch));
-                    decoded.Value = new DecodeResult { Points = points };
-                    grouped = slot.ScheduleGrouping(batch, decoded, grid, default);
-                    yield return grouped;
-                    grouped.Complete();
+                    yield return Work.Of(RunRead.Run(reader, runs, first, count, batch, read =>
+                    {
+                        decoded.Value = new DecodeResult { Points = points };
+                        return slot.ScheduleGrouping(batch, decoded, grid, read);
+                    }));
                     Take(slot);
                 }
             }
             finally
             {
-                grouped.Complete();
                 slot.Dispose();
                 batch.Dispose();
                 decoded.Dispose();

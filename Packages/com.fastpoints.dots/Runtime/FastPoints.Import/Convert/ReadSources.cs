@@ -90,7 +90,7 @@ namespace FastPoints.Convert
                 // Reading goes on while the disk takes in what was read.
                 yield return Work.Of(m_checkpoints.Begin());
             }
-            m_scatter.EndSource();
+            yield return Work.Of(m_scatter.EndSource());
         }
 
         /// <summary>Where reading takes long, the first generation is made beside it; not for what is left of the second half,

@@ -145,21 +145,24 @@ namespace FastPoints.Convert
             m_pagesDetached.Value = 0;
         }
 
-        /// <summary>After a source's scan.</summary>
-        public void EndSource()
+        /// <summary>Work for a pump, after a source's scan: frees what the next source has no use for, a part a step.</summary>
+        public IEnumerator<Work> EndSource()
         {
-            foreach (var slot in m_slots)
+            for (; m_slots.Count > 0; m_slots.RemoveAt(m_slots.Count - 1))
             {
+                var slot = m_slots[m_slots.Count - 1];
                 m_build.Slices.Take(slot.Slices);
                 slot.Dispose();
+                yield return default;
             }
-            m_slots.Clear();
         }
 
         public void Dispose()
         {
             m_lastAppend.Complete();
-            EndSource();
+            foreach (var slot in m_slots)
+                slot.Dispose();
+            m_slots.Clear();
             if (!m_chunks.IsCreated)
                 return;
             m_chunks.Dispose();

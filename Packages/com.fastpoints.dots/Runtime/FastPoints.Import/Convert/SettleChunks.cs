@@ -47,6 +47,8 @@ namespace FastPoints.Convert
             {
                 long target = m_build.Plan.PointsPerChunk;
                 yield return Work.Of(m_chunks.SplitLarge(2 * target, target));
+                // The pump looks at its budget.
+                yield return default;
                 journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(journal.Root, target);
                 journal.At = BuildJournal.Stage.Index;

@@ -61,10 +61,11 @@ namespace FastPoints.Density
             }
             double edge = math.cmax(bounds.Size);
             edge = edge > 0 ? edge * (1 + 1e-9) : 1;
-            var codes = new NativeArray<uint>(count, Allocator.Persistent);
+            var codes = new NativeArray<uint>(count, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var coded = default(JobHandle);
             try
             {
-                yield return Work.Of(Slices.Run(0, count, PointsPerSlice, (first, end, after) => new CodePositionsJob
+                yield return Work.Of(Slices.Schedule(0, count, PointsPerSlice, (first, end, after) => new CodePositionsJob
                 {
                     Sample = sample.Points.Bytes,
                     Positions = PositionColumns.Of(sample.Points),
@@ -74,16 +75,17 @@ namespace FastPoints.Density
                     Corner = bounds.Min,
                     CellsPerUnit = (1 << DensityTree.Levels) / edge,
                     CodeOfPoint = codes,
-                }.Schedule(after)));
-                long all = Math.Max(sample.PointsInSource, sample.Count);
+                }.Schedule(after), 1, default, all => coded = all));
+                long points = Math.Max(sample.PointsInSource, sample.Count);
                 double inSample = count + sample.NonFinite;
                 int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
                 int least = Math.Max(LeastStretches, stretches / StretchesPerLeast);
-                yield return Work.Of(DensityTree.Count(codes, sample.Runs, all / inSample, inSample / all, least, 0,
-                    tree => take(new DensityEstimate(tree, sample, inSample / all, least, bounds.Min, edge))));
+                yield return Work.Of(DensityTree.Count(codes, sample.Runs, points / inSample, inSample / points, least, 0,
+                    coded, tree => take(new DensityEstimate(tree, sample, inSample / points, least, bounds.Min, edge))));
             }
             finally
             {
+                coded.Complete();
                 codes.Dispose();
             }
         }

@@ -68,9 +68,10 @@ namespace FastPoints.Density
         /// <param name="share">The sampled share of the file's points, 0 to 1.</param>
         /// <param name="leastStretches">Cells with points of fewer stretches are not divided.</param>
         /// <param name="mostPoints">Cells with no more points are not divided.</param>
+        /// <param name="coded">Completes when the codes are there.</param>
         /// <param name="take">Receives the tree at the end; the caller disposes it.</param>
         public static IEnumerator<Work> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double weightOfEach,
-            double share, int leastStretches, double mostPoints, Action<DensityTree> take)
+            double share, int leastStretches, double mostPoints, JobHandle coded, Action<DensityTree> take)
         {
             var tree = new DensityTree { m_share = share };
             var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
@@ -107,7 +108,7 @@ namespace FastPoints.Density
                         ChildBricks = tree.m_childBricks,
                         Sums = tree.m_sums,
                         Touched = touched,
-                    }.Schedule(after)));
+                    }.Schedule(after), 1, coded));
                 take(tree);
                 tree = null;
             }

@@ -107,6 +107,9 @@ namespace FastPoints.Files
         /// <param name="allocator">The allocator of the slot's memory.</param>
         public abstract BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator);
 
+        /// <summary>Bytes that a slot takes beside its columns and what it reads of the file.</summary>
+        internal virtual long DecoderBytes => 0;
+
         /// <summary>Closes the file's handle if possible, and keeps everything that was found; the next slot opens it again.
         /// There must be no slots at this time.</summary>
         public virtual void CloseFile() { }

@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
-using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -27,15 +25,21 @@ namespace FastPoints.Files
             reader.BlockCount == 0 ? 1
                 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
 
-        static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
+        /// <summary>Slots that fit into so many bytes, and at least one.</summary>
+        internal static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
         {
             long fileBytes = reader.BytesOfRange(new BlockRange(0, 0, reader.PointsInBlock(0)));
-            long bytesPerSlot = (long)reader.MaxPointsPerBlock * (wanted.BytesPerPoint + extraBytesPerPoint) + fileBytes;
+            long bytesPerSlot = (long)reader.MaxPointsPerBlock * (wanted.BytesPerPoint + extraBytesPerPoint) + fileBytes
+                + reader.DecoderBytes;
             return (int)Math.Max(1, Math.Min(int.MaxValue, maxBytes / Math.Max(1, bytesPerSlot)));
         }
 
-        /// <summary>Slots for a pump that is ticked: as many at first as one that awaits each needs, and as many as memory
-        /// allows where workers run out of them. See <see cref="SlotsFor(PointReader, PointSchema, int, long)"/>.</summary>
+        /// <summary>Points that a worker takes in a millisecond at most: of records of one length, and of all others.</summary>
+        const double RecordsPerMs = 8000, OthersPerMs = 2000;
+
+        /// <summary>Slots for a pump that is ticked: as many at first as are done in the time, or as one that awaits each needs,
+        /// and as many as memory allows where workers run out of them. See
+        /// <see cref="SlotsFor(PointReader, PointSchema, int, long)"/>.</summary>
         /// <param name="chains">As in <see cref="Run(PointReader, PointSchema, IBlockConsumer, WorkAhead, int, int, int,
         /// StageProgress)"/>.</param>
         public static WorkAhead AheadFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes,
@@ -43,7 +47,9 @@ namespace FastPoints.Files
         {
             if (reader.BlockCount == 0)
                 return new WorkAhead(1, 1, ms);
-            int first = chains > 0 ? Math.Min(DefaultSlots, 2 * chains) : DefaultSlots;
+            int least = chains > 0 ? Math.Min(DefaultSlots, 2 * chains) : DefaultSlots;
+            int first = WorkAhead.CountFor(least, ms(), (least + 1) / 2,
+                reader.MaxPointsPerBlock / (reader.HasRunReads ? RecordsPerMs : OthersPerMs));
             return new WorkAhead(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
         }
 
@@ -67,65 +73,9 @@ namespace FastPoints.Files
         public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, WorkAhead ahead,
             int chains, int first, int end, Func<int, BlockRange> rangeOf, int longest, StageProgress progress)
         {
-            var throttle = consumer as IThrottledConsumer;
-            long pointsDone = 0, bytesDone = 0;
-            var reads = new List<BlockRead>();
-            var consumed = new List<JobHandle>();
-            var last = new JobHandle[chains];
-            var inFlight = new Queue<int>();
-            var spare = new Stack<int>();
-            var newest = default(JobHandle);
-            try
-            {
-                for (int next = first; next < end || inFlight.Count > 0;)
-                {
-                    if (next == end || inFlight.Count >= ahead.Count)
-                    {
-                        int done = inFlight.Peek();
-                        ahead.Await();
-                        yield return consumed[done];
-                        ahead.Resume(next < end && newest.IsCompleted);
-                        inFlight.Dequeue();
-                        spare.Push(done);
-                        consumed[done].Complete();
-                        var read = reads[done];
-                        read.Complete();
-                        consumer.Completed(read, done);
-                        pointsDone += read.Points.Count;
-                        bytesDone += reader.BytesOfRange(read.Range);
-                        progress?.Report((next - first - inFlight.Count) / (double)(end - first), pointsDone, bytesDone);
-                        continue;
-                    }
-                    while (throttle != null && !throttle.IsReady)
-                        yield return default;
-                    if (spare.Count == 0)
-                    {
-                        spare.Push(reads.Count);
-                        reads.Add(reader.CreateRead(wanted, longest, Allocator.Persistent));
-                        consumed.Add(default);
-                    }
-                    int slot = spare.Pop();
-                    if (chains > 0)
-                        reads[slot].After = last[next % chains];
-                    reads[slot].Begin(rangeOf(next));
-                    consumed[slot] = newest = consumer.Schedule(reads[slot], slot, reads[slot].Decoded);
-                    if (chains > 0)
-                        last[next % chains] = newest;
-                    inFlight.Enqueue(slot);
-                    next++;
-                    JobHandle.ScheduleBatchedJobs();
-                    // The pump looks at its budget.
-                    yield return default;
-                }
-            }
-            finally
-            {
-                for (int i = 0; i < reads.Count; i++)
-                {
-                    consumed[i].Complete();
-                    reads[i].Dispose();
-                }
-            }
+            using var slots = new ReadSlots(reader, wanted, longest, ahead, chains);
+            yield return Work.Of(slots.Run(consumer, first, end, (read, n) => read.Begin(rangeOf(n)), progress));
+            yield return Work.Of(slots.Free());
         }
     }
 }

@@ -21,9 +21,8 @@ namespace FastPoints.Partition
         public SliceTimes Slices;
 
         /// <summary>Schedules all slices of a sample.</summary>
-        public static JobHandle Schedule(MeasureSampleJob job)
+        public static JobHandle Schedule(MeasureSampleJob job, JobHandle done)
         {
-            var done = default(JobHandle);
             do
             {
                 job.First = job.End;

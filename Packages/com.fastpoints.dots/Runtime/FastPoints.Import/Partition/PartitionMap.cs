@@ -73,10 +73,11 @@ namespace FastPoints.Partition
         {
             int levels = LevelsFor(cube.SideLog2, MaxLevels);
             int partLevels = LevelsFor(cube.SideLog2 - levels, MostPartLevels);
-            var chunkOfCell = new List<int>(new int[1 << 3 * levels]);
+            using var chunkOfCell = new NativeList<int>(1 << 3 * levels, Allocator.Persistent);
+            chunkOfCell.ResizeUninitialized(1 << 3 * levels);
             var chunks = new List<GridCube>();
             Descend(cube, 0, 0, DensityTree.Root);
-            return new PartitionMap(cube, levels, partLevels, new NativeArray<int>(chunkOfCell.ToArray(), Allocator.Persistent),
+            return new PartitionMap(cube, levels, partLevels, new NativeArray<int>(chunkOfCell.AsArray(), Allocator.Persistent),
                 chunks.ToArray());
 
             // The cube's cells, or parts of a cell, begin at first.
@@ -87,17 +88,18 @@ namespace FastPoints.Partition
                 int below = density.FirstPartOf(cell);
                 if (below < 0 || level == levels + partLevels || Fits(density[cell], target))
                 {
+                    var cells = chunkOfCell.AsArray();
                     for (int i = first; i < first + count; i++)
-                        chunkOfCell[i] = chunks.Count;
+                        cells[i] = chunks.Count;
                     chunks.Add(part);
                     return;
                 }
                 if (level == levels)
                 {
-                    chunkOfCell[first] = ~chunkOfCell.Count;
-                    first = chunkOfCell.Count;
+                    chunkOfCell.ElementAt(first) = ~chunkOfCell.Length;
+                    first = chunkOfCell.Length;
                     count = 1 << 3 * partLevels;
-                    chunkOfCell.AddRange(new int[count]);
+                    chunkOfCell.ResizeUninitialized(first + count);
                 }
                 for (int octant = 0; octant < 8; octant++)
                     Descend(part.Child(octant), level + 1, first + octant * (count / 8), below + octant);

@@ -38,17 +38,20 @@ namespace FastPoints.Partition
         /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
         /// <param name="aheadMs">See <see cref="WorkAhead"/>.</param>
         /// <param name="chains">The most runs that are decoded side by side; 0 for all in flight.</param>
+        /// <param name="measure">Schedules jobs on the positions, behind those that load them.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
-        public static IEnumerator<Work> Read(PointReader reader, Func<double> aheadMs, int chains, Action<SourceSample> take)
+        public static IEnumerator<Work> Read(PointReader reader, Func<double> aheadMs, int chains,
+            Func<NativeArray<double3>, JobHandle, JobHandle> measure, Action<SourceSample> take)
         {
             var sample = new SourceSample();
             var runs = SampleRuns.Choose(reader, MaxRuns, RunPoints);
             var positions = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
+            var measured = default(JobHandle);
             try
             {
                 if (reader.HasRunReads)
                 {
-                    yield return Work.Of(sample.ReadRuns(reader, runs, positions));
+                    yield return Work.Of(sample.ReadRuns(reader, runs, positions, measure));
                 }
                 else
                 {
@@ -57,12 +60,15 @@ namespace FastPoints.Partition
                     using var consumer = new Appending(sample, reader, runs, longest);
                     yield return Work.Of(SourceScan.Run(reader, positions, consumer, ahead, chains, 0, runs.Count,
                         r => runs[r], longest, null));
+                    measured = measure(sample.Stored, default);
+                    yield return measured;
                 }
                 take(sample);
                 sample = null;
             }
             finally
             {
+                measured.Complete();
                 sample?.Dispose();
             }
         }
@@ -77,29 +83,30 @@ namespace FastPoints.Partition
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<Work> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions)
+        IEnumerator<Work> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions,
+            Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
             int points = 0;
             foreach (var run in runs)
                 points += run.Count;
             var batch = new PointBatch(positions, Math.Max(1, points), Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(new DecodeResult { Points = points }, Allocator.Persistent);
-            var loaded = default(JobHandle);
+            m_stored.ResizeUninitialized(points);
+            var stored = Stored;
             try
             {
-                yield return Work.Of(RunRead.Run(reader, runs, 0, runs.Count, batch));
-                m_stored.ResizeUninitialized(points);
-                var stored = Stored;
-                for (int first = 0; first < points; first += PointsOfSlice)
-                    loaded = Load(batch, decoded, first,
-                        stored.GetSubArray(first, Math.Min(PointsOfSlice, points - first)), loaded);
-                yield return loaded;
+                yield return Work.Of(RunRead.Run(reader, runs, 0, runs.Count, batch, read =>
+                {
+                    for (int first = 0; first < points; first += PointsOfSlice)
+                        read = Load(batch, decoded, first,
+                            stored.GetSubArray(first, Math.Min(PointsOfSlice, points - first)), read);
+                    return measure(stored, read);
+                }));
                 for (int r = 0, first = 0; r < runs.Count; first += runs[r++].Count)
                     AddRun(first, runs[r].Count, PointsUpToNext(reader, runs, r));
             }
             finally
             {
-                loaded.Complete();
                 batch.Dispose();
                 decoded.Dispose();
             }

@@ -13,7 +13,7 @@ namespace FastPoints.Preview
     /// <remarks>A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten
     /// times as large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many
     /// points.</remarks>
-    sealed class PrefixSampler : PreviewSampler
+    sealed class PrefixSampler : PreviewSampler, IBlockConsumer
     {
         /// <summary>Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a
         /// slow disk needs as well. A LAZ slot takes 1.5 MB.</summary>
@@ -21,9 +21,12 @@ namespace FastPoints.Preview
 
         readonly PrefixPlan m_plan;
         readonly List<Prefix> m_taken = new List<Prefix>();
-        BlockRead[] m_reads;
-        NativeArray<PointColumn>[] m_columnsOfSlot;
-        JobHandle[] m_copied;
+        readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
+        ReadSlots m_slots;
+        StageProgress m_progress;
+
+        /// <summary>The one that begins.</summary>
+        Prefix m_begun;
 
         public PrefixSampler(PointReader reader, int wanted, uint seed)
             : base(reader, reader.PrefixesAreSpread && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
@@ -45,8 +48,6 @@ namespace FastPoints.Preview
 
         private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
         {
-            // Slots for prefixes of another length than in the wave before are made.
-            Free();
             if (Reader.PrefixesAreSpread && !Reader.BlocksAreKnown)
                 yield return Work.Of(FindPrefixes(wanted));
             var prefixes = m_plan.Next(wanted);
@@ -55,56 +56,43 @@ namespace FastPoints.Preview
                 longest = Math.Max(longest, prefix.Count);
             if (longest == 0)
                 yield break;
-            if (slots < 1)
-                slots = longest <= ShortPrefix ? SlotsForShortPrefixes : SourceScan.SlotsFor(Reader, Buffer.Points.Schema);
-            Allocate(Math.Min(slots, prefixes.Count), longest);
-            slots = m_reads.Length;
-            for (int i = 0; i < prefixes.Count + slots; i++)
+            int first = longest <= ShortPrefix ? SlotsForShortPrefixes : SourceScan.SlotsFor(Reader, Buffer.Points.Schema);
+            m_progress = progress;
+            m_slots = new ReadSlots(Reader, Buffer.Points.Schema, longest,
+                AheadFor(Reader, Buffer.Points.Schema, slots, first), 0);
+            yield return Work.Of(m_slots.Run(this, 0, prefixes.Count, (read, n) =>
             {
-                int slot = i % slots;
-                if (i >= slots && i - slots < prefixes.Count)
-                {
-                    yield return m_copied[slot];
-                    m_copied[slot].Complete();
-                    m_reads[slot].Complete();
-                    BytesRead += Reader.BytesOfRange(m_reads[slot].Range);
-                    Report(progress);
-                }
-                if (i < prefixes.Count)
-                    Begin(slot, prefixes[i]);
-            }
+                m_begun = prefixes[n];
+                read.Begin(new BlockRange(m_begun.Block, m_begun.First, m_begun.Count));
+            }, null));
+            // Slots for prefixes of another length than in this wave are made.
+            yield return Work.Of(m_slots.Free());
+            Free();
             EndPlace = m_plan.Taken;
             m_taken.AddRange(prefixes);
         }
 
-        void Allocate(int slots, int longest)
+        JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)
         {
-            m_reads = new BlockRead[slots];
-            m_columnsOfSlot = new NativeArray<PointColumn>[slots];
-            m_copied = new JobHandle[slots];
-            for (int i = 0; i < slots; i++)
-            {
-                m_reads[i] = Reader.CreateRead(Buffer.Points.Schema, longest, Allocator.Persistent);
-                m_columnsOfSlot[i] = SampleBuffer.ColumnsOf(m_reads[i].Points);
-            }
-        }
-
-        void Begin(int slot, in Prefix prefix)
-        {
-            var read = m_reads[slot];
-            read.Begin(new BlockRange(prefix.Block, prefix.First, prefix.Count));
-            m_copied[slot] = new CopyPrefixJob
+            while (m_columnsOfSlot.Count <= slot)
+                m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
+            return new CopyPrefixJob
             {
                 Decoded = read.Points.Bytes,
                 ColumnsOfDecoded = m_columnsOfSlot[slot],
                 Result = read.Result,
-                End = prefix.Count,
+                End = m_begun.Count,
                 ColumnsOfSample = Buffer.Columns,
-                FirstPlace = prefix.Place,
+                FirstPlace = m_begun.Place,
                 Sample = Buffer.Points.Bytes,
                 Filled = Buffer.Filled,
-            }.Schedule(read.Decoded);
-            JobHandle.ScheduleBatchedJobs();
+            }.Schedule(decoded);
+        }
+
+        void IBlockConsumer.Completed(BlockRead read, int slot)
+        {
+            BytesRead += Reader.BytesOfRange(read.Range);
+            Report(m_progress);
         }
 
         private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
@@ -143,16 +131,11 @@ namespace FastPoints.Preview
 
         private protected override void Free()
         {
-            if (m_reads == null)
-                return;
-            for (int i = 0; i < m_reads.Length; i++)
-            {
-                m_copied[i].Complete();
-                m_reads[i]?.Dispose();
-                if (m_columnsOfSlot[i].IsCreated)
-                    m_columnsOfSlot[i].Dispose();
-            }
-            m_reads = null;
+            m_slots?.Dispose();
+            m_slots = null;
+            foreach (var columns in m_columnsOfSlot)
+                columns.Dispose();
+            m_columnsOfSlot.Clear();
         }
     }
 }

@@ -21,6 +21,9 @@ namespace FastPoints.Preview
         /// all prefixes again.</summary>
         const double LeastShareOfLast = 0.75;
 
+        /// <summary>Where frames are farther apart, the machine was busy or the work was paused.</summary>
+        const double MostFrameMs = 250;
+
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
         PreviewSample m_sample;
@@ -64,6 +67,12 @@ namespace FastPoints.Preview
             return reader.HasRunReads ? (PreviewSampler)new RunSampler(reader, wanted, seed)
                 : new PrefixSampler(reader, wanted, seed);
         }
+
+        /// <summary>Reads in flight: so many, or at first as many as a pump needs that awaits each, and more where frames are so
+        /// far apart that workers run out of them.</summary>
+        internal static WorkAhead AheadFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
+            ? new WorkAhead(slots, slots, () => 0)
+            : new WorkAhead(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MostFrameMs);
 
         /// <summary>Takes the sample as work for a pump.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>

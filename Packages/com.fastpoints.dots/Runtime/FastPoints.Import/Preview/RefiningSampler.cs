@@ -16,7 +16,7 @@ namespace FastPoints.Preview
     /// each cell that would be empty although points in it were read (spatial thinning). It is the same for any number of threads
     /// and slots. All members belong to the pump's thread; disposing the work stops at once and leaves the last wave's
     /// sample.</remarks>
-    internal sealed class RefiningSampler : IDisposable
+    internal sealed class RefiningSampler : IThrottledConsumer, IDisposable
     {
         /// <summary>Shares of the points at which a wave ends. Each costs as much as a twentieth of decoding some million points,
         /// for keeping states and composing the sample: one more, at a fifteenth, delayed all others.</summary>
@@ -42,10 +42,10 @@ namespace FastPoints.Preview
         DepthPlan m_plan;
         DecoderState[] m_stateOfBlock;
         readonly Stack<DecoderState> m_freeStates = new Stack<DecoderState>();
-        BlockRead[] m_reads;
-        NativeArray<PointColumn>[] m_columnsOfSlot;
-        JobHandle[] m_done;
+        readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
+        ReadSlots m_slots;
         SubstitutePoints m_others;
+        StageProgress m_progress;
         readonly PreviewSample m_before;
         PreviewSample m_sample;
         long m_pointsFound;
@@ -85,14 +85,16 @@ namespace FastPoints.Preview
         /// <summary>While set, no more reads begin, so that other work can use the machine.</summary>
         public bool IsPaused { get; set; }
 
+        bool IThrottledConsumer.IsReady => !IsPaused;
+
         /// <summary>Takes the sample as work for a pump, once.</summary>
-        /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor(PointReader, PointSchema)"/>.</param>
+        /// <param name="slots">Blocks in flight; 0 for as many as keep workers busy: see <see cref="PreviewSampler.AheadFor"/>.</param>
         public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
             try
             {
-                Allocate(slots < 1 ? SourceScan.SlotsFor(m_reader, m_schema) : slots);
+                Allocate(slots);
                 if (!m_plan.IsSliced && m_before != null)
                     yield return Work.Of(m_others.Append(m_before));
                 foreach (double share in s_shares)
@@ -100,13 +102,17 @@ namespace FastPoints.Preview
                     if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
                         continue;
                     m_isLastWave = share == 1;
-                    for (var ranges = NextRanges(share); ranges.Count > 0; ranges = NextRanges(share))
+                    m_progress = progress;
+                    for (var next = NextRanges(share); next.Count > 0; next = NextRanges(share))
                     {
-                        yield return Work.Of(Read(ranges, progress));
+                        var ranges = next;
+                        yield return Work.Of(m_slots.Run(this, 0, ranges.Count, (read, n) => Begin(read, ranges[n]), null));
                         while (!m_isLastWave && m_others.AreTooMany)
                             yield return Work.Of(m_others.Coarsen(m_buffer));
                     }
-                    yield return Work.Of(share < 1 ? Compose() : Close());
+                    if (m_isLastWave)
+                        yield return Work.Of(m_slots.Free());
+                    yield return Work.Of(m_isLastWave ? Close() : Compose());
                     RaiseWave();
                     // The wave belongs to the code that steps the work until the next step.
                     yield return default;
@@ -121,16 +127,9 @@ namespace FastPoints.Preview
         void Allocate(int slots)
         {
             m_buffer = new SampleBuffer(m_schema, m_strata.Count);
-            m_reads = new BlockRead[slots];
-            m_columnsOfSlot = new NativeArray<PointColumn>[slots];
-            m_done = new JobHandle[slots];
-            bool canSlice = m_reader.BlockCount <= DepthPlan.MostSlicedBlocks;
-            for (int i = 0; i < slots; i++)
-            {
-                m_reads[i] = m_reader.CreateRead(m_schema, m_reader.MaxPointsPerBlock, Allocator.Persistent);
-                m_columnsOfSlot[i] = SampleBuffer.ColumnsOf(m_reads[i].Points);
-                canSlice = canSlice && m_reads[i].TryKeepStates();
-            }
+            m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
+                PreviewSampler.AheadFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
+            bool canSlice = m_reader.BlockCount <= DepthPlan.MostSlicedBlocks && m_slots.TryKeepStates();
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
             m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
@@ -146,59 +145,35 @@ namespace FastPoints.Preview
             return ranges;
         }
 
-        IEnumerator<Work> Read(List<BlockRange> ranges, StageProgress progress)
+        void Begin(BlockRead read, BlockRange range)
         {
-            int slots = m_reads.Length;
-            for (int i = 0; i < ranges.Count + slots; i++)
+            if (!m_plan.IsSliced)
             {
-                int slot = i % slots;
-                if (i >= slots && i - slots < ranges.Count)
-                {
-                    yield return m_done[slot];
-                    Complete(slot);
-                    progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
-                }
-                if (i >= ranges.Count)
-                    continue;
-                while (IsPaused)
-                    yield return default;
-                Begin(slot, ranges[i]);
-            }
-        }
-
-        void Begin(int slot, BlockRange range)
-        {
-            var read = m_reads[slot];
-            var from = m_plan.IsSliced ? m_stateOfBlock[range.Block] : null;
-            if (m_plan.IsSliced)
-                read.Begin(range, from);
-            else
                 read.Begin(range);
-            if (from != null)
-            {
-                m_freeStates.Push(from);
-                m_stateOfBlock[range.Block] = null;
+                return;
             }
-            m_done[slot] = read.Decoded;
-            if (m_strata.Count > 0)
-            {
-                m_done[slot] = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, read.Decoded);
-            }
-            // In the final sample no point stands in for another one.
-            if (m_strata.Count > 0 && !m_isLastWave)
-            {
-                var appended = m_others.ScheduleAppend(read.Points, m_columnsOfSlot[slot], read.Result, range.Count,
-                    read.FirstPoint, m_strata, read.Decoded);
-                m_done[slot] = JobHandle.CombineDependencies(m_done[slot], appended);
-            }
-            JobHandle.ScheduleBatchedJobs();
+            var from = m_stateOfBlock[range.Block];
+            read.Begin(range, from);
+            if (from == null)
+                return;
+            m_freeStates.Push(from);
+            m_stateOfBlock[range.Block] = null;
         }
 
-        void Complete(int slot)
+        JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)
         {
-            m_done[slot].Complete();
-            var read = m_reads[slot];
-            read.Complete();
+            if (m_strata.Count == 0)
+                return decoded;
+            while (m_columnsOfSlot.Count <= slot)
+                m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
+            var chosen = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, decoded);
+            // In the final sample no point stands in for another one.
+            return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_others.ScheduleAppend(read.Points,
+                m_columnsOfSlot[slot], read.Result, read.Range.Count, read.FirstPoint, m_strata, decoded));
+        }
+
+        void IBlockConsumer.Completed(BlockRead read, int slot)
+        {
             int block = read.Range.Block;
             m_pointsFound += read.Points.Count;
             m_rangesRead++;
@@ -207,6 +182,7 @@ namespace FastPoints.Preview
             m_plan.Add(read.Range, read.Points.Count);
             if (m_plan.IsSliced && !m_plan.IsTaken(block))
                 m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
+            m_progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
         }
 
         /// <summary>Composes a sample of the points so far: its own points, and others where there are none.</summary>
@@ -305,14 +281,11 @@ namespace FastPoints.Preview
         /// <summary>Frees everything except the last wave's sample and awaits jobs in flight. May be called twice.</summary>
         void Free()
         {
-            for (int i = 0; m_reads != null && i < m_reads.Length; i++)
-            {
-                m_done[i].Complete();
-                m_reads[i]?.Dispose();
-                if (m_columnsOfSlot[i].IsCreated)
-                    m_columnsOfSlot[i].Dispose();
-            }
-            m_reads = null;
+            m_slots?.Dispose();
+            m_slots = null;
+            foreach (var columns in m_columnsOfSlot)
+                columns.Dispose();
+            m_columnsOfSlot.Clear();
             for (int i = 0; m_stateOfBlock != null && i < m_stateOfBlock.Length; i++)
                 m_stateOfBlock[i]?.Dispose();
             m_stateOfBlock = null;

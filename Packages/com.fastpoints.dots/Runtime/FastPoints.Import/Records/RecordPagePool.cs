@@ -1,5 +1,7 @@
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Records
 {
@@ -35,12 +37,15 @@ namespace FastPoints.Records
             long most = SlabBytes / RecordPages.PageBytes(strideBytes);
             m_pagesPerSlab = (int)(expectedPages > most ? most : expectedPages < MinSlabPages ? MinSlabPages : expectedPages);
             PagesInUse = 0;
+            SlabCount = 0;
         }
 
         /// <summary>The pool itself, not a copy: what is taken from it is taken for all who hold the reference.</summary>
         public static ref RecordPagePool Of(NativeReference<RecordPagePool> pool) => ref *pool.GetUnsafePtr();
 
         public int StrideBytes { get; }
+
+        public int SlabCount { get; private set; }
 
         /// <summary>Pages that were taken and not given back.</summary>
         public long PagesInUse { get; private set; }
@@ -85,8 +90,7 @@ namespace FastPoints.Records
             while (FreeSlab()) { }
         }
 
-        /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds where there is much to free: begun with this, it is
-        /// to be ended.</summary>
+        /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds: begun with this, it is to be ended.</summary>
         /// <returns>Whether there was anything to free.</returns>
         public bool FreeSlab()
         {
@@ -97,6 +101,7 @@ namespace FastPoints.Records
             if (slab == null)
                 return false;
             m_slabs = slab->Next;
+            SlabCount--;
             UnsafeUtility.Free(slab, Allocator.Persistent);
             return true;
         }
@@ -109,6 +114,7 @@ namespace FastPoints.Records
                 var slab = (Slab*)UnsafeUtility.Malloc(HeaderBytes + m_pagesPerSlab * pageBytes, HeaderBytes,
                     Allocator.Persistent);
                 slab->Next = m_slabs;
+                SlabCount++;
                 m_slabs = slab;
                 m_next = (byte*)slab + HeaderBytes;
                 m_pagesLeft = m_pagesPerSlab;
@@ -118,5 +124,14 @@ namespace FastPoints.Records
             m_pagesLeft--;
             return page;
         }
+    }
+
+    /// <summary>Frees one slab of a pool whose pages are no longer used.</summary>
+    [BurstCompile]
+    internal struct FreeSlabJob : IJob
+    {
+        public NativeReference<RecordPagePool> Pool;
+
+        public void Execute() => RecordPagePool.Of(Pool).FreeSlab();
     }
 }

@@ -21,13 +21,14 @@ namespace FastPoints.Base
         /// <summary>Work for a pump: the range in slices, each after the one before in its lane.</summary>
         /// <param name="schedule">Schedules the slice from its first to before its second argument, after the third.</param>
         /// <param name="lanes">Chains side by side.</param>
+        /// <param name="inputDeps">What the first slices come behind; it is complete in the end.</param>
         public static IEnumerator<Work> Run(int begin, int end, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,
-            int lanes = 1)
+            int lanes = 1, JobHandle inputDeps = default)
         {
-            JobHandle all = default;
+            var all = inputDeps;
             try
             {
-                yield return Work.Of(Schedule(begin, end, perSlice, schedule, lanes, default, scheduled => all = scheduled));
+                yield return Work.Of(Schedule(begin, end, perSlice, schedule, lanes, inputDeps, scheduled => all = scheduled));
                 yield return all;
             }
             finally

@@ -3,8 +3,9 @@ using System.Diagnostics;
 
 namespace FastPoints.Base
 {
-    /// <summary>How many pieces of work are in flight, so that workers have some until the next tick of a pump: twice as many
-    /// each time that they ran out of them. What is made never depends on it.</summary>
+    /// <summary>How many pieces of work are in flight, so that workers have some until the next tick of a pump: at first as many
+    /// as quick ones would take, then twice as many each time that they ran out of them. What is made never depends on
+    /// it.</summary>
     internal sealed class WorkAhead
     {
         /// <summary>After a shorter wait more in flight would not have been of use.</summary>
@@ -13,7 +14,7 @@ namespace FastPoints.Base
         readonly Func<double> m_ms;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
 
-        /// <param name="first">Pieces to begin with, as for a pump that awaits each.</param>
+        /// <param name="first">Pieces to begin with; see <see cref="CountFor"/>.</param>
         /// <param name="most">The most that memory has room for.</param>
         /// <param name="ms">A tick that comes later than this after the last one does not count: the machine was busy, or the
         /// work was paused.</param>
@@ -26,6 +27,11 @@ namespace FastPoints.Base
 
         public int Count { get; private set; }
         public int Most { get; }
+
+        /// <summary>Pieces that so many chains do in a time, and at least those that a pump needs which awaits each.</summary>
+        /// <param name="pieceMs">The least that a piece takes.</param>
+        public static int CountFor(int least, double ms, int chains, double pieceMs) =>
+            (int)Math.Max(least, Math.Min(int.MaxValue, Math.Ceiling(ms * chains / pieceMs)));
 
         /// <summary>Call it before a handle is awaited.</summary>
         public void Await() => m_watch.Restart();

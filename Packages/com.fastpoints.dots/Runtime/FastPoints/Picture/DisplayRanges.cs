@@ -174,7 +174,18 @@ namespace FastPoints.Picture
                 yield return Work.Of(Slices.Run(0, slices + 1, 1, (slice, _, after) => slice < slices
                     ? MeasureSlice(points, transform, slice * PointsPerSlice, bounds, found, after)
                     : MeasureColumns(points, transform, found, after)));
-                SetAll(points, transform, bounds.Value, found);
+                FindCategories(points.Schema);
+                SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
+                // Each of these takes a millisecond.
+                yield return default;
+                Outline = OutlineOf(points, transform);
+                yield return default;
+                Frame();
+                if (found[IntensityColumn].IsCreated)
+                    SetIntensity(found[IntensityColumn].Value);
+                if (points.Schema.HasColor)
+                    SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
+                        found[IntensityColumn + 2].Value, found[IntensityColumn + 3].Value);
             }
             finally
             {
@@ -236,12 +247,9 @@ namespace FastPoints.Picture
             return all;
         }
 
-        void SetAll(PointBatch points, PositionTransform transform, PositionBounds bounds,
-            NativeReference<ColumnQuantiles>[] found)
+        /// <summary>Chooses what is looked at, of the outline of all.</summary>
+        void Frame()
         {
-            FindCategories(points.Schema);
-            SetPositions(bounds, found[0].Value, found[1].Value, found[2].Value);
-            Outline = OutlineOf(points, transform);
             var part = LargestPart.Of(Outline);
             m_shareFramed = part.Length / (double)math.max(1, Outline.Length);
             Outline = part;
@@ -250,11 +258,6 @@ namespace FastPoints.Picture
             if (!Full.IsEmpty)
                 WarnFar();
             SetLengths();
-            if (found[IntensityColumn].IsCreated)
-                SetIntensity(found[IntensityColumn].Value);
-            if (points.Schema.HasColor)
-                SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
-                    found[IntensityColumn + 2].Value, found[IntensityColumn + 3].Value);
         }
 
         /// <summary>The mode that a picture gets where <paramref name="wanted"/> is asked for, by what the cloud has.</summary>

@@ -9,6 +9,9 @@ namespace FastPoints.Files
     /// without the rest.</summary>
     internal abstract class LazChunkReader : PointReader
     {
+        /// <summary>Of a decoder and its tile.</summary>
+        internal sealed override long DecoderBytes => 512 << 10;
+
         /// <summary>Chunks up to this size are one block, unless their records are long.</summary>
         public const int MaxBlockPoints = 1 << 20;
 
