@@ -85,6 +85,7 @@ namespace FastPoints.Convert
                     if (!reader.BlocksAreKnown)
                         yield return Work.Of(reader.FindBlocks());
                     yield return Work.Of(SourceSample.Read(reader, m_build.AheadMs, m_build.Settings.Workers,
+                        MemoryPlan.ReadBytesOf(m_build.Settings),
                         (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
                         {
                             Stored = stored,

@@ -63,6 +63,10 @@ namespace FastPoints.Convert
         /// <summary>Points of the sample that represents what is not built yet.</summary>
         public long ProvisionalPoints { get; private set; }
 
+        /// <summary>See <see cref="ReadBytes"/>, which the sample before the plan keeps to as well.</summary>
+        public static long ReadBytesOf(ConvertSettings settings) =>
+            Math.Min(Files.SourceScan.MaxSlotBytes, settings.MemoryBytes / 4);
+
         /// <param name="points">The most points that all sources have.</param>
         public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings)
         {
@@ -70,7 +74,7 @@ namespace FastPoints.Convert
             long pageBytes = RecordPages.PageBytes(strideBytes);
             var plan = new MemoryPlan
             {
-                ReadBytes = Math.Min(Files.SourceScan.MaxSlotBytes, memoryBytes / 4),
+                ReadBytes = ReadBytesOf(settings),
                 IndexBytes = memoryBytes / 10 * 9,
                 PointsPerChunk = pointsPerChunk,
                 IndexBytesPerPoint = 41 + 3 * (long)strideBytes +

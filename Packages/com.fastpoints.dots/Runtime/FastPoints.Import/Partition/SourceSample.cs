@@ -38,9 +38,10 @@ namespace FastPoints.Partition
         /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
         /// <param name="aheadMs">See <see cref="WorkAhead"/>.</param>
         /// <param name="chains">The most runs that are decoded side by side; 0 for all in flight.</param>
+        /// <param name="maxBytes">The most bytes of reads in flight.</param>
         /// <param name="measure">Schedules jobs on the positions, behind those that load them.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
-        public static IEnumerator<Work> Read(PointReader reader, Func<double> aheadMs, int chains,
+        public static IEnumerator<Work> Read(PointReader reader, Func<double> aheadMs, int chains, long maxBytes,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure, Action<SourceSample> take)
         {
             var sample = new SourceSample();
@@ -56,7 +57,7 @@ namespace FastPoints.Partition
                 else
                 {
                     int longest = LongestOf(runs);
-                    var ahead = SourceScan.AheadFor(reader, positions, 0, SourceScan.MaxSlotBytes, chains, aheadMs);
+                    var ahead = SourceScan.AheadFor(reader, positions, 0, maxBytes, chains, aheadMs);
                     using var consumer = new Appending(sample, reader, runs, longest);
                     yield return Work.Of(SourceScan.Run(reader, positions, consumer, ahead, chains, 0, runs.Count,
                         r => runs[r], longest, null));

@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Convert
         }
 
         /// <summary>A street's worth of unevenness: a flat half, a dense corner, one far point.</summary>
-        static MemoryReader Uneven(int count = Points)
+        static MemoryReader Uneven(int count = Points, int blockPoints = 2000)
         {
             var random = new Unity.Mathematics.Random(5);
             var places = new int3[count];
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Convert
                     : random.NextInt3(new int3(100000, 100000, 1000));
             }
             places[count * 2 / 3] = new int3(-300000000, 7, 7);
-            return MemoryReader.Of(places, s_centimetres, 2000);
+            return MemoryReader.Of(places, s_centimetres, blockPoints);
         }
 
         static MemoryReader Equal(int count)
@@ -71,6 +71,20 @@ namespace FastPoints.Tests.Convert
             MemoryBytes = 3 << 20,
             PointsPerCheckpoint = 50000,
         };
+
+        [Test]
+        public void Convert_WorkersThatNeverHaveEnough_KeepsBlocksInFlightWithinTheMemory([Values(1, 8)] int memoryMegabytes)
+        {
+            var reader = Uneven(300000, 500);
+            var settings = InFiles();
+            settings.MemoryBytes = memoryMegabytes << 20;
+            settings.AheadMs = 1e9;
+            settings.SecondsToFirstGeneration = 1e9;
+            Convert(reader, "cloud", settings);
+            Assert.That(reader.MostSlotBytes, Is.LessThanOrEqualTo(settings.MemoryBytes / 4));
+            Assert.That(reader.MostSlotBytes, Is.GreaterThan(settings.MemoryBytes / 16), "reads are ahead");
+            Assert.That(reader.SlotBytes, Is.Zero);
+        }
 
         static ConvertSettings InMemory(long pointsPerChunk = 10000) => new ConvertSettings { PointsPerChunk = pointsPerChunk };
 

@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Samplers
             using var reader = new VirtualReader(Points);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
             SourceSample sample = null;
-            WorkPump.RunToEnd(SourceSample.Read(reader, () => 0, 0, (_, loaded) => loaded, s => sample = s));
+            WorkPump.RunToEnd(SourceSample.Read(reader, () => 0, 0, 1 << 20, (_, loaded) => loaded, s => sample = s));
             using (sample)
             {
                 double weight = sample.Runs[0].Weight;

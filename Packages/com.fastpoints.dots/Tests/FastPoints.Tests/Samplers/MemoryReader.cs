@@ -65,8 +65,19 @@ namespace FastPoints.Tests.Samplers
         /// <summary>Reads that did not come behind another's jobs.</summary>
         public int BlocksBehindNone { get; private set; }
 
-        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
-            new Slot(this, wanted, capacity, allocator);
+        /// <summary>Bytes of the slots that there are, in the source and as columns, and the most that there were.</summary>
+        public long SlotBytes { get; private set; }
+        public long MostSlotBytes { get; private set; }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            SlotBytes += BytesOfSlot(wanted);
+            MostSlotBytes = Math.Max(MostSlotBytes, SlotBytes);
+            return new Slot(this, wanted, capacity, allocator);
+        }
+
+        long BytesOfSlot(PointSchema wanted) =>
+            (long)MaxPointsPerBlock * (wanted.BytesPerPoint + Info.Schema.BytesPerPoint);
 
         sealed class Slot : BlockRead
         {
@@ -104,6 +115,7 @@ namespace FastPoints.Tests.Samplers
             {
                 if (!m_result.IsCreated)
                     return;
+                m_reader.SlotBytes -= m_reader.BytesOfSlot(Points.Schema);
                 Points.Dispose();
                 m_result.Dispose();
             }
