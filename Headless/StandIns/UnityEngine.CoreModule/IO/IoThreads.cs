@@ -34,6 +34,11 @@ static class IoThreads
 
     internal static void Enqueue(Action work)
     {
+        if (SimulatedWorkers.IsOn)
+        {
+            work();
+            return;
+        }
         lock (s_gate)
         {
             s_queue.Enqueue(new Entry(work));

@@ -11,7 +11,8 @@ public static class ProfilerUnsafeUtility
         public long Denominator;
     }
 
-    public static long Timestamp => Stopwatch.GetTimestamp() + SimulatedLatency.Ticks;
+    public static long Timestamp => SimulatedWorkers.IsOn ? SimulatedWorkers.Ticks
+        : Stopwatch.GetTimestamp() + SimulatedLatency.Ticks;
 
     public static TimestampConversionRatio TimestampToNanosecondsConversionRatio => new TimestampConversionRatio
     {

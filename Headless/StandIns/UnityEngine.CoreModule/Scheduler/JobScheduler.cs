@@ -39,7 +39,10 @@ static unsafe class JobScheduler
         node.BatchSize = Math.Max(1, batchSize);
         node.Length = length;
         JobHandle handle = Commit(node, dependency);
-        JobWorkers.Start();
+        if (SimulatedWorkers.IsOn)
+            SimulatedWorkers.Call();
+        else
+            JobWorkers.Start();
         Hold(node);
         return handle;
     }
@@ -126,6 +129,13 @@ static unsafe class JobScheduler
     {
         if (handle.m_Index == 0)
             return true;
+        if (SimulatedWorkers.IsOn)
+            SimulatedWorkers.Call();
+        return IsDone(handle);
+    }
+
+    static bool IsDone(JobHandle handle)
+    {
         JobNode node = JobNodes.At(handle.m_Index);
         return Volatile.Read(ref node.Version) != handle.m_Version || node.Done;
     }
@@ -139,9 +149,14 @@ static unsafe class JobScheduler
         JobNode node = JobNodes.At(handle.m_Index);
         int version = handle.m_Version;
         int spins = 0;
-        while (!IsCompleted(handle))
+        while (!IsDone(handle))
         {
-            if (RunBatches(node, version) || RunOne() || IoThreads.TryRunOne())
+            if (SimulatedWorkers.IsOn)
+            {
+                if (!SimulatedWorkers.EndNext())
+                    throw new InvalidOperationException("no job is left that the awaited one could depend on");
+            }
+            else if (RunBatches(node, version) || RunOne() || IoThreads.TryRunOne())
             {
                 spins = 0;
             }
@@ -226,7 +241,9 @@ static unsafe class JobScheduler
         int shares = Math.Min(node.BatchCount, JobWorkers.Count + 1);
         bool keep = shares == 1 && JobThread.IsWorker && t_next == null && JobQueue.IsEmpty;
         node.Publish();
-        if (keep)
+        if (SimulatedWorkers.IsOn)
+            SimulatedWorkers.Push(node, version);
+        else if (keep)
             t_next = node;
         else
             JobQueue.Push(node, version, shares);
@@ -258,7 +275,14 @@ static unsafe class JobScheduler
         return ran;
     }
 
-    static void Execute(JobNode node, int first, int count)
+    /// <summary>Batches of a node have ended that <see cref="Execute"/> ran.</summary>
+    internal static void EndBatches(JobNode node, int count)
+    {
+        if (node.BatchesDone(count))
+            Finish(node);
+    }
+
+    internal static void Execute(JobNode node, int first, int count)
     {
         int begin = 0;
         int end = node.Length;

@@ -88,7 +88,7 @@ namespace FastPoints.Preview
         bool IThrottledConsumer.IsReady => !IsPaused;
 
         /// <summary>Takes the sample as work for a pump, once.</summary>
-        /// <param name="slots">Blocks in flight; 0 for as many as keep workers busy: see <see cref="PreviewSampler.AheadFor"/>.</param>
+        /// <param name="slots">Blocks in flight; 0 for what <see cref="PreviewSampler.AheadFor"/> says.</param>
         public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();

@@ -1,5 +1,5 @@
 using System;
-using System.Diagnostics;
+using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Base
 {
@@ -12,7 +12,7 @@ namespace FastPoints.Base
         const double LeastMs = 2;
 
         readonly Func<double> m_ms;
-        readonly Stopwatch m_watch = Stopwatch.StartNew();
+        long m_begun;
 
         /// <param name="first">Pieces to begin with; see <see cref="CountFor"/>.</param>
         /// <param name="most">The most that memory has room for.</param>
@@ -34,13 +34,14 @@ namespace FastPoints.Base
             (int)Math.Max(least, Math.Min(int.MaxValue, Math.Ceiling(ms * chains / pieceMs)));
 
         /// <summary>Call it before a handle is awaited.</summary>
-        public void Await() => m_watch.Restart();
+        public void Await() => m_begun = ProfilerUnsafeUtility.Timestamp;
 
         /// <summary>Call it when the wait is over.</summary>
         /// <param name="isIdle">Whether all that was in flight has ended.</param>
         public void Resume(bool isIdle)
         {
-            double waited = m_watch.Elapsed.TotalMilliseconds;
+            var ratio = ProfilerUnsafeUtility.TimestampToNanosecondsConversionRatio;
+            double waited = (ProfilerUnsafeUtility.Timestamp - m_begun) * (ratio.Numerator * 1e-6 / ratio.Denominator);
             if (isIdle && waited >= LeastMs && waited <= m_ms())
                 Count = Math.Min(Most, 2 * Count);
         }

@@ -1,0 +1,82 @@
+using FastPoints.Base;
+using FastPoints.Benchmarks;
+using FastPoints.Convert;
+using FastPoints.Files;
+using FastPoints.Samplers;
+using StandIns.Scheduling;
+
+namespace FastPoints.HostTests.Benchmarks;
+
+/// <summary>Work beside frames by more workers than the machine has cores, in a clock of their own: the speed follows their
+/// number, and frames cost little of it.</summary>
+[NonParallelizable]
+public sealed class SimulatedWorkersTests
+{
+    const int Points = 1_000_000;
+
+    static readonly int[] s_workers = [1, 2, 4, 8];
+
+    string m_folder;
+    string m_source;
+    int m_made;
+
+    [OneTimeSetUp]
+    public void MakeSource()
+    {
+        m_folder = Directory.CreateTempSubdirectory("fastpoints-workers").FullName;
+        m_source = TerrainBenchmarkFile.Make(new WorkloadContext { ScratchFolder = m_folder, Points = Points });
+    }
+
+    [OneTimeTearDown]
+    public void DeleteFolder() => Directory.Delete(m_folder, true);
+
+    /// <param name="speedups">By number of workers, of one worker's speed: the least, run to the end.</param>
+    /// <param name="shares">The same, of the speed to the end, at 60 Hz.</param>
+    [TestCase(Sampler.Random, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 0.85, 0.8, 0.7, 0.64 })]
+    [TestCase(Sampler.Poisson, new[] { 1, 1.6, 2.5, 3.2 }, new[] { 0.88, 0.83, 0.75, 0.7 })]
+    public void Convert_BesideFrames_FollowsTheNumberOfWorkers(Sampler sampler, double[] speedups, double[] shares)
+    {
+        double first = 0;
+        for (int i = 0; i < s_workers.Length; i++)
+        {
+            double alone = ConvertMs(sampler, s_workers[i], 0, 1e9, 50);
+            double at60 = ConvertMs(sampler, s_workers[i], 1000.0 / 60, 2, 50);
+            first = i == 0 ? alone : first;
+            TestContext.Out.WriteLine(FormattableString.Invariant($"{s_workers[i]} workers: {alone:0} ms, {at60:0} ms at 60 Hz"));
+            Assert.That(first / alone, Is.GreaterThanOrEqualTo(speedups[i]), s_workers[i] + " workers");
+            Assert.That(alone / at60, Is.GreaterThanOrEqualTo(shares[i]), s_workers[i] + " workers, at 60 Hz");
+        }
+    }
+
+    /// <param name="frameMs">0 to run to the end.</param>
+    double ConvertMs(Sampler sampler, int workers, double frameMs, double tickMs, double aheadMs)
+    {
+        SimulatedWorkers.Begin(workers, 1, 0.005);
+        try
+        {
+            using var reader = PointReaders.Open(m_source);
+            var settings = new ConvertSettings
+            {
+                Sampler = sampler,
+                // Many chunks, so that eight workers have several each.
+                PointsPerChunk = 20000,
+                Workers = workers,
+                AheadMs = aheadMs,
+                SecondsToFirstGeneration = 1e9,
+                SecondsPerGeneration = 1e9,
+            };
+            var work = ConvertCloud.Run([reader], Path.Combine(m_folder, "c" + m_made++), settings, r => { }, null);
+            var pump = new WorkPump(work, () => SimulatedWorkers.NowMs);
+            for (double frame = frameMs; !pump.Tick(tickMs); frame = Math.Max(frame, SimulatedWorkers.NowMs) + frameMs)
+                if (frameMs > 0)
+                    SimulatedWorkers.AdvanceTo(frame);
+                else
+                    SimulatedWorkers.EndNext();
+            return SimulatedWorkers.NowMs;
+        }
+        finally
+        {
+            SimulatedWorkers.End();
+        }
+    }
+}
