@@ -41,7 +41,7 @@ public sealed class Failure
                 return new Failure
                 {
                     Code = p.Code.ToString(),
-                    Message = p.Message,
+                    Message = p.Message + (isInput ? Hints.For(p) : ""),
                     File = p.Path,
                     Offset = p.ByteOffset,
                     Status = isInput ? ExitStatus.BadInput : ExitStatus.Failed,

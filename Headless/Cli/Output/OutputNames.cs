@@ -73,7 +73,8 @@ static class OutputNames
             throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
 
-    static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
+    /// <summary>By its name alone.</summary>
+    public static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
 
     static bool HasEnding(string path, string ending) =>
         path.TrimEnd('/', Path.DirectorySeparatorChar).EndsWith(ending, StringComparison.OrdinalIgnoreCase);

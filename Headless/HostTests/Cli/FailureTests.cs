@@ -34,6 +34,38 @@ public sealed class FailureTests
         FailsInOneLine(CliCall.Of("info", m_scratch["bad.las"]), ExitStatus.BadInput, m_scratch["bad.las"]);
     }
 
+    [TestCase("lat,lon,alt\n50.1,8.6,120\n50.2,8.7,121\n", "--columns x,y,z")]
+    [TestCase("tree 1 2 3\nhouse 4 5 6\n", "--columns x,y,z")]
+    [TestCase("\u0089PNG\r\n\u001a\nrest of it", "a picture holds no points")]
+    [TestCase("", "write what comes from a pipe into a file first")]
+    public void Info_OfWhatIsNoCloud_SaysWhatHelps(string content, string hint)
+    {
+        File.WriteAllBytes(m_scratch["odd"], Encoding.Latin1.GetBytes(content));
+        var call = CliCall.Of("info", m_scratch["odd"]);
+        FailsInOneLine(call, ExitStatus.BadInput, m_scratch["odd"]);
+        Assert.That(call.Error, Does.Contain(hint));
+    }
+
+    [Test]
+    public void Info_OfAnAddressOrAFolderOfFolders_SaysWhatHelps()
+    {
+        Assert.That(CliCall.Of("info", "https://example.org/a.laz").Error, Does.Contain("download the file"));
+        Directory.CreateDirectory(m_scratch["all/tiles"]);
+        m_scratch.Demo("all/tiles/a.las", 10);
+        var call = CliCall.Of("info", m_scratch["all"]);
+        FailsInOneLine(call, ExitStatus.BadInput, m_scratch["all"]);
+        Assert.That(call.Error, Does.Contain("name those, such as " + m_scratch["all/tiles"]));
+    }
+
+    [Test]
+    public void Columns_WithWordsLeftOut_AreRead()
+    {
+        File.WriteAllText(m_scratch["words.txt"], "tree 1 2 3\nhouse 4 5 6\n");
+        var call = CliCall.Of("info", "--scan", m_scratch["words.txt"], "--columns=-,x,y,z", "--json", "-");
+        Assert.That(call.Status, Is.Zero, call.Error);
+        Assert.That(call.Json.GetProperty("points").GetInt64(), Is.EqualTo(2));
+    }
+
     [Test]
     public void Failure_WithJson_IsInTheSummary()
     {

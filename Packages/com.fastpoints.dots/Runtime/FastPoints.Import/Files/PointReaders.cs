@@ -45,9 +45,9 @@ namespace FastPoints.Files
             new Kind("LASF", LasReader.Open),
             new Kind("ply", PlyReader.Open),
             new Kind("ASTM-E57", E57Reader.Open),
-            new Kind("a PCD file", "# .PCD"),
-            new Kind("a PCD file", "VERSION .7"),
-            new Kind("a PCD file", "VERSION 0.7"),
+            new Kind("# .PCD", PcdReader.Open),
+            new Kind("VERSION .7", PcdReader.Open),
+            new Kind("VERSION 0.7", PcdReader.Open),
             new Kind("a zip archive", (byte)'P', (byte)'K', 3, 4),
             new Kind("a gzip file (decompress it first)", 0x1F, 0x8B),
             new Kind("a zstd file (decompress it first)", 0x28, 0xB5, 0x2F, 0xFD),
@@ -63,8 +63,8 @@ namespace FastPoints.Files
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
             paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
 
-        /// <summary>Opens a LAS, LAZ, PLY, E57 or text file, a Potree octree by its folder or its index in it, or all clouds that
-        /// lie in a folder as one. Dispose the reader.</summary>
+        /// <summary>Opens a LAS, LAZ, PLY, PCD, E57 or text file, a Potree octree by its folder or its index in it, or all clouds
+        /// that lie in a folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">There is no such file, no permission, the kind is not supported (Unsupported),
         /// or the header is broken; one line.</exception>
         public static PointReader Open(string path, ReadOptions options = null)
@@ -93,10 +93,10 @@ namespace FastPoints.Files
                     if (kind.Open != null)
                         return kind.Open(source);
                     throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                        "this is " + kind.Name + ": wanted LAS, LAZ, PLY, E57 or Potree");
+                        "this is " + kind.Name + ": wanted LAS, LAZ, PLY, PCD, E57 or Potree");
                 }
                 return XyzReader.Open(source, options) ?? throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                    "no known point cloud format: wanted LAS (LASF), PLY (ply), E57 (ASTM-E57), or lines of numbers, got " +
+                    "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, got " +
                     Shown(head));
             }
         }

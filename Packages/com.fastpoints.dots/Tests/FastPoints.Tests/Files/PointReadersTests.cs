@@ -15,7 +15,6 @@ namespace FastPoints.Tests.Files
     {
         string FilePath => Folder.File("cloud");
 
-        [TestCase("# .PCD v.7 - Point Cloud Data", "PCD")]
         [TestCase("PK\u0003\u0004rest", "zip")]
         [TestCase("x y z\nnothing\n", "text \"x y z\"")]
         [TestCase("\u0001\u0002", "bytes 01-02")]

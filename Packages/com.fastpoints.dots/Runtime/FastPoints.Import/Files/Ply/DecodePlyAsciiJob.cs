@@ -100,6 +100,12 @@ namespace FastPoints.Files
                     }
                     continue;
                 }
+                if (step->Kind == PlyStepKind.Color)
+                {
+                    if (!Color(ref p, output, row, step))
+                        return PlyError.BadNumber;
+                    continue;
+                }
                 ulong values = (ulong)step->Count;
                 if (step->Kind == PlyStepKind.List)
                 {
@@ -128,6 +134,33 @@ namespace FastPoints.Files
             if (!AsciiLines.IsLineEnd(*p) && anomalies.LinesWithExtraValues++ == 0)
                 anomalies.FirstExtraOffset = Range.Offset + (p - input);
             return PlyError.None;
+        }
+
+        /// <summary>A whole number, or a float whose bits are meant.</summary>
+        static bool Color(ref byte* p, byte* output, int row, PlyStep* step)
+        {
+            uint bits;
+            if (step->Type == AttributeType.Float32)
+            {
+                if (!AsciiNumber.TryFloat(ref p, out float value))
+                    return false;
+                bits = *(uint*)&value;
+            }
+            else
+            {
+                if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out _))
+                    return false;
+                bits = (uint)(isNegative ? 0 - magnitude : magnitude);
+            }
+            if (step->ColumnOffsetBytes >= 0)
+                output[step->ColumnOffsetBytes + row] = (byte)(bits >> 16);
+            if (step->GreenOffsetBytes >= 0)
+                output[step->GreenOffsetBytes + row] = (byte)(bits >> 8);
+            if (step->BlueOffsetBytes >= 0)
+                output[step->BlueOffsetBytes + row] = (byte)bits;
+            if (step->AlphaOffsetBytes >= 0)
+                output[step->AlphaOffsetBytes + row] = (byte)(bits >> 24);
+            return true;
         }
 
         static void SkipBlanks(ref byte* p)

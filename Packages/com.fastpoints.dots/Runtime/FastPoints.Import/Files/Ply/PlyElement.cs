@@ -66,6 +66,10 @@ namespace FastPoints.Files
         /// <summary>Type of the number before a list's items, which is always an integer.</summary>
         public AttributeType CountType;
 
+        /// <summary>Whether its bytes are blue, green, red and perhaps alpha (PCD).</summary>
+        public bool IsColor;
+        public bool HasAlpha;
+
         /// <summary>Offset of its header line.</summary>
         public long LineOffset;
     }

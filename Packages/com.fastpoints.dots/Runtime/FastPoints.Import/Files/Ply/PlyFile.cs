@@ -17,12 +17,13 @@ namespace FastPoints.Files
         bool m_hasToldMisfits;
         bool m_hasToldExtraValues;
 
-        PlyFile(PlyHeader header, SourceInfo info)
+        /// <param name="names">Attribute name of each property; null where it is none.</param>
+        public PlyFile(PlyHeader header, SourceInfo info, string[] names)
         {
             Header = header;
             Info = info;
             Vertex = header.Elements[header.VertexIndex];
-            Names = PlyNames.Of(Vertex);
+            Names = names;
             Handle = new SourceHandle(info.Path);
         }
 
@@ -32,7 +33,7 @@ namespace FastPoints.Files
 
         public PlyElement Vertex { get; }
 
-        /// <summary>Attribute name of each property of the vertex element; null for lists.</summary>
+        /// <summary>Attribute name of each property of the vertex element; null for lists, packed colours and padding.</summary>
         public string[] Names { get; }
 
         public SourceHandle Handle { get; }
@@ -47,7 +48,32 @@ namespace FastPoints.Files
             if (header.VertexIndex < 0)
                 throw new PointCloudException(FailureCode.BadInput, source.Path, header.DataOffset,
                     "the header has no vertex element");
-            return new PlyFile(header, Describe(source, header));
+            return new PlyFile(header, Describe(source, header), PlyNames.Of(header.Elements[header.VertexIndex]));
+        }
+
+        /// <summary>Where the attributes lie in a record without lists.</summary>
+        public PointFields RecordFields()
+        {
+            var fields = new PointFields();
+            int at = 0;
+            for (int i = 0; i < Names.Length; i++)
+            {
+                foreach (var field in FieldsOf(i, at))
+                    fields.Add(field);
+                at += Vertex.Properties[i].Type.SizeOf();
+            }
+            return fields;
+        }
+
+        /// <summary>The attributes that a property holds: one, none, or those of a packed colour.</summary>
+        /// <param name="at">The property's offset.</param>
+        public IEnumerable<PointField> FieldsOf(int property, int at)
+        {
+            var declared = Vertex.Properties[property];
+            if (Names[property] != null)
+                yield return new PointField(Names[property], declared.Type, at);
+            for (int i = 0; declared.IsColor && i < (declared.HasAlpha ? 4 : 3); i++)
+                yield return new PointField(PlyPlan.ColorNames[i], AttributeType.UInt8, at + (i < 3 ? 2 - i : i));
         }
 
         static PlyHeader ReadHeader(FileSource source)
@@ -97,6 +123,9 @@ namespace FastPoints.Files
                 info.Fact("element " + element.Name, element.Count + (element.HasLists ? ", with lists" : ""));
             foreach (var remark in header.Remarks)
                 info.Fact(remark.Key, remark.Value);
+            if (header.OddLines > 0)
+                info.Warn(header.OddOffset, "header line: wanted format, element, property, comment, obj_info or end_header, " +
+                    "got " + PlyHeaderParser.Quote(header.OddLine) + " (" + header.OddLines + " such lines): left out");
             for (int i = header.VertexIndex + 1; i < header.Elements.Count; i++)
                 if (header.Elements[i].Name == "vertex")
                     info.Warn(header.Elements[i].LineOffset, "a second vertex element: it is left out");

@@ -83,15 +83,7 @@ namespace FastPoints.Files
             long points = m_ply.Vertex.Count < (ulong)room ? (long)m_ply.Vertex.Count : room;
             m_ply.SettlePoints(points, Info.FileBytes, why ?? "the file ends before (" + m_recordBytes + " bytes each, from " +
                 "byte " + offset + ")");
-            var fields = new PointFields();
-            int at = 0;
-            for (int i = 0; i < m_ply.Names.Length; i++)
-            {
-                var type = m_ply.Vertex.Properties[i].Type;
-                fields.Add(new PointField(m_ply.Names[i], type, at));
-                at += type.SizeOf();
-            }
-            m_records = new FixedRecords(m_ply.Handle, fields, offset, m_recordBytes, m_ply.IsBigEndian);
+            m_records = new FixedRecords(m_ply.Handle, m_ply.RecordFields(), offset, m_recordBytes, m_ply.IsBigEndian);
             m_points = points;
             WarnTrailingBytes(offset);
         }

@@ -19,6 +19,11 @@ namespace FastPoints.Files
         /// <summary>The comment and obj_info lines: keyword and text.</summary>
         public readonly List<KeyValuePair<string, string>> Remarks = new List<KeyValuePair<string, string>>();
 
+        /// <summary>Lines that are none of the known, and declare nothing: the first one's word, and how many.</summary>
+        public string OddLine;
+        public long OddOffset;
+        public int OddLines;
+
         /// <summary>First byte after the header.</summary>
         public long DataOffset;
 

@@ -8,7 +8,8 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks.
-    /// Anything unknown is refused: a property that is left out would shift all that follows it.</summary>
+    /// What may declare
+    /// something unknown is refused: a property that is left out would shift all that follows it.</summary>
     internal sealed class PlyHeaderParser
     {
         /// <summary>A header longer than this is refused.</summary>
@@ -126,9 +127,21 @@ namespace FastPoints.Files
                     DeclareProperty(words, offset);
                     break;
                 default:
+                    if (!LooksLikeDeclaration(words))
+                    {
+                        m_header.OddLine ??= words[0];
+                        if (m_header.OddLines++ == 0)
+                            m_header.OddOffset = offset;
+                        break;
+                    }
                     throw Bad(offset, "header line", "format, element, property, comment, obj_info or end_header", words[0]);
             }
         }
+
+        /// <summary>Whether a line with an unknown first word may declare values, without which all others would be shifted:
+        /// exporters have written remarks without "comment", which may be passed over.</summary>
+        static bool LooksLikeDeclaration(string[] words) => words.Length == 3 && ulong.TryParse(words[2], out _)
+            || words.Length > 1 && (words[1] == "list" || s_typeOfName.ContainsKey(words[1]));
 
         void DeclareFormat(string[] words, int offset)
         {

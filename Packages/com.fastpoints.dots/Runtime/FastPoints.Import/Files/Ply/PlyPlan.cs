@@ -14,13 +14,44 @@ namespace FastPoints.Files
         public static List<PlyStep> Decoding(PlyElement element, string[] names, PointBatch batch) =>
             Build(element, names, batch);
 
+        /// <summary>The attributes of a packed colour.</summary>
+        public static readonly string[] ColorNames =
+        {
+            AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Alpha,
+        };
+
+        static PlyStep ColorStep(PlyProperty property, PointBatch batch)
+        {
+            int Offset(int i)
+            {
+                int column = i == 3 && !property.HasAlpha ? -1 : batch.Schema.IndexOf(ColorNames[i]);
+                return column < 0 ? -1 : batch.Column(column).OffsetBytes;
+            }
+            return new PlyStep
+            {
+                Kind = PlyStepKind.Color,
+                Type = property.Type,
+                Bytes = property.Type.SizeOf(),
+                Count = 1,
+                ColumnOffsetBytes = Offset(0),
+                GreenOffsetBytes = Offset(1),
+                BlueOffsetBytes = Offset(2),
+                AlphaOffsetBytes = Offset(3),
+            };
+        }
+
         static List<PlyStep> Build(PlyElement element, string[] names, PointBatch batch)
         {
             var steps = new List<PlyStep>();
             for (int i = 0; i < element.Properties.Count; i++)
             {
                 var property = element.Properties[i];
-                int column = batch == null || property.IsList ? -1 : batch.Schema.IndexOf(names[i]);
+                if (property.IsColor && batch != null)
+                {
+                    steps.Add(ColorStep(property, batch));
+                    continue;
+                }
+                int column = batch == null || property.IsList || names[i] == null ? -1 : batch.Schema.IndexOf(names[i]);
                 if (property.IsList)
                 {
                     steps.Add(new PlyStep
@@ -68,6 +99,8 @@ namespace FastPoints.Files
         Value,
         /// <summary>A list, which is skipped.</summary>
         List,
+        /// <summary>In text: a number whose bits are a colour.</summary>
+        Color,
     }
 
     /// <summary>One step through one instance of an element. Blittable: jobs carry arrays of these.</summary>
@@ -84,7 +117,10 @@ namespace FastPoints.Files
         /// <summary>In a binary file: bytes of the skipped values, of the value, or of a list's count.</summary>
         public int Bytes;
 
-        /// <summary>Value: offset of its column in the batch.</summary>
+        /// <summary>Value: offset of its column in the batch. Colour: of red, or -1.</summary>
         public int ColumnOffsetBytes;
+        public int GreenOffsetBytes;
+        public int BlueOffsetBytes;
+        public int AlphaOffsetBytes;
     }
 }

@@ -39,6 +39,29 @@ namespace FastPoints.Tests.Files
             new object[] { "float64", AttributeType.Float64, 430123.12345678901, 5e-324 },
         };
 
+        /// <summary>Exporters have written remarks without "comment"; what may declare values is refused.</summary>
+        [Test]
+        public void Open_UnknownHeaderLine_IsAWarningUnlessItMayDeclareValues(
+            [Values("Created by Blender 2.80 - www.blender.org", "author", "date 2020 01 02")] string line)
+        {
+            using (var file = PlyTestFile.WithHeader("ascii", "element vertex 1", line, "property float x", "property float y",
+                "property float z"))
+            {
+                System.IO.File.WriteAllBytes(file.Path, file.Text("1 2 3\n").ToArray());
+                var contents = FileContents.OfPly(file.Path);
+                Assert.That(contents.Points, Is.EqualTo(1));
+                Assert.That(contents.Warning("header line").Text, Does.Contain("got \"" + line.Split(' ')[0] + "\""));
+            }
+            foreach (string declaration in new[] { "propert float q", "propert list uchar int q", "elem face 3" })
+                using (var file = PlyTestFile.WithHeader("ascii", "element vertex 1", "property float x", "property float y",
+                    "property float z", declaration))
+                {
+                    System.IO.File.WriteAllBytes(file.Path, file.Text("1 2 3\n").ToArray());
+                    Assert.That(Assert.Throws<PointCloudException>(() => FileContents.OfPly(file.Path)).Message,
+                        Does.Contain("header line"));
+                }
+        }
+
         static void Append(PlyTestFile file, string format, bool endsLine, params object[] values)
         {
             if (format != "ascii")

@@ -1,0 +1,37 @@
+namespace FastPoints.Cli.Sources;
+
+/// <summary>What helps with an input that cannot be read, beside what is wrong with it.</summary>
+public static class Hints
+{
+    /// <returns>A sentence that goes on from the failure's message; empty where there is nothing to say.</returns>
+    public static string For(PointCloudException failure)
+    {
+        string path = failure.Path ?? "";
+        if (path.Contains("://", StringComparison.Ordinal))
+            return "; an address is not read: download the file, and name that";
+        if (failure.Code == FailureCode.Truncated && failure.Message.EndsWith("(an empty file, a pipe or a device)",
+            StringComparison.Ordinal))
+            return "; a cloud is read in any order: write what comes from a pipe into a file first";
+        if (Directory.Exists(path) && FolderBelow(path) is { } below)
+            return "; clouds lie in folders below it: name those, such as " + below;
+        if (failure.Code != FailureCode.Unsupported)
+            return "";
+        if (failure.Message.Contains("a PNG picture", StringComparison.Ordinal))
+            return "; a picture holds no points: name the cloud that it was made from";
+        bool isText = failure.Message.Contains("got text \"", StringComparison.Ordinal)
+            || failure.Message.Contains("columns of the text", StringComparison.Ordinal);
+        return isText ? "; if its lines are points, say what the columns are: --columns x,y,z,... (- leaves one out, as words)" : "";
+    }
+
+    static string? FolderBelow(string path)
+    {
+        try
+        {
+            return Directory.EnumerateDirectories(path).FirstOrDefault(d => Directory.EnumerateFiles(d).Any(OutputNames.IsCloud));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return null;
+        }
+    }
+}
