@@ -20,7 +20,8 @@ public static class Hints
             return "; a picture holds no points: name the cloud that it was made from";
         bool isText = failure.Message.Contains("got text \"", StringComparison.Ordinal)
             || failure.Message.Contains("columns of the text", StringComparison.Ordinal);
-        return isText ? "; if its lines are points, say what the columns are: --columns x,y,z,... (- leaves one out, as words)" : "";
+        return isText ? "; if its lines are points, say what the columns are: --columns x,y,z,... (- leaves one out, as words)"
+            : "";
     }
 
     static string? FolderBelow(string path)

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
 
         const string CopcExtension = ".copc.laz";
 
-        static readonly string[] s_extensions = { ".las", ".laz", ".ply", ".pcd", ".e57" };
+        static readonly string[] s_extensions = { ".las", ".laz", ".ply", ".pcd", ".ptx", ".e57" };
 
         /// <summary>Decides what to do with files that are dropped into a project's assets.</summary>
         /// <param name="paths">Absolute paths of files and folders.</param>

@@ -63,8 +63,8 @@ namespace FastPoints.Files
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
             paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
 
-        /// <summary>Opens a LAS, LAZ, PLY, PCD, E57 or text file, a Potree octree by its folder or its index in it, or all clouds
-        /// that lie in a folder as one. Dispose the reader.</summary>
+        /// <summary>Opens a LAS, LAZ, PLY, PCD, E57, PTX or text file, a Potree octree by its folder or its index in it, or all
+        /// clouds that lie in a folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">There is no such file, no permission, the kind is not supported (Unsupported),
         /// or the header is broken; one line.</exception>
         public static PointReader Open(string path, ReadOptions options = null)
@@ -95,7 +95,8 @@ namespace FastPoints.Files
                     throw new PointCloudException(FailureCode.Unsupported, path, 0,
                         "this is " + kind.Name + ": wanted LAS, LAZ, PLY, PCD, E57 or Potree");
                 }
-                return XyzReader.Open(source, options) ?? throw new PointCloudException(FailureCode.Unsupported, path, 0,
+                return (PointReader)PtxReader.Open(source) ?? XyzReader.Open(source, options)
+                    ?? throw new PointCloudException(FailureCode.Unsupported, path, 0,
                     "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, got " +
                     Shown(head));
             }

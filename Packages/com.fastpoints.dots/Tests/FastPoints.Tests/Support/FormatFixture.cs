@@ -51,6 +51,7 @@ namespace FastPoints.Tests.Support
             Own("PCD", "Ascii", () => PcdTestFile.Make("ascii", 40)),
             Own("PCD", "Binary", () => PcdTestFile.Make("binary", 40)),
             Own("PCD", "Compressed", () => PcdTestFile.Make("binary_compressed", 400)),
+            Own("PTX", "TwoScans", () => Encoding.ASCII.GetBytes(PtxTestFile.Scan(8, 10) + PtxTestFile.Scan(3, 20, 7))),
             Own("XYZ", "Blanks", () => Text("", ' ')),
             Own("XYZ", "Commas", () => Text("x,y,z,i,r,g,b\n", ',')),
             Own("XYZ", "Semicolons", () => Text("# a scan\n", ';')),
