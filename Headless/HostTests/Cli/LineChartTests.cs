@@ -10,8 +10,7 @@ public sealed class LineChartTests
     static string[] Texts(XElement svg) =>
         svg.Descendants().Where(e => e.Name.LocalName == "text").Select(e => e.Value).ToArray();
 
-    static double[][] Polyline(XElement svg) => svg.Descendants()
-        .Single(e => e.Name.LocalName == "polyline").Attribute("points")!
+    static double[][] Polyline(XElement svg) => svg.Descendants().Single(e => e.Name.LocalName == "polyline").Attribute("points")!
         .Value.Split(' ', System.StringSplitOptions.RemoveEmptyEntries)
         .Select(p => p.Split(',').Select(v => double.Parse(v, System.Globalization.CultureInfo.InvariantCulture)).ToArray())
         .ToArray();

@@ -2,10 +2,8 @@ using Mono.Cecil.Cil;
 
 namespace FastPoints.HostTests.Conformance;
 
-/// <summary>
-/// An assembly FastPoints.Planted whose IL names whatever a test wants of an assembly Unity.Things, and a list of what
-/// Unity.Things really has.
-/// </summary>
+/// <summary>An assembly FastPoints.Planted whose IL names whatever a test wants of an assembly Unity.Things, and a list of what
+/// Unity.Things really has.</summary>
 internal sealed class PlantedPackage : IDisposable
 {
     private const string List = """
@@ -66,7 +64,6 @@ internal sealed class PlantedPackage : IDisposable
         return type;
     }
 
-    /// <summary>Box of that argument.</summary>
     internal GenericInstanceType Box(TypeReference argument)
     {
         var box = new GenericInstanceType(Type("Box`1", true, 1));

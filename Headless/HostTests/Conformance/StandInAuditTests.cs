@@ -13,8 +13,7 @@ public sealed class StandInAuditTests
         "is called n in Unity, count here")]
     [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\tstatic\tcount=4\t\t\t*",
         "is static in Unity")]
-    [TestCase("M:Unity.Things.Box.Fill\tUnity.Things\tmethod\tSystem.Void\t\t\t\t\t*",
-        "Box.Fill(System.Int32) is not Unity's")]
+    [TestCase("M:Unity.Things.Box.Fill\tUnity.Things\tmethod\tSystem.Void\t\t\t\t\t*", "Box.Fill(System.Int32) is not Unity's")]
     public void Check_Method_IsComparedWithUnitys(string row, string reported) =>
         Expect(Audit(Box + row, box =>
         {

@@ -60,8 +60,7 @@ public sealed class CloudHandleTests
     [TestCase("{}", FailureCode.BadInput, "\"format\": missing")]
     [TestCase("{\"format\": \"other\"}", FailureCode.BadInput, "got \"other\"")]
     [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 2}", FailureCode.Unsupported, "wanted 1, got 2")]
-    [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 1, \"cloudId\": \"12\"}", FailureCode.BadInput,
-        "\"cloudId\"")]
+    [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 1, \"cloudId\": \"12\"}", FailureCode.BadInput, "\"cloudId\"")]
     public void FromJson_SomethingElse_TellsFileAndMember(string text, FailureCode code, string reported) =>
         Assert.That(() => CloudHandle.FromJson(text, "x.pointcloud"), Throws.TypeOf<PointCloudException>()
             .With.Property("Code").EqualTo(code).And.Message.StartsWith("x.pointcloud: ").And.Message.Contains(reported));

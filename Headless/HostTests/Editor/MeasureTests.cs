@@ -239,9 +239,8 @@ public sealed class MeasureTests
         Assert.That(updated, Has.None.SameAs(tool));
     }
 
-    /// <summary>
-    /// Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive them.
-    /// </summary>
+    /// <summary>Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive
+    /// them.</summary>
     [Test]
     public void MeasureTool_ScriptsAreReloaded_IsToldOnceAndBeginsAnew()
     {

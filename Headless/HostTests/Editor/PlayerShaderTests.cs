@@ -43,8 +43,7 @@ public sealed class PlayerShaderTests : EditorFixture
         m_processor.PrepareForBuild(new BuildPlayerContext(new BuildPlayerOptions { scenes = scenes }));
 
     /// <summary>Names of all variants that are built.</summary>
-    List<string> BuildShaders() => new[] { "Points", "Compose" }
-        .SelectMany(s => ShaderBuild.Build(Load(s), m_processor))
+    List<string> BuildShaders() => new[] { "Points", "Compose" }.SelectMany(s => ShaderBuild.Build(Load(s), m_processor))
         .SelectMany(p => p.Value.Select(keywords => PlayerVariants.NameOf(p.Key, keywords))).ToList();
 
     List<string> Build(params string[] scenes)

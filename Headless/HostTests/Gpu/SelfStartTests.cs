@@ -92,9 +92,8 @@ public sealed class SelfStartTests : GraphicsFixture
         target.Release();
     }
 
-    /// <summary>
-    /// In paused play mode cameras go on drawing, and no system runs; without a window it is the other way round.
-    /// </summary>
+    /// <summary>In paused play mode cameras go on drawing, and no system runs; without a window it is the other way
+    /// round.</summary>
     [Test]
     public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
     {

@@ -22,8 +22,7 @@ public sealed class StereoPassTests : PipelineFixture
 
     static RenderTexture Target(int slices)
     {
-        var description = new RenderTextureDescriptor(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
-            GraphicsFormat.D32_SFloat)
+        var description = new RenderTextureDescriptor(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat)
         {
             dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
             volumeDepth = slices,

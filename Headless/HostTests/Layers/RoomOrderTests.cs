@@ -30,8 +30,7 @@ public sealed class RoomOrderTests
     [TestCase("FastPoints", "Base/A.cs", "using FastPoints.Points;\nnamespace FastPoints.Base { }", "uses FastPoints.Points")]
     [TestCase("FastPoints", "Picture/A.cs", "namespace FastPoints.Picture { class A : FastPoints.Files.B { } }",
         "uses FastPoints.Files")]
-    [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Files { }",
-        "comes after Files")]
+    [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Files { }", "comes after Files")]
     [TestCase("FastPoints", "Base/A.cs", "namespace FastPoints.Points { }", "wanted FastPoints.Base")]
     [TestCase("FastPoints", "Attic/A.cs", "namespace FastPoints.Attic { }", "no room Attic")]
     [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "is in no room")]

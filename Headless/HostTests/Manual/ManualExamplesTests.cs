@@ -56,8 +56,7 @@ public sealed class ManualExamplesTests
             .Select(m => (page.Text[..m.Index].Count(c => c == '\n') + 2, m.Groups[1].Value));
 
     static IEnumerable<string> Problems(ManualPage page) => Examples(page).SelectMany(e => Compile(e.Code)
-        .Select(d => page.Path + " line " + (e.Line + d.Location.GetLineSpan().StartLinePosition.Line) + ": "
-            + d.GetMessage()));
+        .Select(d => page.Path + " line " + (e.Line + d.Location.GetLineSpan().StartLinePosition.Line) + ": " + d.GetMessage()));
 
     /// <summary>Statements are a program; C# puts them into a method.</summary>
     static IEnumerable<Diagnostic> Compile(string code)

@@ -29,8 +29,7 @@ public sealed class ManualFactsTests
     {
         var page = ManualPage.Of("install.md");
         var manifest = Manifest();
-        var wanted = manifest.GetProperty("dependencies").EnumerateObject()
-            .Select(d => "`" + d.Name + "` " + d.Value.GetString())
+        var wanted = manifest.GetProperty("dependencies").EnumerateObject().Select(d => "`" + d.Name + "` " + d.Value.GetString())
             .Prepend("Unity " + manifest.GetProperty("unity").GetString() + " or later");
 
         Assert.That(page.TableUnder("## What it needs").Select(r => r[0] + " " + r[1]), Is.EqualTo(wanted));

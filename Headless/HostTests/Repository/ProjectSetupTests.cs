@@ -18,8 +18,7 @@ public sealed class ProjectSetupTests
     [TestCaseSource(nameof(Projects))]
     public void Project_WithAPipelinesPackage_NamesItsAssetAndTestsThatItIsUsed(string project)
     {
-        string[] packages = JsonDocument.Parse(Read(project, "Packages/manifest.json"))
-            .RootElement.GetProperty("dependencies")
+        string[] packages = JsonDocument.Parse(Read(project, "Packages/manifest.json")).RootElement.GetProperty("dependencies")
             .EnumerateObject().Select(p => p.Name).ToArray();
         string asset = packages.Contains("com.unity.render-pipelines.universal") ? "UniversalRenderPipelineAsset"
             : packages.Contains("com.unity.render-pipelines.high-definition") ? "HDRenderPipelineAsset" : null;

@@ -2,10 +2,8 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Shaders;
 
-/// <summary>
-/// Direct3D's own compiler, d3dcompiler_47.dll, under Wine. Unity takes it for Direct3D 11 and 12, and for Metal, OpenGL and
-/// Vulkan, whose code it makes of the bytecode. One process compiles all, since Wine takes seconds to start.
-/// </summary>
+/// <summary>Direct3D's own compiler, d3dcompiler_47.dll, under Wine. Unity takes it for Direct3D 11 and 12, and for Metal, OpenGL
+/// and Vulkan, whose code it makes of the bytecode. One process compiles all, since Wine takes seconds to start.</summary>
 static class Direct3DCompiler
 {
     // The profile of #pragma target 4.5 and above.

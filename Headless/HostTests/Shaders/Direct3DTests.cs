@@ -8,8 +8,7 @@ public sealed class Direct3DTests
     // #pragma enable_d3d11_debug_symbols asks for, and which warns of more.
     static readonly uint[] s_flags = { 0x8000, 0x8800, 0x5 };
 
-    const string EarlyReturn = "#pragma kernel Early\nRWByteAddressBuffer _Out;\nuint _Number;\n"
-        + "float3 Chosen(uint number)\n"
+    const string EarlyReturn = "#pragma kernel Early\nRWByteAddressBuffer _Out;\nuint _Number;\nfloat3 Chosen(uint number)\n"
         + "{ if (number != 0u) { float3 a = float3(_Out.Load(4u), 1.0, 2.0); return a; } return _Out.Load(8u).xxx; }\n"
         + "[numthreads(1, 1, 1)] void Early() { _Out.Store(0u, uint(Chosen(_Number).x)); }\n";
     const string NoSuchName = "#pragma kernel Wrong\n[numthreads(1, 1, 1)] void Wrong() { _Nothing.Store(0u, 1u); }\n";

@@ -219,8 +219,7 @@ public sealed unsafe class CollectionRulesTests
 
     [Test]
     public void Map_OfMoreBytesThanUnityCounts_IsRefused() =>
-        Assert.That(() => new NativeParallelHashMap<long, long>(HalfOfTwoGiB / 8, Allocator.Persistent).Dispose(),
-            OutOfRange);
+        Assert.That(() => new NativeParallelHashMap<long, long>(HalfOfTwoGiB / 8, Allocator.Persistent).Dispose(), OutOfRange);
 
     [Test]
     public void Map_AgainstAModel_GivesTheSame()

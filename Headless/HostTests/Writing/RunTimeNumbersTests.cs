@@ -43,8 +43,7 @@ public sealed class RunTimeNumbersTests
             double.Parse(text, CultureInfo.InvariantCulture) > 1 || float.TryParse(text, out float _);
 
         internal static string ForPeople(double value) =>
-            value.ToString("N0", CultureInfo.InvariantCulture)
-                + string.Format(CultureInfo.InvariantCulture, "{0:0.00}", value);
+            value.ToString("N0", CultureInfo.InvariantCulture) + string.Format(CultureInfo.InvariantCulture, "{0:0.00}", value);
     }
 
     private static IEnumerable<string> Statistics(ModuleDefinition module) =>

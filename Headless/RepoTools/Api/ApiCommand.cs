@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>
-/// Writes Headless/Api/used.tsv: the lines of the full list that a conformance check of all generations touches. They
-/// hold a clone that has no full list to the same signatures.
-/// </summary>
+/// <summary>Writes Headless/Api/used.tsv: the lines of the full list that a conformance check of all generations touches. They
+/// hold a clone that has no full list to the same signatures.</summary>
 public static class ApiCommand
 {
     public static ToolResult Run(Repository repository, bool check)

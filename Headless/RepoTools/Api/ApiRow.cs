@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>
-/// One line of a list of Unity's signatures: the columns as they stand, and as they were in one generation.
-/// The list's README says what each column holds.
-/// </summary>
+/// <summary>One line of a list of Unity's signatures: the columns as they stand, and as they were in one generation. The list's
+/// README says what each column holds.</summary>
 public sealed record ApiRow(
     string Id, string Assembly, string Kind, string Type, string Flags, string Detail, string Constraints,
     string Obsolete, string In, string Varied)

@@ -110,8 +110,7 @@ public static class IlUses
             foreach (CustomAttributeNamedArgument named in attribute.Properties)
             {
                 // A constructor's return type is void, as a setter's.
-                var setter = new MethodReference("set_" + named.Name, attribute.Constructor.ReturnType,
-                    attribute.AttributeType)
+                var setter = new MethodReference("set_" + named.Name, attribute.Constructor.ReturnType, attribute.AttributeType)
                 { HasThis = true };
                 setter.Parameters.Add(new ParameterDefinition(named.Argument.Type));
                 yield return new IlUse(setter, site, within, Code.Callvirt);

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>
-/// Finds what stand-ins show that no compiled code names: it is carried for nothing. Overloads of one name count as one,
-/// since C# takes another overload silently where one is gone.
-/// </summary>
+/// <summary>Finds what stand-ins show that no compiled code names: it is carried for nothing. Overloads of one name count as one,
+/// since C# takes another overload silently where one is gone.</summary>
 public sealed class StandInUse
 {
     /// <summary>Stand-ins that are not held to it.</summary>
@@ -16,10 +14,8 @@ public sealed class StandInUse
     private readonly HashSet<string> m_virtual = new HashSet<string>(StringComparer.Ordinal);
     private string m_within = "";
 
-    /// <summary>
-    /// What the stand-ins show and neither the package nor the host nor any test names, over the builds for .NET and for
-    /// every generation.
-    /// </summary>
+    /// <summary>What the stand-ins show and neither the package nor the host nor any test names, over the builds for .NET and for
+    /// every generation.</summary>
     public static IEnumerable<string> Check(Repository repository)
     {
         var use = new StandInUse();
@@ -166,10 +162,8 @@ public sealed class StandInUse
     private bool IsNamed(FieldDefinition field) => !StandInAudit.IsVisible(field.Attributes) || field.HasConstant
         || field.IsSpecialName || (!field.IsStatic && field.DeclaringType.IsValueType) || m_names.Contains(Family(field));
 
-    /// <summary>
-    /// Operators and constructors belong to their type. A virtual method is named by who overrides or implements it; one
-    /// that is final implements an interface. What a struct keeps in a property is its layout.
-    /// </summary>
+    /// <summary>Operators and constructors belong to their type. A virtual method is named by who overrides or implements it; one
+    /// that is final implements an interface. What a struct keeps in a property is its layout.</summary>
     private bool IsNamed(MethodDefinition method)
     {
         if (!(method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly) || method.IsConstructor

@@ -3,10 +3,8 @@ using FastPoints.RepoTools.Threads;
 
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>
-/// A list of Unity's signatures, the full one or the committed one. It remembers which lines were asked for, and in
-/// which generations: the committed list is what a conformance check of the package touched.
-/// </summary>
+/// <summary>A list of Unity's signatures, the full one or the committed one. It remembers which lines were asked for, and in
+/// which generations: the committed list is what a conformance check of the package touched.</summary>
 public sealed class UnityApi
 {
     private readonly Dictionary<string, ApiRow> m_rows = new Dictionary<string, ApiRow>(StringComparer.Ordinal);

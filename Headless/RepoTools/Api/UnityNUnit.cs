@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>
-/// What the NUnit that the package is compiled against (3.6.0) has, and the one that Unity brings along
-/// (com.unity.ext.nunit 2.0.5, a changed 3.5) has not. The two were compared by their public types and members.
-/// </summary>
+/// <summary>What the NUnit that the package is compiled against (3.6.0) has, and the one that Unity brings along
+/// (com.unity.ext.nunit 2.0.5, a changed 3.5) has not. The two were compared by their public types and members.</summary>
 public static class UnityNUnit
 {
     private const string Assembly = "nunit.framework";

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Hlsl;
 
-/// <summary>
-/// The HLSL twin of a struct that lies in a StructuredBuffer. HLSL packs such a buffer without gaps and has nothing
-/// below 32 bits, so only such fields are taken; then both sides have the same offsets and stride.
-/// </summary>
+/// <summary>The HLSL twin of a struct that lies in a StructuredBuffer. HLSL packs such a buffer without gaps and has nothing
+/// below 32 bits, so only such fields are taken; then both sides have the same offsets and stride.</summary>
 public static class HlslStructs
 {
     public const string Attribute = "GenerateHlslAttribute";

@@ -44,8 +44,7 @@ public sealed record CSharpShape(IReadOnlyList<Counted> Constructors, IReadOnlyL
     {
         ConstructorDeclarationSyntax c =>
             new Counted(c.Identifier.ValueText, LineOf(c.Identifier), c.ParameterList.Parameters.Count),
-        TypeDeclarationSyntax t => new Counted(t.Identifier.ValueText, LineOf(t.Identifier),
-            t.ParameterList!.Parameters.Count),
+        TypeDeclarationSyntax t => new Counted(t.Identifier.ValueText, LineOf(t.Identifier), t.ParameterList!.Parameters.Count),
         _ => throw new ArgumentException("no constructor", nameof(node)),
     };
 

@@ -16,10 +16,8 @@ public sealed class Glossary
 
     public int Count => m_phrases.Count;
 
-    /// <summary>
-    /// Reads the page. A word that has a row of its own is right in its own meaning, so it is not looked for though another
-    /// row says not to use it; a remark in parentheses is no word.
-    /// </summary>
+    /// <summary>Reads the page. A word that has a row of its own is right in its own meaning, so it is not looked for though
+    /// another row says not to use it; a remark in parentheses is no word.</summary>
     public static Glossary Parse(string page)
     {
         var defined = new HashSet<string>(StringComparer.OrdinalIgnoreCase);

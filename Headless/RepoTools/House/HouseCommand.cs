@@ -1,8 +1,7 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>
-/// Prints how large and how plain the house is, and refuses what is beyond the limits of Headless/Api/house.tsv.
-/// </summary>
+/// <summary>Prints how large and how plain the house is, and refuses what is beyond the limits of
+/// Headless/Api/house.tsv.</summary>
 public static class HouseCommand
 {
     /// <param name="check">Writes nothing; else limits come down to what has been reached.</param>

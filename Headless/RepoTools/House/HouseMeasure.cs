@@ -16,11 +16,9 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
             s => s.Product.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
         new HouseMeasure("csharp-lines", "lines of C# in the repository", true,
             s => s.CSharp.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
-        new HouseMeasure("public-types", "public types of the package's Runtime and Editor, in no other type",
-            true, PublicTypes),
+        new HouseMeasure("public-types", "public types of the package's Runtime and Editor, in no other type", true, PublicTypes),
         new HouseMeasure("small-files", $"files of Runtime and Editor with at most {SmallFileLines} lines", true,
-            s => s.Product.Where(f => f.LineCount <= SmallFileLines)
-                .Select(f => new Finding(f.Path, 1, $"{f.LineCount} lines"))),
+            s => s.Product.Where(f => f.LineCount <= SmallFileLines).Select(f => new Finding(f.Path, 1, $"{f.LineCount} lines"))),
         new HouseMeasure("folders", "folders with more than {0} files of C# or shaders", false,
             s => s.Code.GroupBy(f => f.Folder).Select(g => new Finding(g.Key, g.Count(), $"{g.Count()} files"))),
         new HouseMeasure("constructors",

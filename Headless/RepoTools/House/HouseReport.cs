@@ -87,6 +87,5 @@ public sealed class HouseReport
 
     private static string Line(Finding finding) => $"{finding.Path}: {finding.What}";
 
-    /// <summary>A measure's figure, and what was counted.</summary>
     private sealed record HouseFigure(HouseMeasure Measure, long Value, IReadOnlyList<Finding> Findings);
 }

@@ -46,9 +46,8 @@ public sealed class HouseTable
             yield return $"house.tsv: {row.Measure} has no limit, no goal, or a limit below its goal";
     }
 
-    /// <summary>
-    /// The file with each limit that is above both its goal and its figure brought down to the higher of the two.
-    /// </summary>
+    /// <summary>The file with each limit that is above both its goal and its figure brought down to the higher of the
+    /// two.</summary>
     public string Lowered(IReadOnlyDictionary<string, long> figures) => string.Join("\n", m_rows
         .Select(r => r.Where == Anywhere && figures.TryGetValue(r.Measure, out long figure) && r.Limit > figure
             ? r with { Limit = Math.Max(figure, r.Goal ?? figure) }

@@ -14,9 +14,8 @@ public sealed record SourceFile(string Path, string Text)
     /// <summary>C# or a shader.</summary>
     public bool IsCode => IsCodePath(Path);
 
-    /// <summary>
-    /// C# that a user's project compiles: the package's Runtime and Editor, without tests, benchmarks and samples.
-    /// </summary>
+    /// <summary>C# that a user's project compiles: the package's Runtime and Editor, without tests, benchmarks and
+    /// samples.</summary>
     public bool IsProduct => IsCSharp && (Path.StartsWith(Package + "Runtime/", StringComparison.Ordinal) ||
         Path.StartsWith(Package + "Editor/", StringComparison.Ordinal));
 

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Hpc;
 
-/// <summary>
-/// What compiled code may call outside the package. Of .NET: what Burst's manual lists (System namespace support, types
-/// and spans); of Unity: mathematics, containers, memory and Burst itself, but not what belongs to the main thread.
-/// </summary>
+/// <summary>What compiled code may call outside the package. Of .NET: what Burst's manual lists (System namespace support, types
+/// and spans); of Unity: mathematics, containers, memory and Burst itself, but not what belongs to the main thread.</summary>
 internal static class HpcBoundary
 {
     private static readonly string[] s_systemTypes =
@@ -83,8 +81,7 @@ internal static class HpcBoundary
             return false;
         return s_systemTypes.Contains(type.FullName) || s_systemMethods.Contains(name)
             || type.FullName.StartsWith("System.ValueTuple`", StringComparison.Ordinal)
-            || (type.IsPrimitive && s_ofNumbers.Contains(method.Name)
-                && method.Parameters.All(p => p.ParameterType.IsValueType))
+            || (type.IsPrimitive && s_ofNumbers.Contains(method.Name) && method.Parameters.All(p => p.ParameterType.IsValueType))
             || (type.FullName == "System.IDisposable" && method.Name == "Dispose");
     }
 

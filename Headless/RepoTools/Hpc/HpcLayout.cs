@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Hpc;
 
-/// <summary>
-/// Which layouts of structs Burst compiles. Its manual lists Pack as supported, tests of 1.6 have it refused: the rule is
-/// the stricter one.
-/// </summary>
+/// <summary>Which layouts of structs Burst compiles. Its manual lists Pack as supported, tests of 1.6 have it refused: the rule
+/// is the stricter one.</summary>
 internal static class HpcLayout
 {
     /// <summary>What is wrong with a struct's own layout, beginning with its name; null where nothing is.</summary>

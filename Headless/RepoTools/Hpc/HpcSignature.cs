@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Hpc;
 
-/// <summary>
-/// What may pass between compiled code and other code, managed or native: through a [BurstCompile] method that managed
-/// code calls, and through an extern. Burst's manual: DllImport and internal calls, Function pointers, types.
-/// </summary>
+/// <summary>What may pass between compiled code and other code, managed or native: through a [BurstCompile] method that managed
+/// code calls, and through an extern. Burst's manual: DllImport and internal calls, Function pointers, types.</summary>
 internal static class HpcSignature
 {
     private static readonly string[] s_vectors =

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Hpc;
 
-/// <summary>
-/// The instructions from which every way leads to a throw. Burst makes an abort of them and takes the message from the
-/// constructor's literals, so what only makes an exception's message is never run.
-/// </summary>
+/// <summary>The instructions from which every way leads to a throw. Burst makes an abort of them and takes the message from the
+/// constructor's literals, so what only makes an exception's message is never run.</summary>
 internal static class ThrowingCode
 {
     internal static HashSet<Instruction> Of(MethodBody body)

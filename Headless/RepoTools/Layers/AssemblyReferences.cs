@@ -69,10 +69,8 @@ public static class AssemblyReferences
         }
     }
 
-    /// <summary>
-    /// What the asmdef and the csproj of an assembly reference differently. Modules of the engine and the editor need no line
-    /// in an asmdef, and Unity's test runner is NUnit here.
-    /// </summary>
+    /// <summary>What the asmdef and the csproj of an assembly reference differently. Modules of the engine and the editor need no
+    /// line in an asmdef, and Unity's test runner is NUnit here.</summary>
     public static IEnumerable<string> CheckProject(Asmdef asmdef, string project)
     {
         List<string> inProject = XDocument.Load(project).Descendants("ProjectReference")

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Layers;
 
-/// <summary>
-/// The rooms of the runtime assemblies in the order of the data. A file uses its own room and earlier ones; the rooms of
-/// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name.
-/// </summary>
+/// <summary>The rooms of the runtime assemblies in the order of the data. A file uses its own room and earlier ones; the rooms of
+/// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name.</summary>
 public static class RoomOrder
 {
     private static readonly (string Assembly, string[] Rooms)[] s_order =
@@ -99,9 +97,7 @@ public static class RoomOrder
         {
             MethodReference method => method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType)
                 .Append(method.DeclaringType)
-                .Concat(method is GenericInstanceMethod generic
-                    ? generic.GenericArguments
-                    : Enumerable.Empty<TypeReference>()),
+                .Concat(method is GenericInstanceMethod generic ? generic.GenericArguments : Enumerable.Empty<TypeReference>()),
             FieldReference field => new[] { field.FieldType, field.DeclaringType },
             TypeReference type => new[] { type },
             _ => Enumerable.Empty<TypeReference>(),

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Package;
 
-/// <summary>
-/// What Unity's package validation suite (0.86) and npm ask of a package, as far as it can be told without an editor, and
-/// what a user gets who installs it.
-/// </summary>
+/// <summary>What Unity's package validation suite (0.86) and npm ask of a package, as far as it can be told without an editor,
+/// and what a user gets who installs it.</summary>
 public static class PackageCommand
 {
     /// <param name="tag">Of a release; null for a package in development.</param>

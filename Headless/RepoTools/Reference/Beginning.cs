@@ -1,8 +1,7 @@
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>
-/// The few members of a type that one begins with: how to get one, then what the page's examples use, then what comes first.
-/// </summary>
+/// <summary>The few members of a type that one begins with: how to get one, then what the page's examples use, then what comes
+/// first.</summary>
 public static class Beginning
 {
     private const int MostMembers = 2;

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>
-/// Writes the reference at the end of Documentation~/api.md: each public type of the package's compiled assemblies with its
-/// namespace, what it is, and the members to begin with.
-/// </summary>
+/// <summary>Writes the reference at the end of Documentation~/api.md: each public type of the package's compiled assemblies with
+/// its namespace, what it is, and the members to begin with.</summary>
 public static class ReferenceCommand
 {
     private static readonly string[] s_assemblies =

@@ -73,8 +73,7 @@ public static class Signature
     {
         string kind = Has(parameter, "ParamArrayAttribute") ? "params "
             : !parameter.ParameterType.IsByReference ? ""
-            : parameter.IsOut ? "out "
-            : Has(parameter, "IsReadOnlyAttribute") ? "in " : "ref ";
+            : parameter.IsOut ? "out " : Has(parameter, "IsReadOnlyAttribute") ? "in " : "ref ";
         string value = parameter.HasConstant ? $" = {Value(parameter)}" : "";
         return $"{kind}{Name(parameter.ParameterType)} {parameter.Name}{value}";
     }

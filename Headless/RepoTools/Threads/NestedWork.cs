@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Threads;
 
-/// <summary>
-/// Work that the package's pump keeps on a stack, where the way back to who made it is lost. It is followed from where it is
-/// yielded, run to its end, or put on a stack by who steps it; and not from the stack.
-/// </summary>
+/// <summary>Work that the package's pump keeps on a stack, where the way back to who made it is lost. It is followed from where
+/// it is yielded, run to its end, or put on a stack by who steps it; and not from the stack.</summary>
 internal static class NestedWork
 {
     private const string Step = "FastPoints.Base.Work";

@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Threads;
 
-/// <summary>
-/// Writes Headless/Api/threads.tsv: the lines of the full table for what the package's IL names and for what the
-/// stand-ins show. A line whose reason was written by hand stays as it is, also where the table has another.
-/// </summary>
+/// <summary>Writes Headless/Api/threads.tsv: the lines of the full table for what the package's IL names and for what the
+/// stand-ins show. A line whose reason was written by hand stays as it is, also where the table has another.</summary>
 public static class ThreadCommand
 {
     public static ToolResult Run(Repository repository, bool check)

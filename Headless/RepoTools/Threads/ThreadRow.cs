@@ -1,9 +1,7 @@
 namespace FastPoints.RepoTools.Threads;
 
-/// <summary>
-/// One line of the table of threads: on which threads a member of Unity may be called (main, any, unknown), why, and what
-/// differs in later generations. The full table's README says what each column holds.
-/// </summary>
+/// <summary>One line of the table of threads: on which threads a member of Unity may be called (main, any, unknown), why, and
+/// what differs in later generations. The full table's README says what each column holds.</summary>
 public sealed record ThreadRow(string Id, string Threads, string Why, string Varied)
 {
     public const string Header = "#id\tthreads\twhy\tvaried";

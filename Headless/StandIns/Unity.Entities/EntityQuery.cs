@@ -67,6 +67,5 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
     public override int GetHashCode() => m_terms == null ? 0 : m_terms.GetHashCode();
 
     EntityStore Alive => m_terms != null && !m_store.IsDisposed ? m_store
-        : throw new ObjectDisposedException("EntityQuery",
-            "The query was not created, or it or its world has been disposed.");
+        : throw new ObjectDisposedException("EntityQuery", "The query was not created, or it or its world has been disposed.");
 }

@@ -16,8 +16,7 @@ public struct int4 : IEquatable<int4>, IFormattable
     public override bool Equals(object o) => o is int4 converted && Equals(converted);
 
     public override int GetHashCode() => (int)(
-        (uint)x * 0x6E050B01u + (uint)y * 0x750FDBF5u +
-        (uint)z * 0x7F3DD499u + (uint)w * 0x52EAAEBBu + 0x4599C793u);
+        (uint)x * 0x6E050B01u + (uint)y * 0x750FDBF5u + (uint)z * 0x7F3DD499u + (uint)w * 0x52EAAEBBu + 0x4599C793u);
 
     public override string ToString() => ToString(null, null);
 
@@ -26,8 +25,7 @@ public struct int4 : IEquatable<int4>, IFormattable
 
     public int3 xyz
     {
-        [MethodImpl(Inline)]
-        get => new int3(x, y, z);
+        [MethodImpl(Inline)] get => new int3(x, y, z);
         [MethodImpl(Inline)]
         set { x = value.x; y = value.y; z = value.z; }
     }

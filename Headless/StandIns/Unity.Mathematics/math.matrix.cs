@@ -7,10 +7,7 @@ public static partial class math
 
     [MethodImpl(Inline)]
     public static double3x3 transpose(double3x3 v) =>
-        new double3x3(
-            v.c0.x, v.c0.y, v.c0.z,
-            v.c1.x, v.c1.y, v.c1.z,
-            v.c2.x, v.c2.y, v.c2.z);
+        new double3x3(v.c0.x, v.c0.y, v.c0.z, v.c1.x, v.c1.y, v.c1.z, v.c2.x, v.c2.y, v.c2.z);
 
     public static double determinant(double3x3 m) =>
         m.c0.x * (m.c1.y * m.c2.z - m.c1.z * m.c2.y) - m.c1.x * (m.c0.y * m.c2.z - m.c0.z * m.c2.y)

@@ -116,8 +116,7 @@ public class RenderGraph
         public void AllowPassCulling(bool value) => m_isCulled = value;
 
         public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc)
-            where PassData : class, new() =>
-            m_pass = context => renderFunc((PassData)m_data, context);
+            where PassData : class, new() => m_pass = context => renderFunc((PassData)m_data, context);
 
         public void Dispose()
         {

@@ -21,8 +21,7 @@ public class DragAndDrop
 
     public delegate DragAndDropVisualMode ProjectBrowserDropHandler(int dragInstanceID, string dropUponPath, bool perform);
 
-    public delegate DragAndDropVisualMode ProjectBrowserDropHandlerV2(EntityId dragEntityId, string dropUponPath,
-        bool perform);
+    public delegate DragAndDropVisualMode ProjectBrowserDropHandlerV2(EntityId dragEntityId, string dropUponPath, bool perform);
 
     public delegate DragAndDropVisualMode SceneDropHandler(Object dropUpon, Vector3 worldPosition, Vector2 viewportPosition,
         Transform parentForDraggedObjects, bool perform);

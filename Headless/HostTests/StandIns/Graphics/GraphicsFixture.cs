@@ -1,8 +1,7 @@
 namespace FastPoints.HostTests.StandIns.Graphics;
 
-/// <summary>
-/// What tests of the graphics have in common: a device with the validation layer watching, and nothing that it says.
-/// </summary>
+/// <summary>What tests of the graphics have in common: a device with the validation layer watching, and nothing that it
+/// says.</summary>
 public abstract class GraphicsFixture
 {
     [OneTimeSetUp]

@@ -4,9 +4,8 @@ using FastPoints.HostTests.Shaders;
 
 namespace FastPoints.HostTests.StandIns.Graphics;
 
-/// <summary>
-/// Every shader of the package and of these tests, in every variant, through the compiler and SPIR-V's own checker.
-/// </summary>
+/// <summary>Every shader of the package and of these tests, in every variant, through the compiler and SPIR-V's own
+/// checker.</summary>
 public sealed class ShaderVariantTests
 {
     // More would take minutes: then keywords want to become uniforms.

@@ -2,7 +2,6 @@ using Unity.Entities;
 
 namespace StandIns.Entities;
 
-/// <summary>What a query asks of an entity.</summary>
 sealed class QueryTerms
 {
     /// <summary>There, and enabled where it can be.</summary>

@@ -3,10 +3,8 @@ namespace Unity.IO.LowLevel.Unsafe;
 /// <summary>Reads files into native memory on threads of its own.</summary>
 public static unsafe class AsyncReadManager
 {
-    /// <summary>
-    /// Opens the file, reads the commands one after the other, and closes it. The commands and their memory must stay until
-    /// the read is done.
-    /// </summary>
+    /// <summary>Opens the file, reads the commands one after the other, and closes it. The commands and their memory must stay
+    /// until the read is done.</summary>
     public static ReadHandle Read(string filename, ReadCommand* readCmds, uint readCmdCount, string assetName = "",
         ulong typeID = 0, AssetLoadingSubsystem subsystem = AssetLoadingSubsystem.Scripts)
     {

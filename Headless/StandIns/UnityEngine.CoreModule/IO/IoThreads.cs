@@ -3,11 +3,9 @@ using System.Diagnostics;
 namespace StandIns.Io;
 
 /// <summary>Two threads that open, read and close files, first come first served.</summary>
-/// <remarks>
-/// Job threads that have nothing to run do it first: whoever reads a block finds its bytes in the core's own cache when it
-/// decodes them, and nobody has to be woken. The threads here take what has waited for <see cref="RestMs"/>, so that reading
-/// goes on beside long jobs.
-/// </remarks>
+/// <remarks>Job threads that have nothing to run do it first: whoever reads a block finds its bytes in the core's own cache when
+/// it decodes them, and nobody has to be woken. The threads here take what has waited for <see cref="RestMs"/>, so that reading
+/// goes on beside long jobs.</remarks>
 static class IoThreads
 {
     readonly struct Entry(Action work)

@@ -2,10 +2,8 @@ using System.Diagnostics;
 
 namespace StandIns.Memory;
 
-/// <summary>
-/// What is allocated and not yet freed, in the test build: leaks, TempJob memory that lives too long, memory freed twice or
-/// with another allocator than its own.
-/// </summary>
+/// <summary>What is allocated and not yet freed, in the test build: leaks, TempJob memory that lives too long, memory freed twice
+/// or with another allocator than its own.</summary>
 static unsafe class AllocationLedger
 {
     /// <summary>Frames that TempJob memory may live.</summary>

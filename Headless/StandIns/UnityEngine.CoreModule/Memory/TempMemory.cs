@@ -2,10 +2,8 @@ using System.Diagnostics;
 
 namespace StandIns.Memory;
 
-/// <summary>
-/// Allocator.Temp: memory of one thread that nobody has to give back. What a job leaves is freed when it ends, what the main
-/// thread leaves when the frame ends; containers in it are disposed then.
-/// </summary>
+/// <summary>Allocator.Temp: memory of one thread that nobody has to give back. What a job leaves is freed when it ends, what the
+/// main thread leaves when the frame ends; containers in it are disposed then.</summary>
 static unsafe class TempMemory
 {
     [ThreadStatic] static List<IntPtr> t_blocks;

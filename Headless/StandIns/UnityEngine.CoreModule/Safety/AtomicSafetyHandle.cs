@@ -2,10 +2,8 @@ using System.Diagnostics;
 
 namespace Unity.Collections.LowLevel.Unsafe;
 
-/// <summary>
-/// A container's permission to touch its memory. The copy that a job gets says what the job declared; the others ask
-/// the node whether jobs are in flight that the main thread has not completed.
-/// </summary>
+/// <summary>A container's permission to touch its memory. The copy that a job gets says what the job declared; the others ask the
+/// node whether jobs are in flight that the main thread has not completed.</summary>
 public unsafe struct AtomicSafetyHandle
 {
     internal const int OfJob = 1;

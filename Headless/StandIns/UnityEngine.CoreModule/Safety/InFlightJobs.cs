@@ -13,10 +13,8 @@ sealed class JobAccess
     public string Verb => Writes ? "writes to" : "reads from";
 }
 
-/// <summary>
-/// Which jobs use which container, from Schedule until the main thread has completed them. That a job has run is not
-/// enough: what Unity refuses must not depend on how fast a worker was. Only the main thread comes here.
-/// </summary>
+/// <summary>Which jobs use which container, from Schedule until the main thread has completed them. That a job has run is not
+/// enough: what Unity refuses must not depend on how fast a worker was. Only the main thread comes here.</summary>
 static unsafe class InFlightJobs
 {
     static readonly Dictionary<int, List<JobAccess>> s_accessesOfNode = new Dictionary<int, List<JobAccess>>();

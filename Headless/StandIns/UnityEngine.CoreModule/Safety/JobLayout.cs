@@ -20,10 +20,8 @@ sealed class JobField
     internal bool Writes => !IsReadOnly;
 }
 
-/// <summary>
-/// The fields of a job struct that the job system looks at, found once by reflection. Offsets are computed when they are
-/// first wanted: a job without special fields never pays for them in Release.
-/// </summary>
+/// <summary>The fields of a job struct that the job system looks at, found once by reflection. Offsets are computed when they are
+/// first wanted: a job without special fields never pays for them in Release.</summary>
 sealed class JobLayout
 {
     internal const BindingFlags InstanceFields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic

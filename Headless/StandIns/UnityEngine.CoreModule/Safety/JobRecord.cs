@@ -1,9 +1,7 @@
 namespace StandIns.Safety;
 
-/// <summary>
-/// A scheduled job as Unity's rules see it: what it depends on and which containers it uses, until the main thread has
-/// completed it or a job after it.
-/// </summary>
+/// <summary>A scheduled job as Unity's rules see it: what it depends on and which containers it uses, until the main thread has
+/// completed it or a job after it.</summary>
 sealed unsafe class JobRecord
 {
     static readonly JobRecord[] s_none = new JobRecord[0];

@@ -1,9 +1,7 @@
 namespace StandIns.Safety;
 
-/// <summary>
-/// What all handles of one container's memory point at. Releasing it bumps the version, so that every copy of the container
-/// knows; jobs in flight are kept as flags, so that an access costs two loads.
-/// </summary>
+/// <summary>What all handles of one container's memory point at. Releasing it bumps the version, so that every copy of the
+/// container knows; jobs in flight are kept as flags, so that an access costs two loads.</summary>
 unsafe struct SafetyNode
 {
     internal const int WriterInFlight = 1;

@@ -1,9 +1,7 @@
 namespace StandIns.Scheduling;
 
-/// <summary>
-/// One scheduled job, or (without work) something to wait for: combined dependencies, a read. Nodes are reused; a JobHandle
-/// names one by index and version.
-/// </summary>
+/// <summary>One scheduled job, or (without work) something to wait for: combined dependencies, a read. Nodes are reused; a
+/// JobHandle names one by index and version.</summary>
 sealed class JobNode(int index)
 {
     internal readonly int Index = index;

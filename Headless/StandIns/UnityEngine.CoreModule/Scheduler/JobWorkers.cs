@@ -3,8 +3,7 @@ namespace StandIns.Scheduling;
 /// <summary>The worker threads. They start when the first job is scheduled, and are background threads.</summary>
 static class JobWorkers
 {
-    // Unity's is the number of cores less one. More is allowed here, so that tests can ask for more threads than there are
-    // cores.
+    // Unity's is the number of cores less one. More is allowed here, so that tests can ask for more threads than there are cores.
     internal static readonly int MaximumCount = Math.Max(Environment.ProcessorCount - 1, 8);
 
     internal static readonly int DefaultCount = Math.Max(1, Environment.ProcessorCount - 1);

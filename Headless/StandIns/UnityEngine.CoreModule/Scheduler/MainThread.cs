@@ -1,9 +1,7 @@
 namespace StandIns;
 
-/// <summary>
-/// The main thread: the first that used what belongs to it, or, that one being gone, the next. Workers and threads of the
-/// pool never are.
-/// </summary>
+/// <summary>The main thread: the first that used what belongs to it, or, that one being gone, the next. Workers and threads of
+/// the pool never are.</summary>
 static class MainThread
 {
     static Thread s_main;

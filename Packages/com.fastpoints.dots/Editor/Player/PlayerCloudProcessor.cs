@@ -53,8 +53,7 @@ namespace FastPoints.Editor
     /// else in it refers to them.</summary>
     internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
-        const string Kept = "<linker>\n" +
-            "  <assembly fullname=\"FastPoints.Import\">\n" +
+        const string Kept = "<linker>\n" + "  <assembly fullname=\"FastPoints.Import\">\n" +
             "    <type fullname=\"FastPoints.SourceFeeds.PointFileReaders\" preserve=\"all\" />\n" +
             "  </assembly>\n" +
             "</linker>\n";

@@ -24,8 +24,7 @@ namespace FastPoints.Rendering
 
         /// <summary>The planes that a mode streams besides the position.</summary>
         public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
-            : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute }
-            : new string[0];
+            : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute } : new string[0];
 
         /// <param name="colors">Takes places in grid steps from the corner of the source's root cube.</param>
         /// <param name="source">Must stream the plane that the mode needs.</param>

@@ -67,7 +67,6 @@ namespace FastPoints.Rendering
         /// <summary>The keyword of the package's Compose.shader that a style needs; null for its plain variant, and for styles
         /// that compose nothing.</summary>
         public static string ComposeKeyword(in PointStyle style) => style.IsBlended ? ShaderNames.BlendedKeyword
-            : style.Shape == PointShape.Pixel && !style.IsLayered ? ShaderNames.FromPixelsKeyword
-            : null;
+            : style.Shape == PointShape.Pixel && !style.IsLayered ? ShaderNames.FromPixelsKeyword : null;
     }
 }

@@ -2,7 +2,6 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>The names of shader properties.</summary>
     static class ShaderNames
     {
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");

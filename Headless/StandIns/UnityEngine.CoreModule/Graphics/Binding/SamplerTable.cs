@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Samplers by what they do. A shader names one as sampler_Name after the texture whose own it is, or by what it does:
-/// sampler_PointClamp, sampler_linear_repeat. Depth is never filtered.
-/// </summary>
+/// <summary>Samplers by what they do. A shader names one as sampler_Name after the texture whose own it is, or by what it does:
+/// sampler_PointClamp, sampler_linear_repeat. Depth is never filtered.</summary>
 sealed unsafe class SamplerTable(GpuDevice device)
 {
     const string Prefix = "sampler";

@@ -1,8 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Does what a command buffer lists: names become what they stand for now, and everything goes to the device in one submission.
-/// </summary>
+/// <summary>Does what a command buffer lists: names become what they stand for now, and everything goes to the device in one
+/// submission.</summary>
 sealed unsafe partial class CommandReplay
 {
     readonly GpuDevice m_device;

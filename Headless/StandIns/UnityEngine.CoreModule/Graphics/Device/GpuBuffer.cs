@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>A buffer and its memory.</summary>
 sealed unsafe class GpuBuffer
 {
     internal readonly ulong Handle;

@@ -1,8 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// The device that everything here is drawn with: made when it is first asked for, with one queue that does all.
-/// </summary>
+/// <summary>The device that everything here is drawn with: made when it is first asked for, with one queue that does
+/// all.</summary>
 sealed unsafe class GpuDevice
 {
     const string PushDescriptor = "VK_KHR_push_descriptor";

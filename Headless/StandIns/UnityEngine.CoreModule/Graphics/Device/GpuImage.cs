@@ -2,9 +2,8 @@ using System.Diagnostics;
 
 namespace StandIns.Graphics;
 
-/// <summary>
-/// An image with its memory and views, always in the general layout: nothing has to be kept in mind of what it was used for.
-/// </summary>
+/// <summary>An image with its memory and views, always in the general layout: nothing has to be kept in mind of what it was used
+/// for.</summary>
 sealed unsafe class GpuImage
 {
     internal readonly ulong Handle;

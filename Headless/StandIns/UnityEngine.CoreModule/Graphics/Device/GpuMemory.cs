@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Device memory, taken in blocks and handed out in parts: drivers allow only some thousand allocations. Parts of a block
-/// are all buffers or all images; what is large has a block of its own.
-/// </summary>
+/// <summary>Device memory, taken in blocks and handed out in parts: drivers allow only some thousand allocations. Parts of a
+/// block are all buffers or all images; what is large has a block of its own.</summary>
 sealed unsafe class GpuMemory
 {
     const ulong BlockBytes = 16 << 20;

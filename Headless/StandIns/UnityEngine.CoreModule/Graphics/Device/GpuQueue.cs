@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// What the host asks of the device, in order: one recording is open at a time, a submission is a number, and what is no
-/// longer wanted goes when the submissions that may use it have passed.
-/// </summary>
+/// <summary>What the host asks of the device, in order: one recording is open at a time, a submission is a number, and what is no
+/// longer wanted goes when the submissions that may use it have passed.</summary>
 sealed unsafe class GpuQueue
 {
     const int MaxInFlight = 32;

@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Commands for one submission, and the memory for what they bring along (constants, data to upload). Used again when the
-/// submission has passed.
-/// </summary>
+/// <summary>Commands for one submission, and the memory for what they bring along (constants, data to upload). Used again when
+/// the submission has passed.</summary>
 sealed unsafe class GpuRecording
 {
     internal readonly IntPtr Commands;
@@ -55,10 +53,8 @@ sealed unsafe class GpuRecording
         Vk.Check(Vk.vkEndCommandBuffer(Commands), "vkEndCommandBuffer");
     }
 
-    /// <summary>
-    /// What comes after sees what came before. One barrier for everything, between all dispatches, copies and passes: not the
-    /// quickest way, but never wrong.
-    /// </summary>
+    /// <summary>What comes after sees what came before. One barrier for everything, between all dispatches, copies and passes:
+    /// not the quickest way, but never wrong.</summary>
     internal void Barrier() => Barrier(VkPipelineStageFlags2.AllCommands, VkAccessFlags2.MemoryRead | VkAccessFlags2.MemoryWrite);
 
     internal void Copy(GpuBuffer source, ulong sourceOffset, GpuBuffer destination, ulong destinationOffset, ulong bytes)

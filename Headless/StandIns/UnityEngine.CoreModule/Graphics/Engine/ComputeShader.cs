@@ -51,8 +51,7 @@ public sealed class ComputeShader : Object
 
     public void SetTexture(int kernelIndex, int nameID, Texture texture) => Kernel(kernelIndex).Sheet.Set(nameID, texture);
 
-    public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel,
-        RenderTextureSubElement element) =>
+    public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel, RenderTextureSubElement element) =>
         Kernel(kernelIndex).Sheet.Set(nameID, texture, element == RenderTextureSubElement.Depth);
 
     public void Dispatch(int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)

@@ -14,9 +14,8 @@ public sealed unsafe partial class GraphicsBuffer
 
     internal bool IsLocked => m_isLocked;
 
-    /// <summary>
-    /// The memory of a range, to be written in order and not read. Indices and counts are of <typeparamref name="T"/>.
-    /// </summary>
+    /// <summary>The memory of a range, to be written in order and not read. Indices and counts are of
+    /// <typeparamref name="T"/>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The range is not within the buffer.</exception>
     /// <exception cref="InvalidOperationException">Disposed, not made with LockBufferForWrite, locked already, or the device
     /// may still read it: no fence and no end of a frame has told that it is done. (Unity gives the memory all the same, and
@@ -61,8 +60,7 @@ public sealed unsafe partial class GraphicsBuffer
                 + $"{size}");
         if (countWritten < 0 || (long)countWritten * size > m_lockedBytes)
             throw new ArgumentOutOfRangeException(nameof(countWritten),
-                $"{Label}: {countWritten} elements are not within the "
-                + $"{m_lockedBytes / size} that were locked");
+                $"{Label}: {countWritten} elements are not within the {m_lockedBytes / size} that were locked");
         EndLock();
     }
 
@@ -81,7 +79,6 @@ public sealed unsafe partial class GraphicsBuffer
     {
         if (start < 0 || count < 0 || ((long)start + count) * size > Bytes)
             throw new ArgumentOutOfRangeException(nameof(count),
-                $"{Label}: elements {start} to {(long)start + count} of {size} bytes are "
-                + $"not within its {Bytes} bytes");
+                $"{Label}: elements {start} to {(long)start + count} of {size} bytes are not within its {Bytes} bytes");
     }
 }

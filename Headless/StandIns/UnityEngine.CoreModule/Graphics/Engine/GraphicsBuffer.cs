@@ -2,9 +2,8 @@ using System.Diagnostics;
 
 namespace UnityEngine;
 
-/// <summary>
-/// Memory of the device. One made with LockBufferForWrite lies where the host sees it, any other where only the device does.
-/// </summary>
+/// <summary>Memory of the device. One made with LockBufferForWrite lies where the host sees it, any other where only the device
+/// does.</summary>
 public sealed partial class GraphicsBuffer : IDisposable
 {
     GpuBuffer m_buffer;

@@ -1,9 +1,7 @@
 namespace UnityEngine;
 
-/// <summary>
-/// A colour or depth image to draw into, or both; its first row is the picture's lowest, as Unity has it with every API. It
-/// is made when it is first used.
-/// </summary>
+/// <summary>A colour or depth image to draw into, or both; its first row is the picture's lowest, as Unity has it with every API.
+/// It is made when it is first used.</summary>
 public class RenderTexture : Texture
 {
     RenderTextureDescriptor m_descriptor;

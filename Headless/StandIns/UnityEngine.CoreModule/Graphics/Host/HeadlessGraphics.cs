@@ -58,10 +58,8 @@ public static class HeadlessGraphics
     /// <summary>What the validation layer has said since the last call: nothing, or there is a fault.</summary>
     public static string[] TakeValidationMessages() => ValidationLog.Take();
 
-    /// <summary>
-    /// Ends a frame: waits until the device is no more than <see cref="FramesInFlight"/> frames behind (or
-    /// <see cref="FramesBehind"/>), and lets readbacks that are done call back.
-    /// </summary>
+    /// <summary>Ends a frame: waits until the device is no more than <see cref="FramesInFlight"/> frames behind (or
+    /// <see cref="FramesBehind"/>), and lets readbacks that are done call back.</summary>
     public static void EndFrame()
     {
         if (!GpuDevice.Exists)

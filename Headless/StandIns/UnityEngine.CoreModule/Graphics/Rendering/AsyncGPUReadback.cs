@@ -11,6 +11,5 @@ public static class AsyncGPUReadback
 
     /// <summary>Texels in their own format, the lowest row first.</summary>
     public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex = 0,
-        Action<AsyncGPUReadbackRequest> callback = null) =>
-        ReadbackTable.Add(src, callback);
+        Action<AsyncGPUReadbackRequest> callback = null) => ReadbackTable.Add(src, callback);
 }

@@ -63,8 +63,7 @@ public partial class CommandBuffer
         });
     }
 
-    public void DispatchCompute(ComputeShader computeShader, int kernelIndex, GraphicsBuffer indirectBuffer,
-        uint argsOffset) =>
+    public void DispatchCompute(ComputeShader computeShader, int kernelIndex, GraphicsBuffer indirectBuffer, uint argsOffset) =>
         Add(new RecordedCommand
         {
             Kind = CommandKind.DispatchIndirect,

@@ -9,13 +9,11 @@ public partial class CommandBuffer
         SetRenderTarget(rt, rt, mipLevel, cubemapFace, depthSlice);
 
     public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
-        RenderBufferStoreAction storeAction) =>
-        SetRenderTarget(rt);
+        RenderBufferStoreAction storeAction) => SetRenderTarget(rt);
 
     public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction colorLoadAction,
         RenderBufferStoreAction colorStoreAction, RenderBufferLoadAction depthLoadAction,
-            RenderBufferStoreAction depthStoreAction) =>
-        SetRenderTarget(rt);
+            RenderBufferStoreAction depthStoreAction) => SetRenderTarget(rt);
 
     public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth) =>
         SetRenderTarget(color, depth, 0, CubemapFace.Unknown, color.Slice);
@@ -51,8 +49,7 @@ public partial class CommandBuffer
 
     /// <summary>A depth of 1 is far away, whatever the device's own order is.</summary>
     public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor, float depth) =>
-        ClearRenderTarget((clearDepth ? RTClearFlags.Depth : 0) | (clearColor ? RTClearFlags.Color : 0), backgroundColor,
-            depth);
+        ClearRenderTarget((clearDepth ? RTClearFlags.Depth : 0) | (clearColor ? RTClearFlags.Color : 0), backgroundColor, depth);
 
     public void ClearRenderTarget(RTClearFlags clearFlags, Color backgroundColor, float depth = 1f, uint stencil = 0)
     {

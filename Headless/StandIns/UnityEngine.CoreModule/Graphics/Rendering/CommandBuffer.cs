@@ -1,9 +1,7 @@
 namespace UnityEngine.Rendering;
 
-/// <summary>
-/// A list of commands, done when Graphics.ExecuteCommandBuffer is called, as often as it is. Cleared and filled again it
-/// makes no garbage.
-/// </summary>
+/// <summary>A list of commands, done when Graphics.ExecuteCommandBuffer is called, as often as it is. Cleared and filled again it
+/// makes no garbage.</summary>
 public partial class CommandBuffer : IDisposable
 {
     internal readonly List<RecordedCommand> Commands = new List<RecordedCommand>();

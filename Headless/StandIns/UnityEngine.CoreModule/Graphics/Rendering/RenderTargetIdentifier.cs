@@ -24,8 +24,7 @@ public struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
         m_slice = 0;
     }
 
-    public RenderTargetIdentifier(int nameID, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown,
-        int depthSlice = 0)
+    public RenderTargetIdentifier(int nameID, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
         : this(nameID)
     {
         m_slice = depthSlice;
@@ -38,8 +37,7 @@ public struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
         m_slice = 0;
     }
 
-    public RenderTargetIdentifier(Texture tex, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown,
-        int depthSlice = 0)
+    public RenderTargetIdentifier(Texture tex, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
         : this(tex)
     {
         m_slice = depthSlice;

@@ -39,9 +39,8 @@ sealed class KeywordGroup
     /// <summary>Whether a stage, as glslang calls it, is told of the keywords.</summary>
     internal bool IsFor(string stage) => m_stage == null || m_stage == stage;
 
-    /// <summary>
-    /// Which is on, as an index: the first that is asked for; else none, or the first where none is not offered.
-    /// </summary>
+    /// <summary>Which is on, as an index: the first that is asked for; else none, or the first where none is not
+    /// offered.</summary>
     internal int Choose(KeywordSet local, KeywordSet global)
     {
         for (int i = 0; i < Keywords.Length; i++)

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>The keywords that are on.</summary>
 sealed class KeywordSet
 {
     internal static readonly KeywordSet Global = new KeywordSet();

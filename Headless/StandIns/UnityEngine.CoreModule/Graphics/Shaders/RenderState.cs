@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// The fixed state of a pass: each value a word of ShaderLab's, or a property in square brackets, whose number is that of
-/// Unity's enum (CullMode, CompareFunction, BlendMode, BlendOp).
-/// </summary>
+/// <summary>The fixed state of a pass: each value a word of ShaderLab's, or a property in square brackets, whose number is that
+/// of Unity's enum (CullMode, CompareFunction, BlendMode, BlendOp).</summary>
 sealed class RenderState
 {
     static readonly string[] s_culls = { "Off", "Front", "Back" };

@@ -3,10 +3,8 @@ using System.Security.Cryptography;
 
 namespace StandIns.Graphics;
 
-/// <summary>
-/// HLSL to SPIR-V by glslang, a process of some 50 ms each; what was compiled once is kept on disk under a hash of all that
-/// went in.
-/// </summary>
+/// <summary>HLSL to SPIR-V by glslang, a process of some 50 ms each; what was compiled once is kept on disk under a hash of all
+/// that went in.</summary>
 static class ShaderCompiler
 {
     const string Program = "glslangValidator";
@@ -112,7 +110,6 @@ static class ShaderCompiler
         string headless = Path.Combine(files.Root, "Headless");
         return Directory.Exists(headless)
             ? Path.Combine(headless, "artifacts", "shaders")
-            : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData), "fastpoints",
-                "shaders");
+            : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData), "fastpoints", "shaders");
     }
 }

@@ -2,9 +2,8 @@ using System.Text.RegularExpressions;
 
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Where shaders and what they include lie: the project, whose packages are named by path, and the stub includes.
-/// </summary>
+/// <summary>Where shaders and what they include lie: the project, whose packages are named by path, and the stub
+/// includes.</summary>
 sealed class ShaderFiles
 {
     static readonly Regex s_include = new Regex(@"^[ \t]*#[ \t]*include[ \t]+[""<]([^"">]+)["">]", RegexOptions.Multiline);

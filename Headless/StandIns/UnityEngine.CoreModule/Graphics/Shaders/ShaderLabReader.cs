@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// The part of ShaderLab that thin wrappers of HLSL use: Properties, the first SubShader, its passes with their tags, fixed
-/// state and programs. What it does not know it refuses, rather than to draw something else.
-/// </summary>
+/// <summary>The part of ShaderLab that thin wrappers of HLSL use: Properties, the first SubShader, its passes with their tags,
+/// fixed state and programs. What it does not know it refuses, rather than to draw something else.</summary>
 sealed class ShaderLabReader
 {
     readonly ShaderLabTokens m_tokens;

@@ -1,8 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// The words of a .shader file: names, numbers, texts in quotes, signs; a program is one word, from its keyword to its end.
-/// </summary>
+/// <summary>The words of a .shader file: names, numbers, texts in quotes, signs; a program is one word, from its keyword to its
+/// end.</summary>
 sealed class ShaderLabTokens
 {
     readonly string m_path;

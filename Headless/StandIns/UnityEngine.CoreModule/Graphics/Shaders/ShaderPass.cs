@@ -58,8 +58,7 @@ sealed class ShaderPass
         || Shader.Files.Includes(m_program).Any(file => File.ReadAllText(file).Contains(keyword));
 
     ShaderStage Stage(long variant, string stage, string entry) =>
-        new ShaderStage(Shader.Files, Label, m_program, stage, entry,
-            KeywordVariant.Names(Keywords, variant, stage).ToArray());
+        new ShaderStage(Shader.Files, Label, m_program, stage, entry, KeywordVariant.Names(Keywords, variant, stage).ToArray());
 
     GraphicsProgram Compile(long variant)
     {

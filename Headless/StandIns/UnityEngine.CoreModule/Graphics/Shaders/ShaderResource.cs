@@ -1,8 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Something that a shader names and a draw or dispatch has to bring: a buffer, a texture, a sampler, constants.
-/// </summary>
+/// <summary>Something that a shader names and a draw or dispatch has to bring: a buffer, a texture, a sampler,
+/// constants.</summary>
 sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
 {
     internal readonly string Name = name;

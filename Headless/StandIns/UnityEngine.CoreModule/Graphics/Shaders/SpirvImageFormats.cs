@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// HLSL does not say what format an RWTexture2D of floats has; glslang says 32-bit floats for it. Where the code only writes
-/// such an image, this takes the claim away, so that a texture of any format does.
-/// </summary>
+/// <summary>HLSL does not say what format an RWTexture2D of floats has; glslang says 32-bit floats for it. Where the code only
+/// writes such an image, this takes the claim away, so that a texture of any format does.</summary>
 static class SpirvImageFormats
 {
     const int HeaderWords = 5;

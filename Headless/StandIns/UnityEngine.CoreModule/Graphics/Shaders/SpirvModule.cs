@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// Compiled shader code of one stage, as words, and what it says of its resources (SPIR-V 1.3, section 3). Only what glslang
-/// makes of HLSL is understood.
-/// </summary>
+/// <summary>Compiled shader code of one stage, as words, and what it says of its resources (SPIR-V 1.3, section 3). Only what
+/// glslang makes of HLSL is understood.</summary>
 sealed class SpirvModule
 {
     const uint Magic = 0x07230203;
@@ -111,8 +109,7 @@ sealed class SpirvModule
                     IsWritten = !m_decorations.ContainsKey((type, 0, Decoration.NonWritable)),
                 };
             case Op.TypeStruct:
-                return new ShaderResource(variable, m_names[type],
-                    VkDescriptorType.UniformBuffer)
+                return new ShaderResource(variable, m_names[type], VkDescriptorType.UniformBuffer)
                 { Members = MembersOf(type, at) };
             default:
                 throw new InvalidDataException($"{m_names[variable]}: resources of this kind (an array of them?) are not "

@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>
-/// The size of points: Vulkan wants a vertex shader to give it, and glslang does not know HLSL's PSIZE. Its output of that
-/// semantic becomes the size; where there is none, the size is one pixel, as with Direct3D.
-/// </summary>
+/// <summary>The size of points: Vulkan wants a vertex shader to give it, and glslang does not know HLSL's PSIZE. Its output of
+/// that semantic becomes the size; where there is none, the size is one pixel, as with Direct3D.</summary>
 static class SpirvPointSize
 {
     const string Names = "SPV_GOOGLE_hlsl_functionality1";
@@ -43,8 +41,7 @@ static class SpirvPointSize
         for (int at = HeaderWords; at < words.Length; at += Length(words, at))
             if (Op(words, at) == OpDecorate && words[at + 2] == BuiltIn && words[at + 3] == PointSize)
                 return words[at + 1];
-            else if (Op(words, at) == OpDecorateString
-                && Text(words, at, 3).Equals("PSIZE", StringComparison.OrdinalIgnoreCase))
+            else if (Op(words, at) == OpDecorateString && Text(words, at, 3).Equals("PSIZE", StringComparison.OrdinalIgnoreCase))
                 return words[at + 1];
         return 0;
     }

@@ -63,10 +63,7 @@ namespace FastPoints.LazEncoding
             m_multiplier.Encode(encoder, multiple >= 0 ? multiple : Multiplier - multiple);
             int context = multiple == 1 ? 1
                 : multiple == 0 ? 7
-                : multiple == Multiplier ? 4
-                : multiple == LowestMultiplier ? 6
-                : multiple < 0 ? 5
-                : multiple < 10 ? 2 : 3;
+                : multiple == Multiplier ? 4 : multiple == LowestMultiplier ? 6 : multiple < 0 ? 5 : multiple < 10 ? 2 : 3;
             m_integer.Encode(encoder, unchecked(multiple * last), difference, context);
             if (multiple == 1)
                 m_extremes[m_sequence] = 0;

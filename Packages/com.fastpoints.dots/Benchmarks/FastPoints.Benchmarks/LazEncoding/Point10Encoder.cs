@@ -50,8 +50,7 @@ namespace FastPoints.LazEncoding
             int returns = record[14] & 63, n = returns >> 3, r = returns & 7;
             int map = s_map[returns], level = System.Math.Abs(n - r), isSingle = n == 1 ? 1 : 0;
             int intensity = UInt16(record, 12);
-            int changed = (record[14] != m_last[14] ? 32 : 0)
-                | (intensity != m_lastIntensity[map] ? 16 : 0)
+            int changed = (record[14] != m_last[14] ? 32 : 0) | (intensity != m_lastIntensity[map] ? 16 : 0)
                 | (record[15] != m_last[15] ? 8 : 0)
                 | (record[16] != m_last[16] ? 4 : 0)
                 | (record[17] != m_last[17] ? 2 : 0)
@@ -123,8 +122,7 @@ namespace FastPoints.LazEncoding
             m_dy[m_oldest] = dy;
             m_oldest = (m_oldest + 1) % 3;
 
-            int changed = (UInt16(record, 12) != UInt16(m_last, 12) ? 32 : 0)
-                | (record[14] != m_last[14] ? 16 : 0)
+            int changed = (UInt16(record, 12) != UInt16(m_last, 12) ? 32 : 0) | (record[14] != m_last[14] ? 16 : 0)
                 | (record[15] != m_last[15] ? 8 : 0)
                 | (record[16] != m_last[16] ? 4 : 0)
                 | (record[17] != m_last[17] ? 2 : 0)

@@ -34,8 +34,7 @@ namespace FastPoints.LazEncoding
             m_index.Encode(encoder, packet[0]);
             long difference = unchecked(Int64(packet, 1) - Int64(last, 1));
             int kind = difference == 0 ? 0
-                : difference == BitConverter.ToUInt32(last, 9) ? 1
-                : difference == (int)difference ? 2 : 3;
+                : difference == BitConverter.ToUInt32(last, 9) ? 1 : difference == (int)difference ? 2 : 3;
             m_offsetKind[m_lastKind].Encode(encoder, kind);
             m_lastKind = kind;
             if (kind == 2)

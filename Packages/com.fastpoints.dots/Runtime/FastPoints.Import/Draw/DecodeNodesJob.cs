@@ -36,7 +36,6 @@ namespace FastPoints.Draw
         /// <summary>The batch; each node has its own part of every column.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<byte> Batch;
 
-        /// <summary>Whether each node is damaged.</summary>
         public NativeArray<bool> IsDamaged;
 
         public void Execute(int index)

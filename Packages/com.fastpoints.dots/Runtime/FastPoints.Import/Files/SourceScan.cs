@@ -22,8 +22,7 @@ namespace FastPoints.Files
         /// <param name="extraBytesPerPoint">Bytes that the consumer keeps for each point of a slot.</param>
         /// <param name="maxBytes">The limit for all slots together; there is always one.</param>
         public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes) =>
-            reader.BlockCount == 0 ? 1
-                : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
+            reader.BlockCount == 0 ? 1 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
 
         /// <summary>Slots that fit into so many bytes, and at least one.</summary>
         internal static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)

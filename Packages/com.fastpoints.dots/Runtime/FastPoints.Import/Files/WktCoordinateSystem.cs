@@ -61,8 +61,7 @@ namespace FastPoints.Files
         static double LengthOf(WktNode system)
         {
             var unit = system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit);
-            return unit != null && unit.Values.Count >= 2
-                && NumberText.TryRead(unit.Values[1], out double metres)
+            return unit != null && unit.Values.Count >= 2 && NumberText.TryRead(unit.Values[1], out double metres)
                 && metres > 0 && !double.IsInfinity(metres)
                 ? metres
                 : 0;

@@ -12,7 +12,6 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct CheckRecordsJob : IJob
     {
-        /// <summary>Pages of one run of the job.</summary>
         const int PagesOfSlice = 64;
 
         public RecordPages Pages;

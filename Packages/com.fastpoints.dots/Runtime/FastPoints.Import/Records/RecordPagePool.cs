@@ -76,7 +76,6 @@ namespace FastPoints.Records
             pages = default;
         }
 
-        /// <summary>Returns one page.</summary>
         public void Return(RecordPages.Page* page)
         {
             page->Next = m_free;

@@ -10,7 +10,6 @@ namespace FastPoints.SourceFeeds
     /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
     internal static class TreeTop
     {
-        /// <summary>Blocks in flight.</summary>
         const int MostSlots = 8;
 
         /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they

@@ -21,7 +21,6 @@ namespace FastPoints.Verify
         /// <summary>Memory of the files in flight, unless one takes more: enough for half a second's work of a worker.</summary>
         const long MostBytes = 96L << 20;
 
-        /// <summary>Tables that are read ahead.</summary>
         const int TablesAhead = 8;
 
         readonly CloudFolder m_folder;

@@ -51,9 +51,7 @@ namespace FastPoints.Base
             Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
 
         static string Line(string path, long byteOffset, string what) =>
-            byteOffset < 0
-                ? path + ": " + what
-                : path + ": at byte " + NumberText.Of(byteOffset) + ": " + what;
+            byteOffset < 0 ? path + ": " + what : path + ": at byte " + NumberText.Of(byteOffset) + ": " + what;
     }
 
     /// <summary>What kind of failure a <see cref="PointCloudException"/> reports.</summary>

@@ -55,7 +55,6 @@ namespace FastPoints.Gpu
             };
         }
 
-        /// <summary>The first word of a plane.</summary>
         static uint WordOf(PlaneRange* planes, int plane, uint firstWord)
         {
             for (int p = 0; p < plane; p++)

@@ -44,8 +44,7 @@ namespace FastPoints.Gpu
         public readonly float ToPx(float gap, float pixelsPerUnit)
         {
             float px = Mode == PointSizeMode.Pixels ? Value
-                : Mode == PointSizeMode.World ? Value * pixelsPerUnit
-                : Value * gap * pixelsPerUnit;
+                : Mode == PointSizeMode.World ? Value * pixelsPerUnit : Value * gap * pixelsPerUnit;
             return math.clamp(px, LimitsPx.x, LimitsPx.y);
         }
     }

@@ -57,8 +57,7 @@ namespace FastPoints.Picture
             {
                 var along = math.abs(forward);
                 up = along.y <= along.x && along.y <= along.z ? new double3(0, 1, 0)
-                    : along.z <= along.x ? new double3(0, 0, 1)
-                    : new double3(1, 0, 0);
+                    : along.z <= along.x ? new double3(0, 0, 1) : new double3(1, 0, 0);
             }
             var right = math.normalize(math.cross(forward, up));
             return new Camera { EyeGeo = eyeGeo, Right = right, Up = math.cross(right, forward), Forward = forward };

@@ -424,8 +424,6 @@ namespace FastPoints.Picture
 
         /// <param name="max">Of all channels, more than 0.</param>
         static ColorDepth DepthOf(AttributeType type, double max) => type == AttributeType.UInt8 ? ColorDepth.Bits8
-            : type.IsFloat() && max <= 1 ? ColorDepth.Unit
-            : max <= byte.MaxValue ? ColorDepth.Bits8
-            : ColorDepth.Bits16;
+            : type.IsFloat() && max <= 1 ? ColorDepth.Unit : max <= byte.MaxValue ? ColorDepth.Bits8 : ColorDepth.Bits16;
     }
 }

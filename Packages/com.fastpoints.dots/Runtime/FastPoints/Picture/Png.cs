@@ -34,8 +34,7 @@ namespace FastPoints.Picture
                 if (File.Exists(partial))
                     File.Delete(partial);
                 var code = failure is UnauthorizedAccessException ? FailureCode.AccessDenied
-                    : failure is DirectoryNotFoundException ? FailureCode.NotFound
-                    : FailureCode.WriteFailed;
+                    : failure is DirectoryNotFoundException ? FailureCode.NotFound : FailureCode.WriteFailed;
                 throw new PointCloudException(code, path, -1, "the picture cannot be written: " + failure.Message, failure);
             }
         }

@@ -31,8 +31,7 @@ namespace FastPoints.Picture
             for (int i = 0; i < rowBytes; i++)
             {
                 int before = filter == Sub && i >= pixelBytes ? pixels[start + i - pixelBytes]
-                    : filter == Up && row > 0 ? pixels[start + i - rowBytes]
-                    : 0;
+                    : filter == Up && row > 0 ? pixels[start + i - rowBytes] : 0;
                 to[at++] = (byte)(pixels[start + i] - before);
             }
         }

@@ -21,8 +21,7 @@ namespace FastPoints.Points
         public long Side => 1L << SideLog2;
 
         public bool Contains(Grid3 place) =>
-            (ulong)(place.X - Corner.X) >> SideLog2 == 0 &&
-            (ulong)(place.Y - Corner.Y) >> SideLog2 == 0 &&
+            (ulong)(place.X - Corner.X) >> SideLog2 == 0 && (ulong)(place.Y - Corner.Y) >> SideLog2 == 0 &&
             (ulong)(place.Z - Corner.Z) >> SideLog2 == 0;
 
         public bool Contains(GridCube other) => other.SideLog2 <= SideLog2 && Contains(other.Corner);

@@ -65,7 +65,6 @@ namespace FastPoints.Tests.Files
             }
         }
 
-        /// <summary>One column of all points.</summary>
         public static T[] Column<T>(PointReader reader, string name) where T : unmanaged
         {
             var values = new T[reader.PointCount];

@@ -20,8 +20,7 @@ namespace FastPoints.Tests.Store
                 Grid = new CloudGrid
                 {
                     Origin = new double3(1e7, -0.1, 1.0 / 3),
-                    Step = new double3(1e-4, 0.01, math.pow(2.0,
-                    -30))
+                    Step = new double3(1e-4, 0.01, math.pow(2.0, -30))
                 },
                 Root = new GridCube(new Grid3(-5, 1L << 60, 0), 43),
                 BoundsMin = new Grid3(-1, 2, 3),

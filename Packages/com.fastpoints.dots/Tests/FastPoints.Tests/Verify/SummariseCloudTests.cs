@@ -37,8 +37,7 @@ namespace FastPoints.Tests.Verify
             reader.Info.Transform = new PositionTransform
             {
                 Scale = new double3(0.01, 0.01, 0.01),
-                Offset = new double3(5e5,
-                5e6, 0)
+                Offset = new double3(5e5, 5e6, 0)
             };
             var summary = Summarise(reader, slots);
             Assert.That(summary.Points, Is.EqualTo(2000));

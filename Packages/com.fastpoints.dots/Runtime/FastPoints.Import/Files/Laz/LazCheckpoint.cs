@@ -53,7 +53,6 @@ namespace FastPoints.Files
                     LengthOf(m_pages[i], state.Length));
         }
 
-        /// <summary>Restores <paramref name="state"/>.</summary>
         public void Restore(NativeArray<byte> state)
         {
             byte* to = (byte*)state.GetUnsafePtr();

@@ -27,7 +27,6 @@ namespace FastPoints.Files
 
         public int Count => m_scattered?.Count ?? m_bytes.Count;
 
-        /// <summary>Number of points in all chunks.</summary>
         public long PointCount { get; private set; }
 
         /// <summary>The most points that any chunk has or had.</summary>

@@ -3,7 +3,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>A node of a Potree 1 hierarchy and its file.</summary>
     struct Potree1Node
     {
         public int Level;

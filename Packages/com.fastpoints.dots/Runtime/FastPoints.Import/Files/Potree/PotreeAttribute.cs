@@ -48,7 +48,6 @@ namespace FastPoints.Files
         /// <summary>Bytes of a point in a record.</summary>
         public int Bytes;
 
-        /// <summary>Offset in a record.</summary>
         public int RecordOffset;
 
         public bool IsPosition => Kind == PotreeAttributeKind.Position;

@@ -127,7 +127,6 @@ namespace FastPoints.Files
             m_points += rows;
         }
 
-        /// <summary>One stretch in flight.</summary>
         sealed class Slot : IDisposable
         {
             readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);

@@ -66,8 +66,7 @@ namespace FastPoints.Files
             if (attribute == AttributeNames.Intensity && IsWithin(short.MinValue, short.MaxValue))
                 return AttributeType.Int16;
             return IsWithin(int.MinValue / 2, int.MaxValue / 2) ? AttributeType.Int32
-                : Digits <= 18 ? AttributeType.Int64
-                : AttributeType.Float64;
+                : Digits <= 18 ? AttributeType.Int64 : AttributeType.Float64;
         }
     }
 }

@@ -194,8 +194,7 @@ namespace FastPoints.Files
                     step.Decimals = axis >= 0 ? m_decimals[axis] : 0;
                     step.Kind = axis >= 0 ? XyzStepKind.Place
                         : step.Type == AttributeType.Float32 ? XyzStepKind.Float32
-                        : step.Type == AttributeType.Float64 ? XyzStepKind.Float64
-                        : XyzStepKind.Integer;
+                        : step.Type == AttributeType.Float64 ? XyzStepKind.Float64 : XyzStepKind.Integer;
                 }
                 steps[i] = step;
             }
@@ -245,7 +244,6 @@ namespace FastPoints.Files
         };
     }
 
-    /// <summary>A slot of <see cref="XyzReader"/>.</summary>
     sealed class XyzRead : SlotRead
     {
         readonly XyzReader m_reader;

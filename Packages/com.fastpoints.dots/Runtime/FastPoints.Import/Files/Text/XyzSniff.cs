@@ -320,8 +320,7 @@ namespace FastPoints.Files
         string[] NamesIn(string line)
         {
             var separators = m_dialect.Separator == ',' ? new[] { ',' }
-                : m_dialect.Separator == ';' ? new[] { ';' }
-                : new[] { ' ', '\t', ',' };
+                : m_dialect.Separator == ';' ? new[] { ';' } : new[] { ' ', '\t', ',' };
             var names = new List<string>();
             foreach (string word in line.Split(separators))
             {

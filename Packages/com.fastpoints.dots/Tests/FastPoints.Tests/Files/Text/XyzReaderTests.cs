@@ -250,8 +250,7 @@ namespace FastPoints.Tests.Files
 
         [Test]
         public void Open_NamesWithoutPositions_AsksForThem() =>
-            Failures.Of(() => Open("time,temperature,humidity\n1,2,3\n"),
-                FailureCode.Unsupported, "time, temperature, humidity");
+            Failures.Of(() => Open("time,temperature,humidity\n1,2,3\n"), FailureCode.Unsupported, "time, temperature, humidity");
 
         [Test]
         public void Open_Ptx_IsNamed() =>

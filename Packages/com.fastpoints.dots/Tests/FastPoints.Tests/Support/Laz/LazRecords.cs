@@ -122,9 +122,7 @@ namespace FastPoints.Tests.Support
                 int value = RecordFields.UInt16(record, at + 2 * i);
                 int next = kind < 3 ? value
                     : kind < 5 ? RecordFields.UInt16(record, at) + (i == 0 ? random.Next(-9, 10) : 0)
-                    : kind < 8 ? value + random.Next(-600, 600)
-                    : kind < 9 ? value & 0xFF00 | value >> 8
-                    : random.Next(65536);
+                    : kind < 8 ? value + random.Next(-600, 600) : kind < 9 ? value & 0xFF00 | value >> 8 : random.Next(65536);
                 Put(record, at + 2 * i, next, 2);
             }
         }

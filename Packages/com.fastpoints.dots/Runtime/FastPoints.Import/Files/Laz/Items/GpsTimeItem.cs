@@ -98,9 +98,7 @@ namespace FastPoints.Files
                         : symbol == 1 ? 1
                         : symbol == 0 ? 7
                         : symbol < 10 ? 2
-                        : symbol < Multiplier ? 3
-                        : symbol == Multiplier ? 4
-                        : multiplier > LowestMultiplier ? 5 : 6;
+                        : symbol < Multiplier ? 3 : symbol == Multiplier ? 4 : multiplier > LowestMultiplier ? 5 : 6;
                 }
                 if (context == 8)
                     prediction = (int)(state->m_last[sequence] >> 32);

@@ -78,8 +78,7 @@ namespace FastPoints.Files
                 int n = i >> 4, r = i & 15;
                 int level = n > r ? n - r : r - n;
                 bool isFirst = r == 1, isLast = r >= n;
-                contexts[i] = (ushort)(s_extendedMap[i]
-                    | (level < 7 ? level : 7) << ExtendedLevelShift
+                contexts[i] = (ushort)(s_extendedMap[i] | (level < 7 ? level : 7) << ExtendedLevelShift
                     | ((isFirst ? 2 : 0) + (isLast ? 1 : 0)) << ExtendedPlaceShift
                     | (n == 1 ? 1 << ExtendedSingleShift : 0)
                     | ((isFirst ? 1 : 0) + (isLast ? 2 : 0)) << ExtendedLastPlaceShift);

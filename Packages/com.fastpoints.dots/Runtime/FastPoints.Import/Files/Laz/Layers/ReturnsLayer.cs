@@ -152,8 +152,7 @@ namespace FastPoints.Files
 
                 int k = (kx + ky) >> 1;
                 int zContext = isSingle + (k < 18 ? k & ~1 : 18);
-                points[done] = point | (uint)channel
-                    | (uint)timeChanged << PointContext.TimeShift
+                points[done] = point | (uint)channel | (uint)timeChanged << PointContext.TimeShift
                     | (changed & AngleChangedBit) * (PointContext.AngleChangedBit / AngleChangedBit)
                     | (changed & SourceChangedBit) * (PointContext.SourceChangedBit / SourceChangedBit)
                     | (uint)(ofReturns >> ReturnContexts.ExtendedPlaceShift & ReturnContexts.ExtendedPlaceMask)
