@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using FastPoints.Evaluation;
 using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;

@@ -1,3 +1,4 @@
+using FastPoints.Evaluation;
 using FastPoints.HostTests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;

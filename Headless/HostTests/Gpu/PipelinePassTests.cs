@@ -1,3 +1,4 @@
+using FastPoints.Evaluation;
 using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.HostTests.Gpu;

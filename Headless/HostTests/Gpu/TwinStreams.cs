@@ -1,4 +1,5 @@
 using FastPoints.Cli.Draw;
+using FastPoints.Evaluation;
 
 namespace FastPoints.HostTests.Gpu;
 

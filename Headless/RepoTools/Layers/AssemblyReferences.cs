@@ -47,7 +47,7 @@ public static class AssemblyReferences
             .ToArray(),
         ["FastPoints.Evaluation"] = s_shared,
         ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
+            .Concat(new[] { "FastPoints.Entities", "FastPoints.Evaluation", "FastPoints.Scenes" }).ToArray(),
         ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
             .Concat(s_testRunner).ToArray(),
     };

@@ -1,7 +1,4 @@
-using Unity.Burst;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 
 namespace FastPoints.Points
 {
@@ -58,23 +55,6 @@ namespace FastPoints.Points
                 UnsafeUtility.MemCpy(payload, payloadFrom, (long)count * sizeof(uint));
         }
 
-        /// <summary>Sorts on the calling thread. The arrays must have the same length.</summary>
-        public static void RunImmediate(NativeArray<ulong> keys, NativeArray<uint> payload, NativeArray<ulong> keyScratch,
-            NativeArray<uint> payloadScratch) =>
-            Sort((ulong*)keys.GetUnsafePtr(), (uint*)payload.GetUnsafePtr(), (ulong*)keyScratch.GetUnsafePtr(),
-                (uint*)payloadScratch.GetUnsafePtr(), keys.Length);
-
-        /// <summary>Sorts in a job. The arrays must have the same length.</summary>
-        public static JobHandle Schedule(NativeArray<ulong> keys, NativeArray<uint> payload, NativeArray<ulong> keyScratch,
-            NativeArray<uint> payloadScratch, JobHandle inputDeps) =>
-            new RadixSortJob
-            {
-                Keys = keys,
-                Payload = payload,
-                KeyScratch = keyScratch,
-                PayloadScratch = payloadScratch,
-            }.Schedule(inputDeps);
-
         /// <summary>Finds where each digit's values start in the sorted order.</summary>
         static void CountDigits(ulong* keys, int count, int shift, int* start)
         {
@@ -109,17 +89,5 @@ namespace FastPoints.Points
                 to[start[key >> shift & (DigitValues - 1)]++] = key;
             }
         }
-    }
-
-    /// <summary>Runs <see cref="RadixSort.Sort"/> as a job. The arrays must have the same length.</summary>
-    [BurstCompile]
-    internal struct RadixSortJob : IJob
-    {
-        public NativeArray<ulong> Keys;
-        public NativeArray<uint> Payload;
-        public NativeArray<ulong> KeyScratch;
-        public NativeArray<uint> PayloadScratch;
-
-        public void Execute() => RadixSort.RunImmediate(Keys, Payload, KeyScratch, PayloadScratch);
     }
 }

@@ -1,5 +1,7 @@
 using FastPoints.Points;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
@@ -33,7 +35,7 @@ namespace FastPoints.Benchmarks
                 Keys = m_keys,
                 Payload = m_payload,
                 KeyScratch = m_keyScratch,
-                PayloadScratch = m_payloadScratch
+                PayloadScratch = m_payloadScratch,
             }.Run();
             return new WorkloadResult { Points = m_keys.Length, Bytes = m_keys.Length * 12L };
         }
@@ -46,5 +48,15 @@ namespace FastPoints.Benchmarks
             m_payload.Dispose();
             m_payloadScratch.Dispose();
         }
+    }
+
+    [BurstCompile]
+    unsafe struct RadixSortJob : IJob
+    {
+        public NativeArray<ulong> Keys, KeyScratch;
+        public NativeArray<uint> Payload, PayloadScratch;
+
+        public void Execute() => RadixSort.Sort((ulong*)Keys.GetUnsafePtr(), (uint*)Payload.GetUnsafePtr(),
+            (ulong*)KeyScratch.GetUnsafePtr(), (uint*)PayloadScratch.GetUnsafePtr(), Keys.Length);
     }
 }

@@ -1,3 +1,4 @@
+using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Points;
 using Unity.Collections;

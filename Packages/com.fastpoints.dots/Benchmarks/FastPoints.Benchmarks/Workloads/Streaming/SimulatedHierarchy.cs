@@ -35,7 +35,6 @@ namespace FastPoints.Benchmarks
         public HierarchyPage* Pages => (HierarchyPage*)m_pages.GetUnsafePtr();
         public int PageCount => m_pages.Length;
         public int NodeCount { get; }
-        public long PointCount => (long)NodeCount * PointsPerNode;
 
         public void Dispose()
         {

@@ -63,7 +63,5 @@ namespace FastPoints.Files
             pose.AxisZ = new double3(s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y));
             return pose;
         }
-
-        public double3 Turn(double3 v) => AxisX * v.x + AxisY * v.y + AxisZ * v.z;
     }
 }

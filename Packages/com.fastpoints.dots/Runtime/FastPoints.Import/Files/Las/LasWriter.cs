@@ -67,9 +67,6 @@ namespace FastPoints.Files
 
         public int RecordBytes => m_header.RecordBytes;
 
-        /// <summary>Points appended so far.</summary>
-        public ulong PointCount => m_header.Count;
-
         /// <summary>Creates the temporary file.</summary>
         /// <exception cref="ArgumentException">The settings do not describe a valid LAS file.</exception>
         /// <exception cref="PointCloudException">The file cannot be created.</exception>

@@ -24,9 +24,6 @@ namespace FastPoints.Files
             m_stepSize = stepSize;
         }
 
-        /// <summary>Full path of the folder with the root's files.</summary>
-        public string Folder => m_folder;
-
         /// <summary>Finds the root's files: in the folder that cloud.js names, or else beside cloud.js or in a folder there,
         /// since clouds are moved and renamed.</summary>
         /// <exception cref="PointCloudException">They were not found.</exception>

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Text;
 using FastPoints.Base;
 using FastPoints.Convert;
+using FastPoints.Evaluation;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;

@@ -1,8 +1,9 @@
 using FastPoints.Base;
 using FastPoints.Points;
+using FastPoints.Verify;
 using Unity.Mathematics;
 
-namespace FastPoints.Verify
+namespace FastPoints.Evaluation
 {
     /// <summary>Range and sum of a column's stored values, exact for every type. Blittable.</summary>
     internal struct ColumnSummary

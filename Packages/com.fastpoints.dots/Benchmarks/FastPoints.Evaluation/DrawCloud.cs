@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
+using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Points;
@@ -11,7 +12,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Draw
+namespace FastPoints.Evaluation
 {
     /// <summary>Draws a picture of every point of a source, block by block in bounded memory: a small sample decides on camera,
     /// colours and size, then each block is drawn as it is decoded. With a point budget, it draws a sample instead.</summary>

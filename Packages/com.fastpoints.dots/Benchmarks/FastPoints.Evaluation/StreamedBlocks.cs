@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Gpu;
+using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -8,7 +9,7 @@ using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Picture
+namespace FastPoints.Evaluation
 {
     /// <summary>Draws the resident nodes of one streamed cloud into a canvas, straight from the pool's memory. Main
     /// thread.</summary>

@@ -2,13 +2,14 @@ using System;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Draw;
+using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Draw
+namespace FastPoints.Tests.Evaluation
 {
     public class DrawCloudTests
     {

@@ -1,12 +1,13 @@
 using System;
 using FastPoints.Base;
+using FastPoints.Evaluation;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using FastPoints.Verify;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Verify
+namespace FastPoints.Tests.Evaluation
 {
     [Category("Smoke")]
     public class SummariseCloudTests

@@ -1,4 +1,5 @@
 using FastPoints.Gpu;
+using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -8,7 +9,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Picture
+namespace FastPoints.Evaluation
 {
     /// <summary>Draws packed blocks from the memory where they lie; index i is the i-th node. A block is unpacked on the stack as
     /// a batch of its own.</summary>

@@ -1,5 +1,6 @@
 using FastPoints.Base;
 using FastPoints.Draw;
+using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -7,7 +8,7 @@ using FastPoints.Tests.Streaming;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Picture
+namespace FastPoints.Tests.Evaluation
 {
     public class StreamedPictureTests
     {

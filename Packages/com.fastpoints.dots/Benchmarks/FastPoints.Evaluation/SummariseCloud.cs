@@ -3,13 +3,14 @@ using FastPoints.Base;
 using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Verify;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Verify
+namespace FastPoints.Evaluation
 {
     /// <summary>Decodes every point of a source with all attributes and summarises them, in bounded memory.</summary>
     internal sealed class SummariseCloud : IBlockConsumer

@@ -1,12 +1,13 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Gpu;
+using FastPoints.Picture;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Picture
+namespace FastPoints.Evaluation
 {
     /// <summary>Makes software pictures of all streamed clouds. Main thread; waits for its jobs.</summary>
     internal sealed class StreamedPicture : IDisposable

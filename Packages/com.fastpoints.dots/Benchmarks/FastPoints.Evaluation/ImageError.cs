@@ -1,6 +1,7 @@
 using System;
+using FastPoints.Picture;
 
-namespace FastPoints.Picture
+namespace FastPoints.Evaluation
 {
     /// <summary>How much a picture differs from a reference of the same size.</summary>
     internal struct ImageError

@@ -1,8 +1,9 @@
 using System;
+using FastPoints.Evaluation;
 using FastPoints.Picture;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Picture
+namespace FastPoints.Tests.Evaluation
 {
     public class ImageErrorTests
     {
