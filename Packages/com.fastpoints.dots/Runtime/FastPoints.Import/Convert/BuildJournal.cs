@@ -163,4 +163,12 @@ namespace FastPoints.Convert
             return new Grid3(steps[0], steps[1], steps[2]);
         }
     }
+
+    /// <summary>Some consecutive records of a temporary file.</summary>
+    internal struct RecordRange
+    {
+        public int File;
+        public long First;
+        public long Count;
+    }
 }

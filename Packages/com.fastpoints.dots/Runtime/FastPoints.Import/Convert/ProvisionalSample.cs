@@ -113,7 +113,7 @@ namespace FastPoints.Convert
                     int count = Math.Min(RunsAtOnce, runs.Count - first), points = 0;
                     for (int r = first; r < first + count; r++)
                         points += runs[r].Count;
-                    yield return Work.Of(RunRead.Run(reader, runs, first, count, batch, read =>
+                    yield return Work.Of(reader.ReadRuns(runs, first, count, batch, read =>
                     {
                         decoded.Value = new DecodeResult { Points = points };
                         return slot.ScheduleGrouping(batch, decoded, grid, read);
@@ -132,8 +132,9 @@ namespace FastPoints.Convert
         /// <summary>Copies records here and now, since they are few.</summary>
         unsafe void Take(RecordSlot slot)
         {
-            m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
-                slot.FirstOfChunk[m_build.Map.Outside], ref RecordPagePool.Of(m_pool));
+            RecordPagePool.Of(m_pool).Append(ref m_pages,
+                (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
+                slot.FirstOfChunk[m_build.Map.Outside]);
             var statistics = Statistics;
             statistics.Include(slot.TakeStatistics(Attributes));
             Statistics = statistics;

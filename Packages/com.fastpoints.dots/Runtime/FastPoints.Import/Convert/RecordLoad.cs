@@ -122,12 +122,4 @@ namespace FastPoints.Convert
             m_commands = new NativeArray<ReadCommand>(commands, Allocator.Persistent);
         }
     }
-
-    /// <summary>Some consecutive records of a temporary file.</summary>
-    internal struct RecordRange
-    {
-        public int File;
-        public long First;
-        public long Count;
-    }
 }

@@ -29,7 +29,7 @@ namespace FastPoints.Density
 
         public void Execute()
         {
-            const double cells = 1 << DensityTree.Levels;
+            const double cells = 1 << DensityNumbers.Levels;
             double* x = stackalloc double[RunLength];
             double* y = stackalloc double[RunLength];
             double* z = stackalloc double[RunLength];
@@ -41,7 +41,7 @@ namespace FastPoints.Density
                 {
                     var cell = math.floor((new double3(x[i], y[i], z[i]) - Corner) * CellsPerUnit);
                     CodeOfPoint[first + i] = math.all(cell >= 0) && math.all(cell < cells)
-                        ? (uint)Morton.Encode((uint)cell.x, (uint)cell.y, (uint)cell.z) : DensityTree.OutsideCode;
+                        ? (uint)Morton.Encode((uint)cell.x, (uint)cell.y, (uint)cell.z) : DensityNumbers.OutsideCode;
                 }
             }
         }

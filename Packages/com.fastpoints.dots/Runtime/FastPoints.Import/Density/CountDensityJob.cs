@@ -64,22 +64,22 @@ namespace FastPoints.Density
             uint code = CodeOfPoint[point];
             if (Depth == 0)
             {
-                BrickOfPoint[point] = code == DensityTree.OutsideCode ? -1 : 0;
-                Add(sums, code == DensityTree.OutsideCode ? DensityTree.Outside : DensityTree.Root, weight);
+                BrickOfPoint[point] = code == DensityNumbers.OutsideCode ? -1 : 0;
+                Add(sums, code == DensityNumbers.OutsideCode ? DensityNumbers.Outside : DensityNumbers.Root, weight);
             }
             int brick = BrickOfPoint[point];
             if (brick < 0)
                 return;
             if (Depth > 0)
             {
-                brick = ChildBricks[brick * DensityTree.FineCells + DensityTree.FineOf(code, Depth - 1)];
+                brick = ChildBricks[brick * DensityNumbers.FineCells + DensityNumbers.FineOf(code, Depth - 1)];
                 BrickOfPoint[point] = brick;
                 if (brick < 0)
                     return;
             }
-            int fine = DensityTree.FineOf(code, Depth);
-            Add(sums, DensityTree.CoarseCell(brick, fine >> 3), weight);
-            Add(sums, DensityTree.FineCell(brick, fine), weight);
+            int fine = DensityNumbers.FineOf(code, Depth);
+            Add(sums, DensityNumbers.CoarseCell(brick, fine >> 3), weight);
+            Add(sums, DensityNumbers.FineCell(brick, fine), weight);
         }
 
         void Add(DensitySum* sums, int cell, double weight)

@@ -42,10 +42,10 @@ namespace FastPoints.Density
         }
 
         /// <summary>The part within the grid's cube.</summary>
-        public DensityCell Inside => m_tree[DensityTree.Root];
+        public DensityCell Inside => m_tree[DensityNumbers.Root];
 
         /// <summary>The part farther out: strays.</summary>
-        public DensityCell Outside => m_tree[DensityTree.Outside];
+        public DensityCell Outside => m_tree[DensityNumbers.Outside];
 
         /// <summary>Work for a pump: estimates from the current sample. Points that stand in for others are ignored.</summary>
         /// <param name="bounds">The bounds that the grid divides, which hold nearly all points.</param>
@@ -73,7 +73,7 @@ namespace FastPoints.Density
                     First = first,
                     End = end,
                     Corner = bounds.Min,
-                    CellsPerUnit = (1 << DensityTree.Levels) / edge,
+                    CellsPerUnit = (1 << DensityNumbers.Levels) / edge,
                     CodeOfPoint = codes,
                 }.Schedule(after), 1, default, all => coded = all));
                 long points = Math.Max(sample.PointsInSource, sample.Count);
@@ -94,7 +94,7 @@ namespace FastPoints.Density
         public IEnumerable<DensityLeaf> Leaves()
         {
             var open = new Stack<(int Cell, double3 Min, double Edge)>();
-            open.Push((DensityTree.Root, m_corner, m_edge));
+            open.Push((DensityNumbers.Root, m_corner, m_edge));
             while (open.Count > 0)
             {
                 var (cell, min, edge) = open.Pop();

@@ -6,6 +6,7 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
+using static FastPoints.Density.DensityNumbers;
 
 namespace FastPoints.Density
 {
@@ -15,18 +16,6 @@ namespace FastPoints.Density
     /// their own. The result is the same for any number of threads.</remarks>
     internal sealed class DensityTree : IDisposable
     {
-        /// <summary>Numbers of the first cells: the whole cube and the space outside it; then come the bricks.</summary>
-        public const int Root = 0, Outside = 1;
-
-        /// <summary>The code of a point outside the cube.</summary>
-        public const uint OutsideCode = uint.MaxValue;
-
-        /// <summary>The most levels of cells: a code has three bits for each.</summary>
-        public const int Levels = 8;
-
-        internal const int FineCells = 64;
-        const int CoarseCells = 8, CellsOfBrick = CoarseCells + FineCells, FirstBrick = 2;
-
         /// <summary>Points of one slice: about 2 ms of managed code.</summary>
         const int PointsPerSlice = 1 << 15;
 
@@ -139,13 +128,6 @@ namespace FastPoints.Density
             m_childBricks.Dispose();
         }
 
-        internal static int CoarseCell(int brick, int coarse) => FirstBrick + brick * CellsOfBrick + coarse;
-
-        internal static int FineCell(int brick, int fine) => FirstBrick + brick * CellsOfBrick + CoarseCells + fine;
-
-        /// <summary>A point's fine cell within its brick at a depth.</summary>
-        internal static int FineOf(uint code, int depth) => (int)(code >> 3 * (Levels - 2 * (depth + 1)) & FineCells - 1);
-
         internal static void AddBrick(ref NativeList<int> childBricks, ref NativeList<DensitySum> sums)
         {
             for (int i = 0; i < FineCells; i++)
@@ -176,16 +158,16 @@ namespace FastPoints.Density
             var bricks = Bricks.Value;
             for (int brick = bricks.x; brick < bricks.y; brick++)
             {
-                for (int fine = 0; fine < DensityTree.FineCells; fine++)
+                for (int fine = 0; fine < FineCells; fine++)
                 {
-                    var sum = Sums[DensityTree.FineCell(brick, fine)];
+                    var sum = Sums[FineCell(brick, fine)];
                     if (sum.Stretches < LeastStretches || sum.Points <= MostPoints)
                         continue;
-                    ChildBricks[brick * DensityTree.FineCells + fine] = ChildBricks.Length / DensityTree.FineCells;
+                    ChildBricks[brick * FineCells + fine] = ChildBricks.Length / FineCells;
                     DensityTree.AddBrick(ref ChildBricks, ref Sums);
                 }
             }
-            Bricks.Value = new int2(bricks.y, ChildBricks.Length / DensityTree.FineCells);
+            Bricks.Value = new int2(bricks.y, ChildBricks.Length / FineCells);
         }
     }
 }

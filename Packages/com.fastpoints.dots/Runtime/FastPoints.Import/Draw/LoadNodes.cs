@@ -280,22 +280,4 @@ namespace FastPoints.Draw
             }
         }
     }
-
-    /// <summary>One node to decode: where its blocks lie in a file's bytes, and where its points go. Blittable.</summary>
-    internal struct ChosenNode
-    {
-        public int FirstBlock;
-        public int BlockCount;
-        public int HostedBlocks;
-        public bool IsWide;
-
-        /// <summary>The corner that its positions count from, relative to the batch's corner.</summary>
-        public Grid3 Corner;
-
-        /// <summary>Index of its first point in the batch.</summary>
-        public int FirstPoint;
-
-        /// <summary>Index of its first plane among the job's ranges.</summary>
-        public int FirstRange;
-    }
 }

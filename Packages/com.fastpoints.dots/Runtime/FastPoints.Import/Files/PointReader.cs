@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -123,6 +124,62 @@ namespace FastPoints.Files
         /// <param name="maxBytes">The most bytes of the file in one request, at least those of the longest run.</param>
         internal virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
             throw new NotSupportedException();
+
+        /// <summary>Work for a pump: reads ranges of points, in the file's order, into a batch, one behind the other. Of sources
+        /// that have run reads.</summary>
+        /// <param name="first">The first of the ranges that is read.</param>
+        /// <param name="then">Schedules jobs that need all ranges, behind those that are given; they are complete in the
+        /// end.</param>
+        internal IEnumerator<Work> ReadRuns(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
+            Func<JobHandle, JobHandle> then)
+        {
+            const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
+            var runs = new NativeArray<PointRun>(count, Allocator.Persistent);
+            var reads = new RunRead[Slots];
+            var behind = default(JobHandle);
+            try
+            {
+                int place = 0, longest = 1;
+                for (int i = 0; i < count; i++)
+                {
+                    var range = ranges[first + i];
+                    long from = FirstPointOfBlock(range.Block) + range.First;
+                    runs[i] = new PointRun { First = from, Step = 1, Count = range.Count, Place = place };
+                    place += range.Count;
+                    longest = Math.Max(longest, range.Count);
+                }
+                if (count == 0)
+                    behind = then(default);
+                for (int next = 0, begun = 0, ended = 0; next < count || ended < begun;)
+                {
+                    if (next == count || begun - ended == Slots)
+                    {
+                        var oldest = reads[ended++ % Slots];
+                        yield return oldest.Decoded;
+                        oldest.Complete();
+                        continue;
+                    }
+                    int slot = begun++ % Slots;
+                    reads[slot] ??= CreateRunRead(target, RunsPerRequest,
+                        Math.Max(BytesPerRequest, longest * Info.RecordBytes), Allocator.Persistent);
+                    next += reads[slot].Begin(runs, next, RunsPerRequest, 0);
+                    behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
+                    if (next == count)
+                        behind = then(behind);
+                    JobHandle.ScheduleBatchedJobs();
+                    // The pump looks at its budget.
+                    yield return default;
+                }
+                yield return behind;
+            }
+            finally
+            {
+                behind.Complete();
+                foreach (var read in reads)
+                    read?.Dispose();
+                runs.Dispose();
+            }
+        }
 
         public void Dispose()
         {

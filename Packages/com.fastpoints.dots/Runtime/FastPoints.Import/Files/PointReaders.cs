@@ -42,7 +42,7 @@ namespace FastPoints.Files
 
         static readonly Kind[] s_kinds =
         {
-            new Kind("LASF", LasReader.Open),
+            new Kind("LASF", OpenLas),
             new Kind("ply", PlyReader.Open),
             new Kind("ASTM-E57", E57Reader.Open),
             new Kind("# .PCD", PcdReader.Open),
@@ -61,7 +61,7 @@ namespace FastPoints.Files
         /// <summary>Opens files as one cloud (<see cref="TiledReader"/>); a single one directly. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">The same as for one file.</exception>
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
-            paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
+            paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, path => Open(path, options));
 
         /// <summary>Opens a LAS, LAZ, PLY, PCD, E57, PTX or text file, a Potree octree by its folder or its index in it, or all
         /// clouds that lie in a folder as one. Dispose the reader.</summary>
@@ -74,9 +74,9 @@ namespace FastPoints.Files
                 // Tiles may lie beside a metadata.json of another kind.
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
-                    return TiledReader.OpenFolder(path, options);
+                    return TiledReader.OpenFolder(path, tile => Open(tile, options));
                 using var source = FileSource.Open(index);
-                return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, options);
+                return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, tile => Open(tile, options));
             }
             using (var source = FileSource.Open(path))
             {
@@ -95,11 +95,23 @@ namespace FastPoints.Files
                     throw new PointCloudException(FailureCode.Unsupported, path, 0,
                         "this is " + kind.Name + ": wanted LAS, LAZ, PLY, PCD, E57 or Potree");
                 }
-                return (PointReader)PtxReader.Open(source) ?? XyzReader.Open(source, options)
-                    ?? throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                    "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, got " +
-                    Shown(head));
+                return (PointReader)PtxReader.Open(source) ?? XyzReader.Open(source, options?.TextColumns) ??
+                    throw new PointCloudException(FailureCode.Unsupported, path, 0,
+                        "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, " +
+                        "got " + Shown(head));
             }
+        }
+
+        /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
+        /// <returns>A <see cref="LazReader"/> if the points are compressed, a <see cref="CopcReader"/> if they lie in an
+        /// octree.</returns>
+        /// <exception cref="PointCloudException">The file is not LAS, is cut before its first point, or has an unknown version
+        /// or point format.</exception>
+        static PointReader OpenLas(FileSource source)
+        {
+            var las = LasFile.Read(source);
+            return !las.Header.IsCompressed ? LasReader.OpenUncompressed(las, source)
+                : CopcReader.TryOpen(las, source) ?? LazReader.Open(las, source);
         }
 
         /// <summary>Opens the octree of a JSON index; null for other JSON.</summary>

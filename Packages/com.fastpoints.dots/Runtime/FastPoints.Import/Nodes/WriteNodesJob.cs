@@ -8,6 +8,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
+using Stage = FastPoints.Nodes.WriteScratch.Stage;
 
 namespace FastPoints.Nodes
 {
@@ -17,16 +18,6 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
     {
-        /// <summary>Where the next slice continues.</summary>
-        public enum Stage
-        {
-            Start,
-            SortPoints,
-            Plan,
-            Write,
-            Done,
-        }
-
         /// <summary>A slice takes about 4 ms with a handful of attributes.</summary>
         public const int PointsOfSlice = 20000;
 

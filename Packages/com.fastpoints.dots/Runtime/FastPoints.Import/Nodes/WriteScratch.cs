@@ -7,10 +7,20 @@ namespace FastPoints.Nodes
     /// <summary>The progress of a <see cref="WriteNodesJob"/> between two slices, and its working memory.</summary>
     internal struct WriteScratch : IDisposable
     {
+        /// <summary>Where the next slice continues.</summary>
+        public enum Stage
+        {
+            Start,
+            SortPoints,
+            Plan,
+            Write,
+            Done,
+        }
+
         /// <summary>The progress of the job.</summary>
         public struct State
         {
-            public WriteNodesJob.Stage Stage;
+            public Stage Stage;
 
             /// <summary>The next point or node.</summary>
             public int At;
@@ -42,7 +52,7 @@ namespace FastPoints.Nodes
             Ranges = new NativeList<PlaneRange>(64, allocator);
         }
 
-        public bool IsDone => Now.Value.Stage == WriteNodesJob.Stage.Done;
+        public bool IsDone => Now.Value.Stage == Stage.Done;
 
         public void Dispose()
         {

@@ -36,4 +36,29 @@ namespace FastPoints.Partition
             return chunkOfCell[~chunk + (int)Morton.Encode(px, py, pz)];
         }
     }
+
+    /// <summary>Maps a position to its cell in a cube of 8^n cells. Blittable.</summary>
+    internal struct CellFinder
+    {
+        public Grid3 Corner;
+        public int SideLog2;
+        public int CellLog2;
+
+        public CellFinder(GridCube cube, int levels)
+        {
+            Corner = cube.Corner;
+            SideLog2 = cube.SideLog2;
+            CellLog2 = cube.SideLog2 - levels;
+        }
+
+        /// <returns>The cell's Morton number, or -1 outside.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int CellOf(long x, long y, long z)
+        {
+            ulong dx = (ulong)(x - Corner.X), dy = (ulong)(y - Corner.Y), dz = (ulong)(z - Corner.Z);
+            if ((dx | dy | dz) >> SideLog2 != 0)
+                return -1;
+            return (int)Morton.Encode((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
+        }
+    }
 }

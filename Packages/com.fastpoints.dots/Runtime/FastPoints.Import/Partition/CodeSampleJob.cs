@@ -36,7 +36,7 @@ namespace FastPoints.Partition
                     && Cube.Contains(new Grid3(x, y, z));
                 CodeOfPoint[First + i] = isInside
                     ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))
-                    : DensityTree.OutsideCode;
+                    : DensityNumbers.OutsideCode;
             }
             Slices.End(begin);
         }
@@ -45,7 +45,7 @@ namespace FastPoints.Partition
         /// them.</summary>
         uint CellOf(long offset)
         {
-            int below = Cube.SideLog2 - DensityTree.Levels;
+            int below = Cube.SideLog2 - DensityNumbers.Levels;
             return (uint)(below < 0 ? offset << -below : offset >> below);
         }
     }

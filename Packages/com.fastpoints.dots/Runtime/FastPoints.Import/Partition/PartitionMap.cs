@@ -16,7 +16,7 @@ namespace FastPoints.Partition
         public const int MaxLevels = 6;
 
         /// <summary>The most levels of parts of a cell, for cells that need them.</summary>
-        const int MostPartLevels = DensityTree.Levels - MaxLevels;
+        const int MostPartLevels = DensityNumbers.Levels - MaxLevels;
 
         /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
         const double ErrorsAllowed = 2;
@@ -76,7 +76,7 @@ namespace FastPoints.Partition
             using var chunkOfCell = new NativeList<int>(1 << 3 * levels, Allocator.Persistent);
             chunkOfCell.ResizeUninitialized(1 << 3 * levels);
             var chunks = new List<GridCube>();
-            Descend(cube, 0, 0, DensityTree.Root);
+            Descend(cube, 0, 0, DensityNumbers.Root);
             return new PartitionMap(cube, levels, partLevels, new NativeArray<int>(chunkOfCell.AsArray(), Allocator.Persistent),
                 chunks.ToArray());
 
@@ -107,7 +107,7 @@ namespace FastPoints.Partition
         }
 
         /// <summary>The number of chunks with points in such a plan.</summary>
-        public static int CountChunks(DensityTree density, long target) => CountChunks(density, target, DensityTree.Root);
+        public static int CountChunks(DensityTree density, long target) => CountChunks(density, target, DensityNumbers.Root);
 
         static int CountChunks(DensityTree density, long target, int cell)
         {
@@ -141,31 +141,6 @@ namespace FastPoints.Partition
             }
             for (int octant = 0; octant < 8; octant++)
                 Descend(cube.Child(octant), first + octant * (count / 8), count / 8, before, target, chunkOfCell, chunks);
-        }
-    }
-
-    /// <summary>Maps a position to its cell in a cube of 8^n cells. Blittable.</summary>
-    internal struct CellFinder
-    {
-        public Grid3 Corner;
-        public int SideLog2;
-        public int CellLog2;
-
-        public CellFinder(GridCube cube, int levels)
-        {
-            Corner = cube.Corner;
-            SideLog2 = cube.SideLog2;
-            CellLog2 = cube.SideLog2 - levels;
-        }
-
-        /// <returns>The cell's Morton number, or -1 outside.</returns>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public int CellOf(long x, long y, long z)
-        {
-            ulong dx = (ulong)(x - Corner.X), dy = (ulong)(y - Corner.Y), dz = (ulong)(z - Corner.Z);
-            if ((dx | dy | dz) >> SideLog2 != 0)
-                return -1;
-            return (int)Morton.Encode((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
         }
     }
 }

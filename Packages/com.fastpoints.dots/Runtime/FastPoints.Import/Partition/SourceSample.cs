@@ -96,7 +96,7 @@ namespace FastPoints.Partition
             var stored = Stored;
             try
             {
-                yield return Work.Of(RunRead.Run(reader, runs, 0, runs.Count, batch, read =>
+                yield return Work.Of(reader.ReadRuns(runs, 0, runs.Count, batch, read =>
                 {
                     for (int first = 0; first < points; first += PointsOfSlice)
                         read = Load(batch, decoded, first,

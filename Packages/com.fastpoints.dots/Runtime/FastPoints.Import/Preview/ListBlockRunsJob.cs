@@ -52,4 +52,19 @@ namespace FastPoints.Preview
             State.Value = state;
         }
     }
+
+    /// <summary>The progress of <see cref="ListBlockRunsJob"/>.</summary>
+    struct BlockRunState
+    {
+        /// <summary>Index among the blocks that the job knows.</summary>
+        public int Block;
+
+        public int Place;
+
+        /// <summary>Number of points at earlier places.</summary>
+        public int Gathered;
+
+        /// <summary>Those among them that belong to earlier blocks.</summary>
+        public int Before;
+    }
 }

@@ -50,7 +50,7 @@ namespace FastPoints.Records
             {
                 int first = FirstOfChunk[c], count = FirstOfChunk[c + 1] - first;
                 if (count > 0)
-                    chunks[c].Append(records + (long)first * pool.StrideBytes, count, ref pool);
+                    pool.Append(ref chunks[c], records + (long)first * pool.StrideBytes, count);
             }
             if (pool.PagesInUse - detached > MostPages)
                 detached += Detach(chunks, pool.PagesInUse - detached - MostPages / 4 * 3);

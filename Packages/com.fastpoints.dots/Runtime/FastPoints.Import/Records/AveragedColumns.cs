@@ -2,7 +2,6 @@ using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
@@ -54,15 +53,5 @@ namespace FastPoints.Records
             AttributeType.UInt16 => *(ushort*)value,
             _ => *(float*)value,
         };
-    }
-
-    /// <summary>The average of what a sampled point represents. Blittable.</summary>
-    internal struct PointAverage
-    {
-        /// <summary>Number of points of the cloud, including itself.</summary>
-        public double Points;
-
-        /// <summary>Sums over them of up to four values: the columns of the averaged planes.</summary>
-        public double4 Sum;
     }
 }

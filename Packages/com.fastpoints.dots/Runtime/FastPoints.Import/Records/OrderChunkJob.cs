@@ -5,6 +5,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
+using Stage = FastPoints.Records.OrderScratch.Stage;
 
 namespace FastPoints.Records
 {
@@ -23,16 +24,6 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
     {
-        /// <summary>What the next slice continues.</summary>
-        public enum Stage
-        {
-            Start,
-            MakeKeys,
-            Distribute,
-            Sort,
-            Done,
-        }
-
         /// <summary>A slice takes about 4 ms at most, unless a bucket has more points.</summary>
         public const int PointsOfSlice = 60000;
 

@@ -6,10 +6,20 @@ namespace FastPoints.Records
     /// <summary>The progress of an <see cref="OrderChunkJob"/> between two slices, and its working memory.</summary>
     internal struct OrderScratch : IDisposable
     {
+        /// <summary>What the next slice continues.</summary>
+        public enum Stage
+        {
+            Start,
+            MakeKeys,
+            Distribute,
+            Sort,
+            Done,
+        }
+
         /// <summary>The progress of the job.</summary>
         public struct State
         {
-            public OrderChunkJob.Stage Stage;
+            public Stage Stage;
 
             /// <summary>The next page or bucket, and the first record of that page.</summary>
             public int At;
@@ -40,7 +50,7 @@ namespace FastPoints.Records
 
         public bool IsCreated => Now.IsCreated;
 
-        public bool IsDone => Now.Value.Stage == OrderChunkJob.Stage.Done;
+        public bool IsDone => Now.Value.Stage == Stage.Done;
 
         public void Dispose()
         {

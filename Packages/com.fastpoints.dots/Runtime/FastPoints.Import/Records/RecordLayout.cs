@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using FastPoints.Points;
 using FastPoints.Store;
+using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
@@ -75,5 +76,15 @@ namespace FastPoints.Records
 
         public ulong HashOf(byte* record, ulong seed) =>
             RecordHash.Of(PlaceOf(record), AttributesOf(record), AttributeBytes, seed);
+    }
+
+    /// <summary>The average of what a sampled point represents. Blittable.</summary>
+    internal struct PointAverage
+    {
+        /// <summary>Number of points of the cloud, including itself.</summary>
+        public double Points;
+
+        /// <summary>Sums over them of up to four values: the columns of the averaged planes.</summary>
+        public double4 Sum;
     }
 }

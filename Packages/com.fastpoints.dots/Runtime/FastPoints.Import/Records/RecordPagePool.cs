@@ -2,6 +2,7 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
@@ -62,6 +63,24 @@ namespace FastPoints.Records
             page->Count = 0;
             PagesInUse++;
             return page;
+        }
+
+        /// <summary>Appends copies of consecutive records to a list.</summary>
+        public void Append(ref RecordPages pages, byte* records, int count)
+        {
+            while (count > 0)
+            {
+                if (pages.Last == null || pages.Last->Count == RecordPages.RecordsPerPage)
+                    pages.AddPage(Take());
+                var page = pages.Last;
+                int taken = math.min(count, RecordPages.RecordsPerPage - page->Count);
+                UnsafeUtility.MemCpy(RecordPages.RecordsOf(page) + (long)page->Count * StrideBytes, records,
+                    (long)taken * StrideBytes);
+                page->Count += taken;
+                pages.Count += taken;
+                records += (long)taken * StrideBytes;
+                count -= taken;
+            }
         }
 
         /// <summary>Returns all pages of a list, which is empty afterwards.</summary>

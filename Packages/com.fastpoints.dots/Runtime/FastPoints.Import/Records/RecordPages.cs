@@ -34,28 +34,6 @@ namespace FastPoints.Records
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static byte* RecordsOf(Page* page) => (byte*)page + HeaderBytes;
 
-        /// <summary>Appends copies of consecutive records.</summary>
-        public void Append(byte* records, int count, ref RecordPagePool pool)
-        {
-            int stride = pool.StrideBytes;
-            while (count > 0)
-            {
-                var page = Last;
-                if (page == null || page->Count == RecordsPerPage)
-                {
-                    page = pool.Take();
-                    AddPage(page);
-                }
-                int room = RecordsPerPage - page->Count;
-                int taken = count < room ? count : room;
-                UnsafeUtility.MemCpy(RecordsOf(page) + (long)page->Count * stride, records, (long)taken * stride);
-                page->Count += taken;
-                Count += taken;
-                records += (long)taken * stride;
-                count -= taken;
-            }
-        }
-
         /// <summary>Appends a page, with the records that it holds.</summary>
         public void AddPage(Page* page)
         {

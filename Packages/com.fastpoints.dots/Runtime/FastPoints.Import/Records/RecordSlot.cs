@@ -120,16 +120,4 @@ namespace FastPoints.Records
             m_chunkOfPoint.Dispose();
         }
     }
-
-    /// <summary>A copy from a column of a batch to a place in a record. Blittable.</summary>
-    internal struct RecordField
-    {
-        public PointColumn Column;
-
-        /// <summary>Offset from the record's first attribute byte.</summary>
-        public int RecordOffset;
-
-        /// <summary>Index of the attribute in the cloud's schema.</summary>
-        public int Attribute;
-    }
 }

@@ -37,7 +37,7 @@ namespace FastPoints.Records
                     var place = Layout.PlaceOf(record);
                     int cube = LastFrom(place);
                     if (cube >= 0 && Cubes[cube].Contains(place))
-                        chunks[cube].Append(record, 1, ref pool);
+                        pool.Append(ref chunks[cube], record, 1);
                 }
             }
         }

@@ -38,7 +38,7 @@ namespace FastPoints.Records
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
                     var place = Layout.PlaceOf(record);
-                    chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]].Append(record, 1, ref pool);
+                    pool.Append(ref chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]], record, 1);
                 }
                 var next = page->Next;
                 pool.Return(page);

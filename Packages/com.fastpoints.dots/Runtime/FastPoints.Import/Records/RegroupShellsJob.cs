@@ -45,7 +45,7 @@ namespace FastPoints.Records
                     int shell = 0;
                     while (!Shells[shell].Contains(place))
                         shell++;
-                    chunks[shell * 8 + Shells[shell].OctantOf(place)].Append(record, 1, ref pool);
+                    pool.Append(ref chunks[shell * 8 + Shells[shell].OctantOf(place)], record, 1);
                 }
                 var next = page->Next;
                 pool.Return(page);

@@ -3,6 +3,7 @@ using FastPoints.Partition;
 using FastPoints.Points;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
+using Stage = FastPoints.Samplers.SampleScratch.Stage;
 
 namespace FastPoints.Samplers
 {

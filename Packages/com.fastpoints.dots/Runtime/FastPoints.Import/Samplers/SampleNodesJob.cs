@@ -6,6 +6,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
+using Stage = FastPoints.Samplers.SampleScratch.Stage;
 
 namespace FastPoints.Samplers
 {
@@ -29,23 +30,6 @@ namespace FastPoints.Samplers
     [BurstCompile]
     internal unsafe partial struct SampleNodesJob : IJob
     {
-        /// <summary>What the next slice continues.</summary>
-        public enum Stage
-        {
-            Start,
-            Plan,
-            Fill,
-            NextSpacing,
-            TakeCells,
-            Gather,
-            Throw,
-            Bar,
-            Average,
-            Count,
-            Renumber,
-            Done,
-        }
-
         /// <summary>A slice takes about 4 ms. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
 

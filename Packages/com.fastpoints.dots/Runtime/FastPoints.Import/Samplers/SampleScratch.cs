@@ -8,10 +8,27 @@ namespace FastPoints.Samplers
     /// the next chunk.</summary>
     internal unsafe struct SampleScratch : IDisposable
     {
+        /// <summary>What the next slice continues.</summary>
+        public enum Stage
+        {
+            Start,
+            Plan,
+            Fill,
+            NextSpacing,
+            TakeCells,
+            Gather,
+            Throw,
+            Bar,
+            Average,
+            Count,
+            Renumber,
+            Done,
+        }
+
         /// <summary>The progress of the sampler.</summary>
         public struct State
         {
-            public SampleNodesJob.Stage Stage;
+            public Stage Stage;
 
             /// <summary>The current range, and the next of its points.</summary>
             public int Range;
@@ -78,7 +95,7 @@ namespace FastPoints.Samplers
             Grid = new DartGrid(allocator);
         }
 
-        public bool IsDone => Now.Value.Stage == SampleNodesJob.Stage.Done;
+        public bool IsDone => Now.Value.Stage == Stage.Done;
 
         public void Dispose()
         {

@@ -10,18 +10,21 @@ namespace FastPoints.SourceFeeds
     /// <summary>A slot for blocks of a sample that is in memory.</summary>
     sealed class SampleRead : BlockRead
     {
-        readonly SampleReader m_reader;
+        readonly PointReader m_reader;
+        readonly PointBatch m_sample;
         NativeArray<PointColumn> m_columns;
 
-        public SampleRead(SampleReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        /// <param name="sample">All points; a block has every n-th of them, where n is the number of blocks.</param>
+        public SampleRead(PointReader reader, PointBatch sample, PointSchema wanted, int capacity, Allocator allocator)
         {
             m_reader = reader;
+            m_sample = sample;
             Points = new PointBatch(wanted, capacity, allocator);
             Result = new NativeReference<DecodeResult>(allocator);
             m_columns = new NativeArray<PointColumn>(2 * wanted.Count, allocator);
             for (int c = 0; c < wanted.Count; c++)
             {
-                m_columns[2 * c] = reader.Points.Column(reader.Points.Schema.IndexOf(wanted[c].Name));
+                m_columns[2 * c] = sample.Column(sample.Schema.IndexOf(wanted[c].Name));
                 m_columns[2 * c + 1] = Points.Column(c);
             }
         }
@@ -32,12 +35,12 @@ namespace FastPoints.SourceFeeds
             FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
             Decoded = new CopyStrideJob
             {
-                From = m_reader.Points.Bytes,
+                From = m_sample.Bytes,
                 Columns = m_columns,
                 To = Points.Bytes,
                 Result = Result,
-                First = range.Block + range.First * m_reader.Step,
-                Step = m_reader.Step,
+                First = range.Block + range.First * m_reader.BlockCount,
+                Step = m_reader.BlockCount,
                 Count = range.Count,
             }.Schedule();
         }

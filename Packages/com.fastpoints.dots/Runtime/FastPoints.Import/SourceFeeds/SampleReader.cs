@@ -73,9 +73,6 @@ namespace FastPoints.SourceFeeds
 
         internal PointBatch Points { get; }
 
-        /// <summary>Distance from a point of a block to its next one in the sample.</summary>
-        internal int Step => m_blocks;
-
         internal override SourceTree Tree => m_tree;
         public override int BlockCount => m_blocks;
         public override int MaxPointsPerBlock => m_blocks == 0 ? 0 : PointsInBlock(0);
@@ -93,7 +90,7 @@ namespace FastPoints.SourceFeeds
         public override long BytesOfRange(BlockRange range) => 0;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
-            new SampleRead(this, wanted, capacity, allocator);
+            new SampleRead(this, Points, wanted, capacity, allocator);
 
         /// <summary>Another reader of the same points; null if they were freed.</summary>
         internal SampleReader Share() => Points.IsCreated ? new SampleReader(this) : null;

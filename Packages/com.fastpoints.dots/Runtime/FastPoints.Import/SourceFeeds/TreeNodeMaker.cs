@@ -17,7 +17,9 @@ namespace FastPoints.SourceFeeds
         /// <summary>Nodes up to this size share one size of memory, which is doubled for larger ones.</summary>
         const int LeastCapacity = 1 << 12;
 
-        readonly TreeSource m_source;
+        readonly PointReader m_reader;
+        readonly TreeGrid m_grid;
+        readonly int m_planesOfPage;
         readonly TreePlanes m_planes;
         BlockRead m_read;
         int m_capacity;
@@ -34,13 +36,19 @@ namespace FastPoints.SourceFeeds
         SourceNode m_node;
 
         /// <param name="planes">The planes that it makes, which the source still owns.</param>
-        public TreeNodeMaker(TreeSource source, TreePlanes planes)
+        /// <param name="planesOfPage">How many planes of a node the source's pages have.</param>
+        public TreeNodeMaker(PointReader reader, TreeGrid grid, TreePlanes planes, int planesOfPage)
         {
-            m_source = source;
+            m_reader = reader;
+            m_grid = grid;
+            m_planesOfPage = planesOfPage;
             m_planes = planes;
             m_lengthOfPlane = new NativeArray<long>(planes.Count, Allocator.Persistent);
             m_state = new NativeReference<PackState>(Allocator.Persistent);
         }
+
+        /// <summary>Whether all nodes lie in one file, whose failure is then reported once.</summary>
+        bool IsOneFile => m_reader is CopcReader || m_reader is Potree2Reader;
 
         /// <summary>The number of points that it has memory for.</summary>
         public int Capacity => m_capacity;
@@ -50,7 +58,7 @@ namespace FastPoints.SourceFeeds
 
         public override JobHandle Done => m_done;
 
-        public override long BytesRead => m_source.Reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
+        public override long BytesRead => m_reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
 
         public override NativeArray<byte> Planes => m_packed;
 
@@ -58,7 +66,7 @@ namespace FastPoints.SourceFeeds
 
         public override void Begin(in HierarchyPage page, int node)
         {
-            m_node = m_source.Reader.Tree[(int)page.Planes[node * m_source.Planes.Length].OffsetBytes];
+            m_node = m_reader.Tree[(int)page.Planes[node * m_planesOfPage].OffsetBytes];
             m_refused = null;
             try
             {
@@ -88,14 +96,14 @@ namespace FastPoints.SourceFeeds
             catch (PointCloudException broken)
             {
                 failure = new StreamFailure(broken.Path, broken.ByteOffset, broken.What);
-                return broken.Code == FailureCode.ReadFailed && m_source.IsOneFile ? MakeOutcome.Unreadable : MakeOutcome.Damaged;
+                return broken.Code == FailureCode.ReadFailed && IsOneFile ? MakeOutcome.Unreadable : MakeOutcome.Damaged;
             }
             if (!m_state.Value.IsDamaged)
                 return MakeOutcome.Made;
             var cell = m_node.Cell;
             string name = NumberText.Of(m_node.Level) + "-" + NumberText.Of(cell.x) + "-" + NumberText.Of(cell.y) + "-"
                 + NumberText.Of(cell.z);
-            string path = m_source.Reader.FileOfBlock(m_node.Block, out long offset);
+            string path = m_reader.FileOfBlock(m_node.Block, out long offset);
             failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + NumberText.Of(m_node.PointCount) +
                 " points, got " + NumberText.Of(m_read.Points.Count));
             return MakeOutcome.Damaged;
@@ -114,7 +122,7 @@ namespace FastPoints.SourceFeeds
 
         JobHandle Schedule(JobHandle decoded)
         {
-            var grid = m_source.Grids;
+            var grid = m_grid;
             int count = m_node.PointCount;
             var order = new OrderNodeJob
             {
@@ -169,7 +177,7 @@ namespace FastPoints.SourceFeeds
             return inputDeps;
         }
 
-        PlaneShape ShapeOf(int plane) => plane == 0 ? new PlaneShape(3, m_source.Grids.IsWide ? 7 : 0) : m_planes.Shapes[plane];
+        PlaneShape ShapeOf(int plane) => plane == 0 ? new PlaneShape(3, m_grid.IsWide ? 7 : 0) : m_planes.Shapes[plane];
 
         PointColumn ColumnOf(int plane, int column) =>
             m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));
@@ -179,8 +187,8 @@ namespace FastPoints.SourceFeeds
             FreeRoom();
             int capacity = Math.Max(LeastCapacity, math.ceilpow2(points));
             int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
-            m_read = m_source.Reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
-            m_offsets = Room<byte>((m_source.Grids.IsWide ? 24L : 12L) * capacity);
+            m_read = m_reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
+            m_offsets = Room<byte>((m_grid.IsWide ? 24L : 12L) * capacity);
             m_pointOfPlace = Room<uint>(capacity);
             m_keys = Room<ulong>(slice);
             m_keyScratch = Room<ulong>(slice);

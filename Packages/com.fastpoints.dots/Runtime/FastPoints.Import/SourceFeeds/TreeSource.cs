@@ -70,9 +70,6 @@ namespace FastPoints.SourceFeeds
 
         internal TreeGrid Grids { get; }
 
-        /// <summary>Whether all nodes lie in one file, whose failure is then reported once.</summary>
-        internal bool IsOneFile => Reader is CopcReader || Reader is Potree2Reader;
-
         /// <summary>Work for a pump, needed before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
         public static IEnumerator<Work> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
@@ -116,7 +113,7 @@ namespace FastPoints.SourceFeeds
             int best = BestIdle(points);
             if (best < 0)
             {
-                m_makers.Add(new TreeNodeMaker(this, m_planes));
+                m_makers.Add(new TreeNodeMaker(Reader, Grids, m_planes, Planes.Length));
                 m_idle.Add(m_makers[m_makers.Count - 1]);
                 best = m_idle.Count - 1;
             }
@@ -140,7 +137,7 @@ namespace FastPoints.SourceFeeds
             foreach (var plane in Layout.Planes)
                 names.Add(plane.Name);
             m_allPlanes ??= new TreePlanes(Reader.Info.Schema, Layout, names);
-            return new TreeNodeMaker(this, m_allPlanes);
+            return new TreeNodeMaker(Reader, Grids, m_allPlanes, Planes.Length);
         }
 
         public override IEnumerator<Work> OpenForPicking(Action<NodeSource> opened)

@@ -34,14 +34,15 @@ namespace FastPoints.Feeds
             if (!CloudFolder.IsCloud(path))
             {
                 if (sources.Count > 0)
-                    return new FileFeed(path, sources, OpenSource(sources), new FolderFeed(new FolderGenerations(path)));
+                    return new FileFeed(path, sources, OpenSource(sources), new FolderFeed(new FolderGenerations(path)),
+                        OpenSource);
                 if (!path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     (File.Exists(path) || Directory.Exists(path)))
                     return OpenSource(new[] { path });
             }
             var folder = CloudFolder.Open(path);
             var converted = new FolderFeed(new FolderGenerations(folder));
-            return new FileFeed(path, sources, folder.IsInTheMaking ? TryOpenSource(sources) : null, converted);
+            return new FileFeed(path, sources, folder.IsInTheMaking ? TryOpenSource(sources) : null, converted, OpenSource);
         }
 
         /// <summary>Opens files that are not a converted cloud.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Streaming;
@@ -10,6 +11,7 @@ namespace FastPoints.Feeds
     {
         readonly string m_folder;
         readonly IReadOnlyList<string> m_files;
+        readonly Func<IReadOnlyList<string>, CloudFeed> m_open;
         CloudFeed m_source;
         PoolWork<CloudFeed> m_opening;
         FolderFeed m_converted;
@@ -20,12 +22,15 @@ namespace FastPoints.Feeds
         /// <param name="files">The files that it is made of; empty if unknown.</param>
         /// <param name="source">The feed of the files, or null; this feed owns it.</param>
         /// <param name="converted">The feed of the folder; this feed owns it.</param>
-        public FileFeed(string folder, IReadOnlyList<string> files, CloudFeed source, FolderFeed converted)
+        /// <param name="open">Opens the files again, on a pool thread, where a build is gone.</param>
+        public FileFeed(string folder, IReadOnlyList<string> files, CloudFeed source, FolderFeed converted,
+            Func<IReadOnlyList<string>, CloudFeed> open)
         {
             m_folder = folder;
             m_files = files;
             m_source = source;
             m_converted = converted;
+            m_open = open;
         }
 
         public override CloudFacts Newest => m_converted.Newest ?? m_source?.Newest;
@@ -92,7 +97,7 @@ namespace FastPoints.Feeds
             m_converted.Dispose();
             m_converted = new FolderFeed(new FolderGenerations(m_folder));
             if (m_source == null && m_opening == null && m_files.Count > 0)
-                m_opening = PoolWork.Begin(m_files[0], () => CloudFeeds.OpenSource(m_files));
+                m_opening = PoolWork.Begin(m_files[0], () => m_open(m_files));
         }
 
         void EndOpening()

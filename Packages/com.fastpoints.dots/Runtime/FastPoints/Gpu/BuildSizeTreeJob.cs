@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+using FastPoints.Base;
 using FastPoints.Streaming;
 using Unity.Burst;
 using Unity.Collections;
@@ -131,5 +133,47 @@ namespace FastPoints.Gpu
             float gap = math.max(math.sqrt(area / node.PointCount), math.cmax(edges) / node.PointCount);
             return math.min(node.Spacing, gap);
         }
+    }
+
+    /// <summary>One cloud as a <see cref="BuildSizeTreeJob"/> sees it. Blittable.</summary>
+    internal unsafe struct SizeTreeCloud
+    {
+        public HierarchyPage* Pages;
+        public NodeCubes Cubes;
+
+        /// <summary>World units of one CRS unit along the axis that is stretched most.</summary>
+        public float WorldPerUnit;
+    }
+
+    /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
+    internal unsafe struct SizeTreeLink
+    {
+        /// <summary>The link below for each octant; 0 for none, since no link is below the first.</summary>
+        public fixed int Children[8];
+
+        /// <summary>Distance between points in world units.</summary>
+        public float Gap;
+
+        /// <summary>Whether it stands for a node that is drawn, and not only for a level between two of these.</summary>
+        public bool IsDrawn;
+
+        /// <summary>Whether nothing is above it.</summary>
+        public bool IsRoot;
+
+        /// <summary>Its place in the tree.</summary>
+        public int Node;
+    }
+
+    /// <summary>A node of a <see cref="SizeTree"/> as shaders see it.</summary>
+    [GenerateHlsl]
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct GpuSizeNode
+    {
+        /// <summary>Bits 0-7: octants with a node of their own, X lowest; bits 8-31: index of the first of these nodes, in the
+        /// order of the octants.</summary>
+        public uint Children;
+
+        /// <summary>Distance in world units between points where no deeper node is drawn.</summary>
+        public float Gap;
     }
 }

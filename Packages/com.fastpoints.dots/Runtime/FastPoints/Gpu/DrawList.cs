@@ -142,14 +142,4 @@ namespace FastPoints.Gpu
             m_points.Dispose();
         }
     }
-
-    /// <summary>The blocks of one bank of the pool, which are one draw.</summary>
-    internal struct BankDraw
-    {
-        public int Bank;
-        public int FirstInstance;
-
-        /// <summary>Blocks of up to 128 points.</summary>
-        public int InstanceCount;
-    }
 }

@@ -93,4 +93,14 @@ namespace FastPoints.Gpu
             }
         }
     }
+
+    /// <summary>The blocks of one bank of the pool, which are one draw.</summary>
+    internal struct BankDraw
+    {
+        public int Bank;
+        public int FirstInstance;
+
+        /// <summary>Blocks of up to 128 points.</summary>
+        public int InstanceCount;
+    }
 }

@@ -1,7 +1,5 @@
 using System;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using FastPoints.Base;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Jobs;
@@ -112,47 +110,5 @@ namespace FastPoints.Gpu
 
         static float LargestScale(double3x3 linear) =>
             (float)math.max(math.length(linear.c0), math.max(math.length(linear.c1), math.length(linear.c2)));
-    }
-
-    /// <summary>One cloud as a <see cref="BuildSizeTreeJob"/> sees it. Blittable.</summary>
-    internal unsafe struct SizeTreeCloud
-    {
-        public HierarchyPage* Pages;
-        public NodeCubes Cubes;
-
-        /// <summary>World units of one CRS unit along the axis that is stretched most.</summary>
-        public float WorldPerUnit;
-    }
-
-    /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
-    internal unsafe struct SizeTreeLink
-    {
-        /// <summary>The link below for each octant; 0 for none, since no link is below the first.</summary>
-        public fixed int Children[8];
-
-        /// <summary>Distance between points in world units.</summary>
-        public float Gap;
-
-        /// <summary>Whether it stands for a node that is drawn, and not only for a level between two of these.</summary>
-        public bool IsDrawn;
-
-        /// <summary>Whether nothing is above it.</summary>
-        public bool IsRoot;
-
-        /// <summary>Its place in the tree.</summary>
-        public int Node;
-    }
-
-    /// <summary>A node of a <see cref="SizeTree"/> as shaders see it.</summary>
-    [GenerateHlsl]
-    [StructLayout(LayoutKind.Sequential)]
-    internal struct GpuSizeNode
-    {
-        /// <summary>Bits 0-7: octants with a node of their own, X lowest; bits 8-31: index of the first of these nodes, in the
-        /// order of the octants.</summary>
-        public uint Children;
-
-        /// <summary>Distance in world units between points where no deeper node is drawn.</summary>
-        public float Gap;
     }
 }

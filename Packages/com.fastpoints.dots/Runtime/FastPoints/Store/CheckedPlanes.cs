@@ -24,38 +24,39 @@ namespace FastPoints.Store
             public ulong[] Bits;
         }
 
-        CheckedPlanes(CloudFolder folder)
+        CheckedPlanes(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files)
         {
-            m_cloudId = folder.Manifest.CloudId;
-            m_planeCount = folder.Layout.Planes.Count;
-            m_files = new CheckedFile[1 + folder.Chunks.Length];
+            m_cloudId = cloudId;
+            m_planeCount = planeCount;
+            m_files = new CheckedFile[files.Count];
             for (int file = 0; file < m_files.Length; file++)
             {
-                var info = new FileInfo(file == 0 ? folder.UpperPath : folder.ChunkPath(file - 1));
-                int nodes = file == 0 ? folder.Upper.Nodes.Length : folder.Chunks[file - 1].NodeCount;
+                var info = new FileInfo(files[file].Path);
                 // A file that is not there is noticed when it is read.
                 m_files[file] = new CheckedFile
                 {
                     Bytes = info.Exists ? info.Length : -1,
                     WrittenUtc = info.Exists ? info.LastWriteTimeUtc : default,
-                    Bits = new ulong[((long)nodes * m_planeCount + 63) / 64],
+                    Bits = new ulong[((long)files[file].Nodes * m_planeCount + 63) / 64],
                 };
             }
         }
 
         /// <summary>Looks at the files of a folder. Any thread; a plane that is checked later was written before the look or has
         /// changed the file's time.</summary>
-        public static CheckedPlanes Of(CloudFolder folder)
+        /// <param name="files">The file of the upper levels, then those of the chunks.</param>
+        /// <param name="folder">Whose planes are remembered; null for a cloud in the making.</param>
+        public static CheckedPlanes Of(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files, string folder)
         {
-            var now = new CheckedPlanes(folder);
-            if (folder.IsInTheMaking)
+            var now = new CheckedPlanes(cloudId, planeCount, files);
+            if (folder == null)
                 return now;
             lock (s_opened)
             {
-                if (s_opened.TryGetValue(folder.FolderPath, out var before) && before.m_cloudId == now.m_cloudId &&
+                if (s_opened.TryGetValue(folder, out var before) && before.m_cloudId == now.m_cloudId &&
                     before.m_planeCount == now.m_planeCount && before.m_files.Length == now.m_files.Length)
                     now.KeepUnchanged(before.m_files);
-                s_opened[folder.FolderPath] = now;
+                s_opened[folder] = now;
             }
             return now;
         }

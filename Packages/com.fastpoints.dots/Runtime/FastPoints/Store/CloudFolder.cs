@@ -73,7 +73,11 @@ namespace FastPoints.Store
         {
             string manifestPath = Path.Combine(path, StoreFormat.ManifestName);
             var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
-            folder.Checked = CheckedPlanes.Of(folder);
+            var files = new List<(string, int)> { (folder.UpperPath, folder.Upper.Nodes.Length) };
+            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
+                files.Add((folder.ChunkPath(chunk), folder.Chunks[chunk].NodeCount));
+            folder.Checked = CheckedPlanes.Of(folder.Manifest.CloudId, folder.Layout.Planes.Count, files,
+                folder.IsInTheMaking ? null : folder.FolderPath);
             return folder;
         }
 

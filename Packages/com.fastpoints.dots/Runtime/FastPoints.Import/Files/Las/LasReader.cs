@@ -31,18 +31,6 @@ namespace FastPoints.Files
             BlockCount = (int)blocks;
         }
 
-        /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
-        /// <returns>A <see cref="LazReader"/> if the points are compressed, a <see cref="CopcReader"/> if they lie in an
-        /// octree.</returns>
-        /// <exception cref="PointCloudException">The file is not LAS, is cut before its first point, or has an unknown version
-        /// or point format.</exception>
-        public static PointReader Open(FileSource source)
-        {
-            var las = LasFile.Read(source);
-            return !las.Header.IsCompressed ? OpenUncompressed(las, source)
-                : CopcReader.TryOpen(las, source) ?? LazReader.Open(las, source);
-        }
-
         /// <summary>Opens plain records, whatever the header says about compression.</summary>
         internal static PointReader OpenUncompressed(LasFile las, FileSource source)
         {

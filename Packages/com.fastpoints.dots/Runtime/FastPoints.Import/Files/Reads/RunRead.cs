@@ -51,62 +51,6 @@ namespace FastPoints.Files
 
         internal long Ended => m_ended.Value;
 
-        /// <summary>Work for a pump: reads ranges of points, in the file's order, into a batch, one behind the other.</summary>
-        /// <param name="reader">It has run reads.</param>
-        /// <param name="first">The first of the ranges that is read.</param>
-        /// <param name="then">Schedules jobs that need all ranges, behind those that are given; they are complete in the
-        /// end.</param>
-        public static IEnumerator<Work> Run(PointReader reader, IReadOnlyList<BlockRange> ranges, int first, int count,
-            PointBatch target, Func<JobHandle, JobHandle> then)
-        {
-            const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
-            var runs = new NativeArray<PointRun>(count, Allocator.Persistent);
-            var reads = new RunRead[Slots];
-            var behind = default(JobHandle);
-            try
-            {
-                int place = 0, longest = 1;
-                for (int i = 0; i < count; i++)
-                {
-                    var range = ranges[first + i];
-                    long from = reader.FirstPointOfBlock(range.Block) + range.First;
-                    runs[i] = new PointRun { First = from, Step = 1, Count = range.Count, Place = place };
-                    place += range.Count;
-                    longest = Math.Max(longest, range.Count);
-                }
-                if (count == 0)
-                    behind = then(default);
-                for (int next = 0, begun = 0, ended = 0; next < count || ended < begun;)
-                {
-                    if (next == count || begun - ended == Slots)
-                    {
-                        var oldest = reads[ended++ % Slots];
-                        yield return oldest.Decoded;
-                        oldest.Complete();
-                        continue;
-                    }
-                    int slot = begun++ % Slots;
-                    reads[slot] ??= reader.CreateRunRead(target, RunsPerRequest,
-                        Math.Max(BytesPerRequest, longest * reader.Info.RecordBytes), Allocator.Persistent);
-                    next += reads[slot].Begin(runs, next, RunsPerRequest, 0);
-                    behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
-                    if (next == count)
-                        behind = then(behind);
-                    JobHandle.ScheduleBatchedJobs();
-                    // The pump looks at its budget.
-                    yield return default;
-                }
-                yield return behind;
-            }
-            finally
-            {
-                behind.Complete();
-                foreach (var read in reads)
-                    read?.Dispose();
-                runs.Dispose();
-            }
-        }
-
         /// <summary>Bytes of the file from a run's first record to its last.</summary>
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
 

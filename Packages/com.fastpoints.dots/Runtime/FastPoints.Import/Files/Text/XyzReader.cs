@@ -11,7 +11,7 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is
-    /// stated in <see cref="SourceInfo.Facts"/>; <see cref="ReadOptions.TextColumns"/> overrides it.</summary>
+    /// stated in <see cref="SourceInfo.Facts"/>; names that a caller gives override it.</summary>
     /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
     /// digits in a sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found
     /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
@@ -61,14 +61,14 @@ namespace FastPoints.Files
         /// <summary>Opens a text file, of which it reads little.</summary>
         /// <returns>Null if the file is not lines of numbers.</returns>
         /// <exception cref="PointCloudException">The columns are not points: they have no x, y and z.</exception>
-        public static XyzReader Open(FileSource source, ReadOptions options = null)
+        public static XyzReader Open(FileSource source, string[] textColumns)
         {
-            var sniff = XyzSniff.Find(source, options?.TextColumns);
+            var sniff = XyzSniff.Find(source, textColumns);
             if (sniff == null)
                 return null;
             int columns = sniff.Columns.Length;
-            string[] given = options?.TextColumns ?? sniff.Names;
-            string origin = options?.TextColumns != null ? "as told" : sniff.Names != null ? "by the file's header" :
+            string[] given = textColumns ?? sniff.Names;
+            string origin = textColumns != null ? "as told" : sniff.Names != null ? "by the file's header" :
                 "guessed from " + sniff.Rows.ToString("N0", CultureInfo.InvariantCulture) + " lines";
             if (given != null && given.Length > columns)
                 throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, sniff.DataOffset, "columns in a line",

@@ -26,34 +26,34 @@ namespace FastPoints.Files
         readonly Dictionary<PointSchema, PointSchema> m_schemas = new Dictionary<PointSchema, PointSchema>();
         readonly Dictionary<string, int> m_equalWarnings = new Dictionary<string, int>();
         readonly bool m_leavesOut;
-        readonly ReadOptions m_options;
+        readonly Func<string, PointReader> m_openFile;
         long[] m_firstPointOfBlock;
         List<long> m_pointsOfBlock;
         int m_maxPointsPerBlock;
         bool m_hasFixedStride = true;
         long m_clock;
 
-        TiledReader(string name, bool leavesOut, ReadOptions options)
+        TiledReader(string name, bool leavesOut, Func<string, PointReader> openFile)
         {
             m_leavesOut = leavesOut;
-            m_options = options;
+            m_openFile = openFile;
             Info = new SourceInfo { Path = name };
         }
 
         /// <summary>Opens files as one cloud, in this order. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">One of them is not a point cloud, or is broken.</exception>
-        public static TiledReader Open(IReadOnlyList<string> paths, ReadOptions options = null)
+        public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile)
         {
             if (paths.Count == 0)
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
             string name = paths.Count == 1 ? paths[0] : paths[0] + " and " + (paths.Count - 1) + " more";
-            return new TiledReader(name, false, options).OpenAll(paths);
+            return new TiledReader(name, false, openFile).OpenAll(paths);
         }
 
         /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
         /// folders within. Files that cannot be read are left out with a warning.</summary>
         /// <exception cref="PointCloudException">The folder cannot be read, or has no point cloud.</exception>
-        public static TiledReader OpenFolder(string folder, ReadOptions options = null)
+        public static TiledReader OpenFolder(string folder, Func<string, PointReader> openFile)
         {
             string[] paths, folders;
             try
@@ -66,7 +66,7 @@ namespace FastPoints.Files
                 throw FileFailures.Reading(folder, e);
             }
             Array.Sort(paths, string.CompareOrdinal);
-            var reader = new TiledReader(folder, true, options);
+            var reader = new TiledReader(folder, true, openFile);
             if (folders.Length > 0)
                 reader.Info.Warn(-1, folders.Length + " folders in it are not looked into");
             return reader.OpenAll(paths);
@@ -197,7 +197,7 @@ namespace FastPoints.Files
             CloseOldest();
             if (tile.Reader == null)
             {
-                var reader = PointReaders.Open(tile.Path, m_options);
+                var reader = m_openFile(tile.Path);
                 if (reader.Info.FileBytes != tile.FileBytes || reader.BlocksAreKnown != tile.IsKnown ||
                     tile.IsKnown && (reader.BlockCount != tile.BlockCount || reader.PointCount != tile.Points))
                 {
@@ -317,7 +317,7 @@ namespace FastPoints.Files
                 PointReader reader;
                 try
                 {
-                    reader = PointReaders.Open(path, m_options);
+                    reader = m_openFile(path);
                 }
                 catch (PointCloudException e) when (m_leavesOut)
                 {
