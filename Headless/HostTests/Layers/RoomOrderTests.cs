@@ -52,4 +52,46 @@ public sealed class RoomOrderTests
         Assert.That(RoomOrder.CheckIl(module),
             Has.Some.Contains("FastPoints.Base.Early.Lates (Base) names FastPoints.Picture.Late"));
     }
+
+    [Test]
+    public void Files_OfARoom_NameOneAnotherInNoCircle(
+        [Values("FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities")] string assembly)
+    {
+        using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
+
+        Assert.That(FileCycles.Check(builds.Package.Single(m => m.Assembly.Name.Name == assembly),
+            Path.Combine(Checkout.Repository.PackageRoot, "Runtime", assembly)), Is.Empty);
+    }
+
+    [TestCase("Base/A.cs", "Base/B.cs", "Base/C.cs", "",
+        "Base/A.cs, Base/B.cs, Base/C.cs name one another: B.cs in FastPoints.Base.A.B")]
+    [TestCase("Base/A.cs", "Base/B.cs", "Base/A.cs", "", "Base/A.cs, Base/B.cs name one another")]
+    [TestCase("Base/A.cs", "Base/B.cs", "Base/A.cs", "Base/A.cs, Base/B.cs", null)]
+    [TestCase("Base/A.cs", "Base/B.cs", "Points/C.cs", "", null)]
+    [TestCase("Base/A.cs", "Base/A.cs", "Base/A.cs", "", null)]
+    [TestCase("Base/A.cs", "Base/A.cs", "Base/A.cs", "Base/A.cs, Base/B.cs", "Base/A.cs, Base/B.cs need no exception")]
+    public void FileCycles_OfThreeTypesInACircle(string a, string b, string c, string kept, string reported)
+    {
+        using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(
+            new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);
+        ModuleDefinition module = planted.MainModule;
+        TypeDefinition[] types = new[] { "A", "B", "C" }.Select(n => new TypeDefinition("FastPoints.Base", n,
+            TypeAttributes.Public, module.TypeSystem.Object)).ToArray();
+        for (int i = 0; i < types.Length; i++)
+        {
+            TypeDefinition next = types[(i + 1) % types.Length];
+            types[i].Fields.Add(new FieldDefinition(next.Name, FieldAttributes.Public, new ArrayType(next)));
+            module.Types.Add(types[i]);
+        }
+        var files = new Dictionary<string, string>
+        {
+            ["FastPoints.Base.A"] = a,
+            ["FastPoints.Base.B"] = b,
+            ["FastPoints.Base.C"] = c,
+        };
+
+        IEnumerable<string> problems = FileCycles.Check(module, files, kept.Length > 0 ? new[] { kept } : Array.Empty<string>());
+
+        Assert.That(problems, reported == null ? Is.Empty : Has.One.StartsWith(reported));
+    }
 }

@@ -91,7 +91,8 @@ public static class RoomOrder
         return problems;
     }
 
-    private static IEnumerable<TypeReference> Types(MemberReference member)
+    /// <summary>The types that a naming names: those of a signature, too.</summary>
+    internal static IEnumerable<TypeReference> Types(MemberReference member)
     {
         IEnumerable<TypeReference> types = member switch
         {

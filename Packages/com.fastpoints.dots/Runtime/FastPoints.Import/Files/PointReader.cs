@@ -136,6 +136,7 @@ namespace FastPoints.Files
             const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
             var runs = new NativeArray<PointRun>(count, Allocator.Persistent);
             var reads = new RunRead[Slots];
+            var ring = new SlotRing(Slots);
             var behind = default(JobHandle);
             try
             {
@@ -150,16 +151,15 @@ namespace FastPoints.Files
                 }
                 if (count == 0)
                     behind = then(default);
-                for (int next = 0, begun = 0, ended = 0; next < count || ended < begun;)
+                for (int next = 0; next < count || !ring.IsEmpty;)
                 {
-                    if (next == count || begun - ended == Slots)
+                    if (next == count || ring.IsFull)
                     {
-                        var oldest = reads[ended++ % Slots];
-                        yield return oldest.Decoded;
-                        oldest.Complete();
+                        yield return reads[ring.Oldest].Decoded;
+                        reads[ring.End()].Complete();
                         continue;
                     }
-                    int slot = begun++ % Slots;
+                    int slot = ring.Begin();
                     reads[slot] ??= CreateRunRead(target, RunsPerRequest,
                         Math.Max(BytesPerRequest, longest * Info.RecordBytes), Allocator.Persistent);
                     next += reads[slot].Begin(runs, next, RunsPerRequest, 0);

@@ -141,26 +141,26 @@ namespace FastPoints.Preview
         IEnumerator<Work> ReadRuns(StageProgress progress)
         {
             var runs = m_runs.AsArray();
-            int slots = m_reads.Length;
-            int most = m_pace.RunsPerRequest(runs.Length, slots, MinRunsPerRequest, MaxRunsPerRequest);
+            var ring = new SlotRing(m_reads.Length);
+            int most = m_pace.RunsPerRequest(runs.Length, m_reads.Length, MinRunsPerRequest, MaxRunsPerRequest);
             bool isFirstWave = m_endRank == 0;
             long stretches = 0, begun = ReadClock.Now, ended = begun;
             int next = 0;
-            long request = 0, completed = 0;
-            while (next < runs.Length || completed < request)
+            while (next < runs.Length || !ring.IsEmpty)
             {
-                if (request - completed == slots || next == runs.Length)
+                if (ring.IsFull || next == runs.Length)
                 {
-                    var oldest = m_reads[completed++ % slots];
+                    var oldest = m_reads[ring.Oldest];
                     yield return oldest.Decoded;
                     oldest.Complete();
+                    ring.End();
                     BytesRead += oldest.BytesRead;
                     stretches += oldest.Stretches;
                     ended = Math.Max(ended, oldest.Ended);
                     Report(progress);
                     continue;
                 }
-                next += m_reads[request++ % slots].Begin(runs, next, most, m_gapBytes);
+                next += m_reads[ring.Begin()].Begin(runs, next, most, m_gapBytes);
                 JobHandle.ScheduleBatchedJobs();
             }
             // This measures the first wave, whose runs lie far apart: when gaps are read along, a stretch takes longer for its

@@ -37,20 +37,16 @@ namespace FastPoints.SourceFeeds
             bool isDone = false;
             try
             {
-                for (int i = 0; i < blocks.Count + slots.Length; i++)
+                yield return Work.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
                 {
-                    int at = i % slots.Length;
-                    if (i >= slots.Length)
-                    {
-                        yield return slots[at].Decoded;
-                        slots[at].Complete();
-                        Append(slots[at].Points, top);
-                    }
-                    if (i >= blocks.Count)
-                        continue;
-                    slots[at] ??= reader.CreateRead(schema, most, Allocator.Persistent);
-                    slots[at].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
-                }
+                    slots[slot] ??= reader.CreateRead(schema, most, Allocator.Persistent);
+                    slots[slot].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+                    return slots[slot].Decoded;
+                }, slot =>
+                {
+                    slots[slot].Complete();
+                    Append(slots[slot].Points, top);
+                }));
                 isDone = true;
             }
             finally

@@ -16,7 +16,6 @@ namespace FastPoints.Files
             public NativeFileRead Read;
             public NativeReference<AsciiRowCount> Count;
             public JobHandle Counted;
-            public bool IsBusy;
         }
 
         readonly SourceHandle m_file;
@@ -27,7 +26,7 @@ namespace FastPoints.Files
         readonly Slot[] m_slots;
         readonly List<StretchBlock> m_blocks = new List<StretchBlock>();
         long m_offset;
-        int m_oldest;
+        SlotRing m_ring;
         ulong m_rows;
         bool m_isInText;
 
@@ -49,6 +48,7 @@ namespace FastPoints.Files
             long stretches = (fileBytes - offset) / blockBytes + 1;
             m_slots = new Slot[(int)Math.Min(stretches, mostJobs > 0 ? mostJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
             long bytes = Math.Min(blockBytes, fileBytes);
+            m_ring = new SlotRing(m_slots.Length);
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new Slot
                 {
@@ -66,22 +66,17 @@ namespace FastPoints.Files
         /// <returns>Whether there is a stretch to wait for.</returns>
         public bool Next(out JobHandle handle)
         {
-            if (m_slots[m_oldest].IsBusy)
-            {
-                Finish(m_slots[m_oldest]);
-                m_oldest = (m_oldest + 1) % m_slots.Length;
-            }
+            if (!m_ring.IsEmpty)
+                Finish(m_slots[m_ring.End()]);
             handle = default;
             if (m_rows >= m_rowsEnd)
                 return false;
-            for (int i = 0; i < m_slots.Length && m_offset < m_fileBytes; i++)
-            {
-                var slot = m_slots[(m_oldest + i) % m_slots.Length];
-                if (!slot.IsBusy)
-                    Start(slot);
-            }
-            handle = m_slots[m_oldest].Counted;
-            return m_slots[m_oldest].IsBusy;
+            while (!m_ring.IsFull && m_offset < m_fileBytes)
+                Start(m_slots[m_ring.Begin()]);
+            if (m_ring.IsEmpty)
+                return false;
+            handle = m_slots[m_ring.Oldest].Counted;
+            return true;
         }
 
         void Start(Slot slot)
@@ -89,13 +84,11 @@ namespace FastPoints.Files
             int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
             var read = slot.Read.Begin(m_file, m_offset, bytes);
             slot.Counted = new CountAsciiRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
-            slot.IsBusy = true;
             m_offset += bytes;
         }
 
         void Finish(Slot slot)
         {
-            slot.IsBusy = false;
             slot.Counted.Complete();
             slot.Read.End();
             var count = slot.Count.Value;

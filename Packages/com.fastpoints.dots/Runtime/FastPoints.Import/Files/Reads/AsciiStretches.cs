@@ -80,17 +80,8 @@ namespace FastPoints.Files
             {
                 for (int i = 0; i < slots.Length; i++)
                     slots[i] = new Slot();
-                for (int i = 0; i < wanted + slots.Length; i++)
-                {
-                    var slot = slots[i % slots.Length];
-                    if (i >= slots.Length && i - slots.Length < wanted)
-                    {
-                        yield return slot.Counted;
-                        Take(slot);
-                    }
-                    if (i < wanted)
-                        slot.Begin(order.StratumAt(first + i), this);
-                }
+                yield return Work.Of(SlotRing.Run(slots.Length, wanted,
+                    (slot, i) => slots[slot].Begin(order.StratumAt(first + i), this), slot => Take(slots[slot])));
             }
             finally
             {
@@ -135,12 +126,13 @@ namespace FastPoints.Files
             public int Part { get; private set; }
             public JobHandle Counted { get; private set; }
 
-            public void Begin(int part, AsciiStretches stretches)
+            public JobHandle Begin(int part, AsciiStretches stretches)
             {
                 Part = part;
                 var read = Read.Begin(stretches.m_file, stretches.PlaceOf(part), StretchBytes);
                 Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = StretchBytes, Result = m_rows }.Schedule(read);
                 JobHandle.ScheduleBatchedJobs();
+                return Counted;
             }
 
             public int End()

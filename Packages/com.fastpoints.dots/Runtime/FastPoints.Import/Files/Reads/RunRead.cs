@@ -65,7 +65,7 @@ namespace FastPoints.Files
         public int Begin(NativeArray<PointRun> runs, int first, int most, int gapBytes)
         {
             if (m_file.IsReading)
-                throw new InvalidOperationException("the slot is still reading; Complete it first");
+                throw new InvalidOperationException(SlotRing.InFlight);
             most = Math.Min(Math.Min(most, runs.Length - first), m_runs.Length);
             int capacity = m_file.Buffer.Length - NativeFileRead.PaddingBytes;
             byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();

@@ -51,7 +51,7 @@ namespace FastPoints.Files
         public sealed override void Begin(BlockRange range)
         {
             if (m_isBusy)
-                throw new InvalidOperationException("the slot has a range in flight: Complete it first");
+                throw new InvalidOperationException(SlotRing.InFlight);
             if (range.Block < 0 || range.Block >= m_reader.BlockCount)
                 throw new ArgumentOutOfRangeException(nameof(range), range.Block, "no such block");
             int points = m_reader.PointsInBlock(range.Block);
@@ -70,7 +70,7 @@ namespace FastPoints.Files
         public sealed override void Complete()
         {
             if (!m_isBusy)
-                throw new InvalidOperationException("the slot has no range in flight");
+                throw new InvalidOperationException(SlotRing.NotInFlight);
             m_isBusy = false;
             Decoded.Complete();
             if (Range.Count == 0)

@@ -1,0 +1,95 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+
+namespace FastPoints.RepoTools.Layers;
+
+/// <summary>Files of one room that name one another in a circle, so that none of them can be read or tested alone. A part is
+/// given what it needs, not the whole that it is a part of. Constants are not in the IL, so what only they join is not
+/// found.</summary>
+public static class FileCycles
+{
+    /// <summary>Circles that are kept, by the names of their files, and why.</summary>
+    private static readonly (string Files, string Why)[] s_kept =
+    {
+        ("Files/Tiles/TiledRead.cs, Files/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
+        ("Preview/PrefixSampler.cs, Preview/PreviewSampler.cs, Preview/RunSampler.cs", "the base chooses the kind that fits"),
+    };
+
+    /// <summary>The circles of an assembly that are not kept, and what is kept without need.</summary>
+    public static IEnumerable<string> Check(ModuleDefinition module, string folder) => Check(module, FilesIn(folder), s_kept
+        .Where(k => File.Exists(Path.Combine(folder, k.Files.Split(", ")[0]))).Select(k => k.Files).ToList());
+
+    /// <param name="fileOfType">By full name; the file's path begins with its room.</param>
+    public static IEnumerable<string> Check(ModuleDefinition module, IReadOnlyDictionary<string, string> fileOfType,
+        IReadOnlyList<string> kept)
+    {
+        var named = new Dictionary<string, Dictionary<string, string>>();
+        foreach (IlUse use in IlUses.Of(module).Where(u => u.Within != null))
+        {
+            foreach (TypeReference type in RoomOrder.Types(use.Member))
+            {
+                if (FileOf(use.Within!) is string from && FileOf(type) is string to && from != to && RoomOf(from) == RoomOf(to))
+                    (named.TryGetValue(from, out var names) ? names : named[from] = new()).TryAdd(to, use.Site);
+            }
+        }
+        Dictionary<string, HashSet<string>> reached = named.Keys.ToDictionary(f => f, f => Reach(f, named));
+        List<string> circles = reached.Where(r => r.Value.Contains(r.Key)).Select(r => string.Join(", ", r.Value
+            .Where(f => reached.TryGetValue(f, out var back) && back.Contains(r.Key)).Order(StringComparer.Ordinal)))
+            .Distinct().ToList();
+        foreach (string circle in circles.Except(kept))
+        {
+            string[] files = circle.Split(", ");
+            yield return $"{circle} name one another: " + string.Join("; ", files.SelectMany(f => named[f]
+                .Where(n => files.Contains(n.Key)).Select(n => $"{Path.GetFileName(n.Key)} in {n.Value}")));
+        }
+        foreach (string unused in kept.Except(circles))
+            yield return $"{unused} need no exception";
+
+        string? FileOf(TypeReference type)
+        {
+            TypeReference outer = type.GetElementType();
+            while (outer.DeclaringType != null)
+                outer = outer.DeclaringType;
+            return fileOfType.GetValueOrDefault(outer.FullName.Split('`')[0]);
+        }
+    }
+
+    private static string RoomOf(string file) => file[..(file.IndexOf('/') + 1)];
+
+    private static HashSet<string> Reach(string from, Dictionary<string, Dictionary<string, string>> named)
+    {
+        var reached = new HashSet<string>();
+        var open = new Stack<string>(new[] { from });
+        while (open.TryPop(out string? file))
+        {
+            foreach (string next in named.TryGetValue(file, out var names) ? names.Keys : Enumerable.Empty<string>())
+            {
+                if (reached.Add(next))
+                    open.Push(next);
+            }
+        }
+        return reached;
+    }
+
+    /// <summary>The file of each type that lies in no other; the parts of a partial type count as its first file.</summary>
+    private static Dictionary<string, string> FilesIn(string folder)
+    {
+        var files = new Dictionary<string, string>();
+        string[] sources = Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories);
+        foreach (string file in sources.Order(StringComparer.Ordinal))
+        {
+            SyntaxNode root = CSharpSyntaxTree.ParseText(File.ReadAllText(file)).GetRoot();
+            foreach (BaseNamespaceDeclarationSyntax space in root.ChildNodes().OfType<BaseNamespaceDeclarationSyntax>())
+            {
+                foreach (MemberDeclarationSyntax member in space.Members)
+                {
+                    string? name = (member as BaseTypeDeclarationSyntax)?.Identifier.ValueText ??
+                        (member as DelegateDeclarationSyntax)?.Identifier.ValueText;
+                    files.TryAdd($"{space.Name}.{name}", Path.GetRelativePath(folder, file).Replace('\\', '/'));
+                }
+            }
+        }
+        return files;
+    }
+}
