@@ -46,7 +46,8 @@ namespace FastPoints.Store
         /// changed the file's time.</summary>
         /// <param name="files">The file of the upper levels, then those of the chunks.</param>
         /// <param name="folder">Whose planes are remembered; null for a cloud in the making.</param>
-        public static CheckedPlanes Of(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files, string folder)
+        public static CheckedPlanes Of(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files,
+            string folder)
         {
             var now = new CheckedPlanes(cloudId, planeCount, files);
             if (folder == null)
