@@ -91,27 +91,31 @@ public struct double3 : IEquatable<double3>, IFormattable
 
     public double2 xy
     {
-        [MethodImpl(Inline)] get => new double2(x, y);
+        [MethodImpl(Inline)]
+        get => new double2(x, y);
         [MethodImpl(Inline)]
         set { x = value.x; y = value.y; }
     }
 
     public double2 xz
     {
-        [MethodImpl(Inline)] get => new double2(x, z);
+        [MethodImpl(Inline)]
+        get => new double2(x, z);
         [MethodImpl(Inline)]
         set { x = value.x; z = value.y; }
     }
 
     public double2 yz
     {
-        [MethodImpl(Inline)] get => new double2(y, z);
+        [MethodImpl(Inline)]
+        get => new double2(y, z);
         [MethodImpl(Inline)]
         set { y = value.x; z = value.y; }
     }
 
     internal double3 yzx
     {
-        [MethodImpl(Inline)] get => new double3(y, z, x);
+        [MethodImpl(Inline)]
+        get => new double3(y, z, x);
     }
 }

@@ -39,7 +39,8 @@ public struct double4 : IEquatable<double4>, IFormattable
 
     public double3 xyz
     {
-        [MethodImpl(Inline)] get => new double3(x, y, z);
+        [MethodImpl(Inline)]
+        get => new double3(x, y, z);
         [MethodImpl(Inline)]
         set { x = value.x; y = value.y; z = value.z; }
     }

@@ -60,13 +60,15 @@ public struct float3 : IEquatable<float3>, IFormattable
 
     public float2 xy
     {
-        [MethodImpl(Inline)] get => new float2(x, y);
+        [MethodImpl(Inline)]
+        get => new float2(x, y);
         [MethodImpl(Inline)]
         set { x = value.x; y = value.y; }
     }
 
     internal float3 yzx
     {
-        [MethodImpl(Inline)] get => new float3(y, z, x);
+        [MethodImpl(Inline)]
+        get => new float3(y, z, x);
     }
 }

@@ -54,14 +54,16 @@ public struct int3 : IEquatable<int3>, IFormattable
 
     public int2 xy
     {
-        [MethodImpl(Inline)] get => new int2(x, y);
+        [MethodImpl(Inline)]
+        get => new int2(x, y);
         [MethodImpl(Inline)]
         set { x = value.x; y = value.y; }
     }
 
     public int3 xyz
     {
-        [MethodImpl(Inline)] get => new int3(x, y, z);
+        [MethodImpl(Inline)]
+        get => new int3(x, y, z);
         [MethodImpl(Inline)]
         set { x = value.x; y = value.y; z = value.z; }
     }

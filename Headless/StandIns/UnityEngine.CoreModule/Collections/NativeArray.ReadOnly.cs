@@ -31,7 +31,8 @@ public unsafe partial struct NativeArray<T>
 
         public int Length
         {
-            [MethodImpl(MethodImplOptions.AggressiveInlining)] get => m_Length;
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get => m_Length;
         }
 
         public T this[int index]

@@ -44,12 +44,14 @@ public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEqua
 
     public int Length
     {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)] get => m_Length;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => m_Length;
     }
 
     public bool IsCreated
     {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)] get => m_Buffer != null;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => m_Buffer != null;
     }
 
     public T this[int index]
