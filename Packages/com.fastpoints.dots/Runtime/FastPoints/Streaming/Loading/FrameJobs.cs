@@ -131,4 +131,24 @@ namespace FastPoints.Streaming
 
         public readonly NodeState StateOf(SelectedNode node) => Pages[node.Page].States[node.Node];
     }
+
+    /// <summary>A node to draw: it and all nodes above it are complete.</summary>
+    public struct DrawnNode
+    {
+        public int Cloud;
+        public int Page;
+        public int Node;
+
+        /// <summary>Index of the node above it among those drawn; -1 if that one is not drawn or does not exist.</summary>
+        public int Parent;
+
+        /// <summary>Its slot in the <see cref="NodeCache"/>.</summary>
+        public int Slot;
+
+        /// <summary>See <see cref="CachedNode.Tint"/>.</summary>
+        public uint Tint;
+
+        /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
+        public PoolRange Range;
+    }
 }

@@ -116,49 +116,4 @@ namespace FastPoints.Streaming
             m_pinned.Dispose();
         }
     }
-
-    /// <summary>The state of a node in the cache.</summary>
-    internal enum CachePhase : byte
-    {
-        Free,
-        /// <summary>Its bytes are in flight, or wait to be copied.</summary>
-        Requested,
-        /// <summary>A job writes to its memory.</summary>
-        Uploading,
-        /// <summary>It is complete and can be drawn.</summary>
-        Resident,
-    }
-
-    /// <summary>A node that has memory in the pool.</summary>
-    internal struct CachedNode
-    {
-        public const uint White = 0xFFFFFFFF;
-
-        public int Cloud;
-        public int Page;
-        public int Node;
-        public PoolRange Run;
-        public CachePhase Phase;
-
-        /// <summary>Must be remembered along with a slot's number: it rises when the slot is released.</summary>
-        public int Version;
-
-        /// <summary>Frame of the last selection or forecast that wanted it, and its rank there: 0 is the most needed.</summary>
-        public uint UsedFrame;
-        public int Rank;
-
-        /// <summary>Whether it is not drawn even if it is loaded.</summary>
-        public bool IsHidden;
-
-        /// <summary>Whether it is kept as long as there is any memory for it.</summary>
-        public bool IsPinned;
-
-        /// <summary>Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte; white leaves them
-        /// unchanged.</summary>
-        public uint Tint;
-
-        /// <summary>Neighbours in the order of usefulness.</summary>
-        public int LessUseful;
-        public int MoreUseful;
-    }
 }

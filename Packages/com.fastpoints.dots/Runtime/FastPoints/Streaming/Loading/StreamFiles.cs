@@ -64,7 +64,8 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        /// <summary>Closes a file whose bytes were wrong or missing: it is opened again, in case another lies there now.</summary>
+        /// <summary>Closes a file whose bytes were wrong or missing: it is opened again, in case another lies there
+        /// now.</summary>
         public void Close(StreamedCloud cloud, string path)
         {
             int at = IndexOf(cloud, path);
