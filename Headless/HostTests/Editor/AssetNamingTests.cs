@@ -62,17 +62,12 @@ public sealed class AssetNamingTests
     }
 
     [Test]
-    public void Unique_NamesThatDifferInCaseAlone_GetNumbers()
+    public void Next_NamesThatDifferInCaseAlone_GetNumbers()
     {
-        var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+        var names = new FreeNames("", "", new string[0]);
         foreach (string wanted in new[] { "scan", "Scan 2", "SCAN 3", "scan 2 2" })
-            Assert.That(Take(wanted == "scan 2 2" ? "scan 2" : "SCAN"), Is.EqualTo(wanted).IgnoreCase);
-
-        string Take(string name)
-        {
-            string unique = AssetNaming.Unique(name, taken.Contains);
-            taken.Add(unique);
-            return unique;
-        }
+            Assert.That(names.Next(wanted == "scan 2 2" ? "scan 2" : "SCAN"), Is.EqualTo(wanted).IgnoreCase);
+        Assert.That(new FreeNames("in", ".x", new[] { Path.Combine("in", "Scan.x") }).Next("scan"),
+            Is.EqualTo(Path.Combine("in", "scan 2.x")));
     }
 }

@@ -91,14 +91,12 @@ public sealed class CloudCatalogTests
     public void NewTarget_SourcesOfOneName_NeverCollide()
     {
         string taken = Convert("scan", 2000);
-        string second = m_catalog.NewTarget("/elsewhere/SCAN.laz", _ => false);
-        Assert.That(second, Is.EqualTo(Path.Combine(m_paths.Clouds, "SCAN 2.fastpoints")));
-        Assert.That(m_catalog.NewTarget("/third/scan.ply", p => p.Equals(second, StringComparison.OrdinalIgnoreCase)),
-            Is.EqualTo(Path.Combine(m_paths.Clouds, "scan 3.fastpoints")));
+        var names = m_catalog.NewTargets(new[] { Path.Combine(m_paths.Clouds, "SCAN 3.fastpoints") });
+        Assert.That(names.Next("SCAN"), Is.EqualTo(Path.Combine(m_paths.Clouds, "SCAN 2.fastpoints")));
+        Assert.That(names.Next("scan"), Is.EqualTo(Path.Combine(m_paths.Clouds, "scan 4.fastpoints")), "3 is promised");
 
         Directory.Move(taken, taken + StoreFormat.PartSuffix);
-        Assert.That(m_catalog.NewTarget("/elsewhere/scan.laz", _ => false), Does.EndWith("scan 2.fastpoints"),
-            "one in the making");
+        Assert.That(m_catalog.NewTargets(new string[0]).Next("scan"), Does.EndWith("scan 2.fastpoints"), "one in the making");
     }
 
     [Test]

@@ -33,6 +33,7 @@ public sealed class DropTests
         Assert.That(Of(scan), Is.EqualTo(DropKind.Handle), "no importer takes it");
         Assert.That(Of(small, text), Is.EqualTo(DropKind.NotOurs));
         Assert.That(Of(), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(Made("f.las", 60), Made("g.las", 60)), Is.EqualTo(DropKind.Handle), "together they are large");
         Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.NotOurs), "it is in the project");
     }
 

@@ -154,7 +154,7 @@ public sealed class EditorImportsTests : EditorFixture
             Is.EqualTo(CatalogMatch.InPlace));
         Assert.That(cloud.Manifest.Points, Is.EqualTo(5000));
 
-        m_project.Imports.TakePointFile("Assets/scan.las");
+        m_project.Imports.TakePointFiles(new[] { "Assets/scan.las" });
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "it is converted already");
     }
 

@@ -60,6 +60,10 @@ sealed class EditorProject : IDisposable
         ScriptedImports.Clear();
         Progress.Entries.Clear();
         Undo.Clear();
+        (EditorUtility.s_answer, EditorUtility.s_asked) = (-1, 0);
+        EditorUtility.s_objects.Clear();
+        UnityEngine.SceneManagement.SceneManager.s_open.Clear();
+        UnityEngine.SceneManagement.SceneManager.s_active = default;
         DragAndDrop.paths = Array.Empty<string>();
         DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();
         Application.AssetsPath = null;

@@ -46,8 +46,7 @@ public sealed class ImportQueueTests
     public void Tick_SeveralRequests_MakesOneAfterTheOtherAndLeavesOnlyTheClouds()
     {
         using var queue = Open();
-        Assert.That(queue.Add(m_project.Request("one")), Is.True);
-        Assert.That(queue.Add(m_project.Request("two")), Is.True);
+        queue.Add(new[] { m_project.Request("one"), m_project.Request("two") });
         UpdateUntil(queue, () =>
         {
             Assert.That(queue.Requests.Count(r => r.State == ImportState.Running), Is.LessThanOrEqualTo(1));
@@ -210,9 +209,25 @@ public sealed class ImportQueueTests
         queue.Add(m_project.Request());
         queue.Add(m_project.Request());
         Assert.That(queue.Requests, Has.Count.EqualTo(1));
-        Assert.That(queue.IsPromised(m_project.Target().Replace("scan", "SCAN")), Is.True);
+        Assert.That(queue.Promised, Is.EqualTo(new[] { m_project.Target() }));
         UpdateUntil(queue, () => queue.Session != null);
-        Assert.That(queue.Add(m_project.Request()), Is.False);
+        var running = queue.Running;
+        queue.Add(m_project.Request());
+        Assert.That(queue.Requests, Is.EqualTo(new[] { running }), "a folder that is being made stays with its request");
+    }
+
+    /// <summary>A later request takes the place of one for the same folder, in whatever case; the file is written once.</summary>
+    [Test]
+    public void Add_Many_KeepsTheirOrderAndTheLaterOfTwo()
+    {
+        using var queue = Open();
+        queue.Add(m_project.Request("first"));
+        UpdateUntil(queue, () => queue.Session != null);
+        int saves = queue.Saves;
+        queue.Add(new[] { "b", "a", "c", "A" }.Select(m_project.Request).Append(m_project.Request("first")).ToArray());
+        Assert.That(queue.Requests.Select(r => r.Asset),
+            Is.EqualTo(new[] { "asset of first", "asset of b", "asset of c", "asset of A" }));
+        Assert.That(queue.Saves - saves, Is.EqualTo(1));
     }
 
     [Test]

@@ -1,3 +1,5 @@
+using System.Reflection;
+
 namespace FastPoints.HostTests.Editor;
 
 /// <summary>What the inspectors tell and do, without their windows.</summary>
@@ -114,6 +116,77 @@ public sealed class InspectorTests
         {
             Event.current = null;
             Object.DestroyImmediate(scene);
+        }
+    }
+
+    [Test]
+    public void SettingsPage_Browse_MovesThePlaceAndUndoMovesItBack()
+    {
+        using var project = new EditorProject();
+        var settings = FastPointsSettings.instance;
+        Directory.CreateDirectory("Elsewhere");
+        SettingsProvider page = null;
+        foreach (var provider in TypeCache.GetMethodsWithAttribute<SettingsProviderAttribute>())
+            page = (SettingsProvider)provider.Invoke(null, null);
+        try
+        {
+            GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => page.guiHandler(""));
+            (GUILayout.Pressed, EditorUtility.s_folder) = ("Browse...", Path.GetFullPath("Elsewhere"));
+            GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, () => page.guiHandler(""));
+            Assert.That(settings.Place, Is.EqualTo("Elsewhere"), "relative, since it is in the project");
+            Assert.That(PointCloudImports.Current.Paths.Clouds, Is.EqualTo(Path.GetFullPath("Elsewhere")));
+            Assert.That(EditorGUIUtility.labelWidth, Is.EqualTo(150), "of whatever is drawn next");
+            while (settings.Place == "Elsewhere")
+                Undo.PerformUndo();
+            Assert.That(PointCloudImports.Current.Paths.Clouds, Is.EqualTo(project.Paths.Clouds));
+            Assert.That(File.ReadAllText("ProjectSettings/FastPoints.asset"), Does.Contain("Place: PointClouds"));
+        }
+        finally
+        {
+            (GUILayout.Pressed, EditorUtility.s_folder, Event.current) = (null, "", null);
+            settings.Place = ProjectPaths.DefaultClouds;
+        }
+    }
+
+    /// <summary>Unity's drawers of [Min] and [Range] go through float.</summary>
+    [Test]
+    public void Fields_OfDoubles_HaveNoDrawerThatRoundsThem()
+    {
+        var types = new[] { typeof(PointCloudImports), typeof(FastPoints.Entities.PointCloud) }
+            .SelectMany(t => t.Assembly.GetTypes());
+        var rounded = types.SelectMany(t => t.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+            .Where(f => f.FieldType == typeof(double) &&
+                (f.IsDefined(typeof(MinAttribute)) || f.IsDefined(typeof(UnityEngine.RangeAttribute))));
+        Assert.That(rounded, Is.Empty);
+    }
+
+    [Test]
+    public void Menu_OfGameObjects_AddsBeneathWhatIsSelectedAndUndoTakesItAway()
+    {
+        var parent = new GameObject("parent");
+        try
+        {
+            foreach (var (item, type) in new[]
+            {
+                ("Point Cloud", typeof(FastPoints.Entities.PointCloud)), ("Origin", typeof(PointCloudOrigin)),
+                ("Clip Box", typeof(PointCloudClipBox)), ("Settings", typeof(FastPoints.Entities.PointCloudSettings)),
+            })
+            {
+                var method = typeof(SceneMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+                    .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == "GameObject/Point Cloud/" + item);
+                Assert.That(method.GetCustomAttribute<MenuItem>().priority, Is.LessThan(50), "of the Hierarchy's menu, too");
+                method.Invoke(null, new object[] { new MenuCommand(parent) });
+                var made = (GameObject)Selection.activeObject;
+                Assert.That(made.transform.parent, Is.SameAs(parent.transform));
+                Assert.That(made.GetComponentsInChildren<Component>(true).Select(c => c.GetType()), Does.Contain(type));
+                Undo.PerformUndo();
+                Assert.That(made == null, Is.True);
+            }
+        }
+        finally
+        {
+            Object.DestroyImmediate(parent);
+            Undo.Clear();
         }
     }
 

@@ -10,7 +10,12 @@ public sealed class ThumbnailTests : EditorFixture
     CloudThumbnails Thumbnails => m_project.Imports.Thumbnails;
 
     string PictureOf(PointCloudAsset asset) => CloudThumbnails.PathOf(m_project.Paths.Absolute(asset.ProjectPath));
-    void Draw() => ImportProject.Updates(() => Thumbnails.Update(1), () => !Thumbnails.IsDrawing);
+
+    void Draw()
+    {
+        ImportProject.Updates(() => Thumbnails.Update(1), () => !Thumbnails.IsDrawing);
+        m_project.Imports.ShowThumbnails();
+    }
 
     static void AssertShowsSomething(RgbaImage picture)
     {

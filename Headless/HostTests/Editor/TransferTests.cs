@@ -155,10 +155,10 @@ public sealed class TransferTests : EditorFixture
         Assert.That(handle.Stamp.Compare(new[] { path }), Is.EqualTo(SourceChange.None));
 
         File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddDays(1));
-        m_project.Imports.TakePointFile("Assets/tile.las");
+        m_project.Imports.TakePointFiles(new[] { "Assets/tile.las" });
         Assert.That(m_logged, Is.Empty, "a time alone is no change");
         File.Copy(m_project.Scratch.Demo("other.las", 4000), path, true);
-        m_project.Imports.TakePointFile("Assets/tile.las");
+        m_project.Imports.TakePointFiles(new[] { "Assets/tile.las" });
         Assert.That(m_logged.Single(), Does.Contain("Assets/tile.las has changed"));
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
         string cloud = m_project.Paths.Absolute(handle.CloudPath);

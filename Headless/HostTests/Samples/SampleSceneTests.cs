@@ -63,6 +63,24 @@ public sealed class SampleSceneTests
         Assert.That(before == null, Is.True);
     }
 
+    /// <summary>Whatever fails: the next request begins anew.</summary>
+    [Test]
+    public void Get_PlaceThatCannotBeMade_SaysSoAndCanBeAskedAgain()
+    {
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        string place = Path.GetDirectoryName(Street);
+        File.WriteAllText(place, "no folder");
+        int got = 0;
+        SampleScan.Get(_ => got++);
+        Assert.That(logged.Single(), Does.StartWith("Error: FastPoints: " + Street));
+        File.Delete(place);
+        PutSmallStreet();
+        SampleScan.Get(_ => got++);
+        Updates(() => got > 0);
+        Assert.That(got, Is.EqualTo(1));
+    }
+
     [Test]
     public void Commands_OfSamples_AreOneForEachListedSample()
     {

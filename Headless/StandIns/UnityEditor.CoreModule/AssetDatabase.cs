@@ -30,6 +30,14 @@ public sealed class AssetDatabase
     static Type[] s_postprocessors;
     static string s_importing;
 
+    /// <summary>What waits for the end of a batch, by path.</summary>
+    static readonly Dictionary<string, ImportAssetOptions> s_waiting = new Dictionary<string, ImportAssetOptions>();
+    static int s_editing;
+    static bool s_refreshes;
+
+    /// <summary>How often objects were loaded, all assets searched, and what was imported told: for tests that count.</summary>
+    internal static int s_loads, s_searches, s_batches;
+
     /// <summary>Runs an asset's importer, and puts into <see cref="Assets"/> what comes of it.</summary>
     internal static Action<string> Importing;
 
@@ -42,26 +50,64 @@ public sealed class AssetDatabase
     public static string GetAssetPath(Object assetObject) =>
         Assets.FirstOrDefault(a => ReferenceEquals(a.Value, assetObject)).Key ?? "";
 
-    public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
-        Assets.TryGetValue(assetPath, out var asset) ? asset as T : null;
+    public static T LoadAssetAtPath<T>(string assetPath) where T : Object
+    {
+        s_loads++;
+        return Assets.TryGetValue(assetPath, out var asset) ? asset as T : null;
+    }
+
+    public static Type GetMainAssetTypeAtPath(string assetPath) =>
+        Assets.TryGetValue(assetPath, out var asset) ? asset.GetType() : null;
+
+    /// <summary>Until as many ends nothing is imported: who then loads finds what was there before.</summary>
+    public static void StartAssetEditing() => s_editing++;
+
+    public static void StopAssetEditing()
+    {
+        if (s_editing == 0)
+            throw new InvalidOperationException("StopAssetEditing without a StartAssetEditing");
+        if (--s_editing > 0)
+            return;
+        var waiting = s_waiting.Where(w => CanImport(w.Key, w.Value)).Select(w => w.Key).ToArray();
+        bool refreshes = s_refreshes;
+        s_waiting.Clear();
+        s_refreshes = false;
+        foreach (string path in waiting)
+            Import(path);
+        if (waiting.Length > 0)
+            Postprocess(waiting, new string[0]);
+        if (refreshes)
+            Refresh();
+    }
 
     public static void ImportAsset(string path) => ImportAsset(path, ImportAssetOptions.Default);
 
     /// <summary>Nothing happens where nothing has changed, unless it is forced.</summary>
     public static void ImportAsset(string path, ImportAssetOptions options)
     {
-        if (File.Exists(Absolute(path)) && ((options & ImportAssetOptions.ForceUpdate) != 0 || HasChanged(path)))
+        if (s_editing > 0)
+        {
+            s_waiting.TryGetValue(path, out var before);
+            s_waiting[path] = before | options;
+        }
+        else if (CanImport(path, options))
         {
             Import(path);
             Postprocess(new[] { path }, new string[0]);
         }
     }
 
+    static bool CanImport(string path, ImportAssetOptions options) =>
+        File.Exists(Absolute(path)) && ((options & ImportAssetOptions.ForceUpdate) != 0 || HasChanged(path));
+
     /// <summary>Looks at all files in <c>Assets</c>, but for those that Unity hides.</summary>
     public static void Refresh()
     {
         if (s_importing != null)
             throw new InvalidOperationException("AssetDatabase.Refresh is not allowed while an asset is imported");
+        s_refreshes = s_editing > 0;
+        if (s_refreshes)
+            return;
         var found = Directory.GetFiles(Application.dataPath, "*", SearchOption.AllDirectories)
             .Select(f => "Assets/" + Path.GetRelativePath(Application.dataPath, f).Replace('\\', '/'))
             .Where(f => !f.Split('/').Any(IsHidden)).OrderBy(f => f, StringComparer.Ordinal).ToArray();
@@ -76,7 +122,13 @@ public sealed class AssetDatabase
     }
 
     /// <summary>Of a filter by type, as <c>t:Name</c>, and of no other.</summary>
-    public static string[] FindAssets(string filter) =>
+    public static string[] FindAssets(string filter)
+    {
+        s_searches++;
+        return Find(filter);
+    }
+
+    static string[] Find(string filter) =>
         Assets.Where(a => "t:" + KindOf(a.Value) == filter).Select(a => GuidOf(a.Key)).ToArray();
 
     static string KindOf(Object asset) => asset is GameObject ? "Prefab" : asset.GetType().Name;
@@ -150,6 +202,9 @@ public sealed class AssetDatabase
     /// <summary>There is no project any more.</summary>
     internal static void Clear()
     {
+        if (s_editing != 0)
+            throw new InvalidOperationException("a batch of imports was begun and never ended: Unity would import nothing more");
+        (s_loads, s_searches, s_batches) = (0, 0, 0);
         Assets.Clear();
         Overrides.Clear();
         Dependencies.Clear();
@@ -182,6 +237,7 @@ public sealed class AssetDatabase
 
     static void Postprocess(string[] imported, string[] deleted)
     {
+        s_batches++;
         const BindingFlags any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
         s_postprocessors ??= TypeCache.Referring(typeof(AssetPostprocessor).Assembly).SelectMany(a => a.GetTypes())
             .Where(t => t.IsSubclassOf(typeof(AssetPostprocessor))).ToArray();

@@ -66,6 +66,12 @@ public class SerializedObject(Object obj)
 
 public class SerializedProperty { }
 
+/// <summary>What a menu's item was chosen for: in the Hierarchy's own menu, the object under the pointer.</summary>
+public sealed class MenuCommand(Object inContext)
+{
+    public Object context = inContext;
+}
+
 [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
 public sealed class MenuItem : Attribute
 {

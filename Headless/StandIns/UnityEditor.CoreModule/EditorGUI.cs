@@ -20,14 +20,17 @@ public sealed class EditorGUILayout
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => GUILayoutUtility.Next();
     public static void HelpBox(string message, MessageType type) => GUILayoutUtility.Next();
 
-    public static int IntSlider(string label, int value, int leftValue, int rightValue,
+    public static int IntSlider(GUIContent label, int value, int leftValue, int rightValue,
         params GUILayoutOption[] options) => Placed(value);
 
-    public static bool Toggle(string label, bool value, params GUILayoutOption[] options) => Placed(value);
+    public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) => Placed(value);
     public static bool ToggleLeft(string label, bool value, params GUILayoutOption[] options) => Placed(value);
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => Placed(true);
-    public static string DelayedTextField(string label, string text, params GUILayoutOption[] options) => Placed(text);
-    public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => Placed(selected);
+    public static Object ObjectField(string label, Object obj, Type objType, bool allowSceneObjects,
+        params GUILayoutOption[] options) => Placed(obj);
+
+    public static string DelayedTextField(GUIContent label, string text, params GUILayoutOption[] options) => Placed(text);
+    public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => Placed(selected);
 
     internal static bool Draw(SerializedProperty property) =>
         property != null ? Placed(false) : throw new NullReferenceException("there is no such property");
@@ -42,10 +45,41 @@ public sealed class EditorGUILayout
 public class EditorUtility
 {
     public static bool DisplayDialog(string title, string message, string ok, string cancel) => false;
+    /// <summary>The answer of a test: 0, 1 for cancel, 2; -1 fails it, for nobody is to be asked.</summary>
+    internal static int s_answer = -1;
+
+    internal static int s_asked;
+
+    public static int DisplayDialogComplex(string title, string message, string ok, string cancel, string alt)
+    {
+        s_asked++;
+        return s_answer >= 0 ? s_answer : throw new InvalidOperationException("nobody is to be asked: " + message);
+    }
+
+    internal static readonly Dictionary<int, Object> s_objects = new Dictionary<int, Object>();
+
+    /// <returns>Null where the number is nobody's, as that of a scene.</returns>
+    public static Object InstanceIDToObject(int instanceID) => s_objects.TryGetValue(instanceID, out var found) ? found : null;
+
+    public static Object EntityIdToObject(EntityId entityId) => throw EditorOnly.NotHere(nameof(EntityIdToObject));
+
     public static string OpenFilePanelWithFilters(string title, string directory, string[] filters) => "";
-    public static string OpenFolderPanel(string title, string folder, string defaultName) => "";
+    /// <summary>What a test chooses; empty for nothing.</summary>
+    internal static string s_folder = "";
+
+    public static string OpenFolderPanel(string title, string folder, string defaultName) => s_folder;
     public static void RevealInFinder(string path) { }
     public static void SetDirty(Object target) { }
+}
+
+public sealed class GameObjectUtility
+{
+    /// <summary>Nothing happens without a parent.</summary>
+    public static void SetParentAndAlign(GameObject child, GameObject parent)
+    {
+        if (parent != null)
+            child.transform.SetParent(parent.transform, false);
+    }
 }
 
 /// <summary>Undo takes away what it makes.</summary>
@@ -63,5 +97,12 @@ public static class ObjectFactory
 
 public sealed class Selection
 {
-    public static Object activeObject { get; set; }
+    static Object s_active;
+
+    /// <summary>What was destroyed is not selected any more.</summary>
+    public static Object activeObject
+    {
+        get => s_active == null ? null : s_active;
+        set => s_active = value;
+    }
 }

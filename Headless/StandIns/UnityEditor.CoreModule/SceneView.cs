@@ -13,6 +13,11 @@ public class SceneView : SearchableEditorWindow
 
     public Camera camera { get; internal set; }
 
+    public static SceneView lastActiveSceneView { get; internal set; }
+
+    /// <summary>What it turns about.</summary>
+    public Vector3 pivot { get; set; }
+
     public static void RepaintAll() => Repaints++;
 }
 
@@ -42,7 +47,10 @@ public sealed class Handles
 /// <summary>What was made, and the fields of what was recorded.</summary>
 public class Undo
 {
-    static readonly Stack<Action> s_steps = new Stack<Action>();
+    /// <summary>Those of one group are undone at once.</summary>
+    static readonly Stack<(int Group, Action Step)> s_steps = new Stack<(int, Action)>();
+
+    static int s_group;
 
     public delegate void UndoRedoCallback();
 
@@ -52,7 +60,9 @@ public class Undo
     {
         if (s_steps.Count == 0)
             return;
-        s_steps.Pop()();
+        int group = s_steps.Peek().Group;
+        while (s_steps.Count > 0 && s_steps.Peek().Group == group)
+            s_steps.Pop().Step();
         undoRedoPerformed?.Invoke();
     }
 
@@ -75,11 +85,24 @@ public class Undo
         });
     }
 
-    internal static void Add(Action step) => s_steps.Push(step);
+    public static int GetCurrentGroup() => s_group;
+
+    /// <summary>All steps since that group are one.</summary>
+    public static void CollapseUndoOperations(int groupIndex)
+    {
+        var steps = s_steps.ToArray();
+        s_steps.Clear();
+        foreach (var (group, step) in Enumerable.Reverse(steps))
+            s_steps.Push((Math.Min(group, groupIndex), step));
+    }
+
+    /// <summary>Each is of a group of its own, as if an event had come between.</summary>
+    internal static void Add(Action step) => s_steps.Push((s_group++, step));
     internal static void Clear() => s_steps.Clear();
 }
 
 public class EditorGUIUtility : GUIUtility
 {
     public static float pixelsPerPoint => 1;
+    public static float labelWidth { get; set; } = 150;
 }

@@ -1,5 +1,10 @@
 namespace UnityEngine;
 
+public class GUIContent
+{
+    public GUIContent(string text, string tooltip) { }
+}
+
 public sealed class GUILayoutOption
 {
     internal GUILayoutOption() { }

@@ -23,4 +23,15 @@ public class Component : Object
     }
 
     public T GetComponent<T>() => gameObject.GetComponent<T>();
+
+    /// <summary>Its own, then those of its parents; of objects that are not active none.</summary>
+    public T GetComponentInParent<T>()
+    {
+        for (var at = transform; at is not null; at = at.Parent)
+            if (at.gameObject.activeInHierarchy && at.GetComponent<T>() is { } found)
+                return found;
+        return default;
+    }
+
+    public T[] GetComponentsInChildren<T>(bool includeInactive) => gameObject.GetComponentsInChildren<T>(includeInactive);
 }

@@ -15,7 +15,13 @@ public sealed class GameObject : Object
         SceneLoop.Objects.Add(this);
     }
 
+    internal SceneManagement.Scene Scene = SceneManagement.SceneManager.s_active;
+
     public Transform transform => There(m_transform);
+
+    /// <summary>That of its root.</summary>
+    public SceneManagement.Scene scene => m_transform.Parent is null ? Scene : m_transform.Parent.gameObject.scene;
+
     public bool activeSelf => There(m_isActive);
 
     public bool activeInHierarchy =>

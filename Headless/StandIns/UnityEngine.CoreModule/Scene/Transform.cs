@@ -35,6 +35,8 @@ public class Transform : Component
             new Vector4(z.x, z.y, z.z, 0), new Vector4(position.x, position.y, position.z, 1));
     }
 
+    public Transform parent => Parent;
+
     internal Transform Parent { get; private set; }
     internal List<Transform> Children { get; } = new List<Transform>();
 
@@ -45,6 +47,24 @@ public class Transform : Component
         Parent = parent;
         parent?.Children.Add(this);
         gameObject.Refresh();
+    }
+
+    List<Transform> Siblings => Parent?.Children ??
+        SceneLoop.Objects.Where(o => o.transform.Parent is null && o.scene == gameObject.scene).Select(o => o.transform).ToList();
+
+    public int GetSiblingIndex() => Siblings.IndexOf(this);
+
+    /// <summary>Behind the last one it is the last.</summary>
+    public void SetSiblingIndex(int index)
+    {
+        var siblings = Siblings;
+        siblings.Remove(this);
+        siblings.Insert(Math.Min(index, siblings.Count), this);
+        if (Parent is not null)
+            return;
+        foreach (var root in siblings)
+            SceneLoop.Objects.Remove(root.gameObject);
+        SceneLoop.Objects.AddRange(siblings.Select(s => s.gameObject));
     }
 
     internal void Leave()

@@ -114,10 +114,11 @@ namespace FastPoints.Editor
         /// <summary>A free name, which no running copy uses either.</summary>
         string FreeName(string cloud, string folder)
         {
-            string PathOf(string name) => Path.Combine(folder, name + StoreFormat.FolderExtension);
-            string name = AssetNaming.Unique(Path.GetFileNameWithoutExtension(cloud.TrimEnd('/', '\\')), n =>
-                Directory.Exists(PathOf(n)) || File.Exists(PathOf(n)) || m_transfers.Exists(t => t.To == PathOf(n)));
-            return PathOf(name);
+            var taken = m_transfers.ConvertAll(t => t.To);
+            if (Directory.Exists(folder))
+                taken.AddRange(Directory.GetFileSystemEntries(folder));
+            return new FreeNames(folder, StoreFormat.FolderExtension, taken)
+                .Next(Path.GetFileNameWithoutExtension(cloud.TrimEnd('/', '\\')));
         }
     }
 }

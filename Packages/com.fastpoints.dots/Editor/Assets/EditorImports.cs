@@ -21,6 +21,8 @@ namespace FastPoints.Editor
         DateTime m_nextReport;
         BuildSession m_reported;
         int m_progress;
+        readonly List<CloudDrop> m_drops = new List<CloudDrop>();
+        readonly List<string> m_drawn = new List<string>();
         bool m_isShowing;
         string m_problem;
 
@@ -30,15 +32,19 @@ namespace FastPoints.Editor
             m_settings = settings;
             Queue = new ImportQueue(paths, settings.ForConversion);
             Queue.Ended += End;
-            Thumbnails.Drawn += ShowThumbnail;
+            Thumbnails.Drawn += m_drawn.Add;
             Catalog = new CloudCatalog(paths);
+            Assets = new CloudAssets(paths);
         }
 
         internal ProjectPaths Paths { get; }
         internal ImportQueue Queue { get; }
         internal CloudCatalog Catalog { get; }
 
-        /// <summary>Clouds that are being copied out and in.</summary>
+        /// <summary>The project's assets of clouds.</summary>
+        internal CloudAssets Assets { get; }
+
+        /// <summary>Clouds that are verified.</summary>
         internal EditorChecks Checks { get; } = new EditorChecks();
 
         /// <summary>Clouds that are copied out and in.</summary>
@@ -57,6 +63,11 @@ namespace FastPoints.Editor
             Checks.Update(m_settings.UpdateMs);
             Transfers.Update();
             Thumbnails.Update(m_settings.UpdateMs);
+            if (m_drops.Count > 0 && m_drops[0].Update(m_settings.UpdateMs))
+                m_drops.RemoveAt(0);
+            // Each batch of imports costs Unity some ten milliseconds, whatever is in it.
+            if (nowUtc >= m_nextReport || !Thumbnails.IsDrawing)
+                ShowThumbnails();
             if (nowUtc < m_nextReport)
                 return;
             m_nextReport = nowUtc + s_reportAfter;
@@ -75,14 +86,13 @@ namespace FastPoints.Editor
         {
             try
             {
-                var promised = PromisedClouds();
-                string path = HandleFile.Create(source, Paths.Absolute(folder), Paths,
-                    s => Catalog.NewTarget(s, cloud => Queue.IsPromised(cloud) || promised.Contains(cloud)), out var handle);
+                var names = HandleFile.NewHandles(Paths.Absolute(folder));
+                string path = HandleFile.Create(new[] { source }, Paths, names, NewTargets(), false, out var handle);
                 string asset = Paths.Stored(path);
                 AssetDatabase.ImportAsset(asset);
                 AddThumbnail(handle);
-                if (handle.Sources.Count > 0 && IsConvertedAtOnce(handle))
-                    Convert(asset, handle);
+                if (IsConvertedAtOnce(handle))
+                    Queue.Add(RequestFor(asset, handle));
                 return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             }
             catch (PointCloudException e)
@@ -92,24 +102,45 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Handles the import of a point cloud file in <c>Assets</c>.</summary>
-        public void TakePointFile(string asset)
+        /// <summary>Does the same with several, as one cloud or as separate ones, which the user is asked once; in the next
+        /// updates.</summary>
+        /// <param name="place">Where they are shown; null for nowhere.</param>
+        internal void Take(IReadOnlyList<string> sources, string folder, DropPlace place) =>
+            m_drops.Add(new CloudDrop(this, sources, folder, place));
+
+        /// <summary>Whether dropped files are still being imported.</summary>
+        internal bool IsTaking => m_drops.Count > 0;
+
+        /// <summary>Handles the import of point cloud files in <c>Assets</c>.</summary>
+        internal void TakePointFiles(IReadOnlyList<string> assets)
         {
             // An asset is also reimported to show its picture: a cancelled conversion stays cancelled.
-            if (m_isShowing)
+            if (m_isShowing || assets.Count == 0)
                 return;
+            var requests = new List<ImportRequest>();
+            var known = new HashSet<string>();
+            foreach (var request in Queue.Requests)
+                if (request.State != ImportState.Failed)
+                    known.Add(request.Asset);
+            foreach (string asset in assets)
+                if (TakePointFile(asset) is { } request && !known.Contains(request.Asset))
+                    requests.Add(request);
+            Queue.Add(requests);
+        }
+
+        /// <returns>A request to convert it, if it is to be converted at once.</returns>
+        ImportRequest TakePointFile(string asset)
+        {
             var handle = OfPointFile(asset);
             if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
             {
                 if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
                     AddThumbnail(handle);
-                if (IsConvertedAtOnce(handle) && (RequestOf(asset)?.State ?? ImportState.Failed) == ImportState.Failed)
-                    Convert(asset, handle);
+                return IsConvertedAtOnce(handle) ? RequestFor(asset, handle) : null;
             }
-            else if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
-            {
+            if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
                 Debug.LogWarning("FastPoints: " + asset + " has changed since it was converted: its inspector converts it again");
-            }
+            return null;
         }
 
         /// <summary>Copies an asset's converted cloud to a folder outside, under a free name.</summary>
@@ -136,7 +167,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Converts an asset's cloud, for the first time or again.</summary>
-        public void Convert(string asset) => Convert(asset, HandleOf(asset));
+        public void Convert(string asset) => Queue.Add(RequestFor(asset, HandleOf(asset)));
 
         /// <summary>What an asset says of its cloud.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
@@ -145,14 +176,7 @@ namespace FastPoints.Editor
             : OfPointFile(asset);
 
         /// <summary>An asset's request in the queue, or null.</summary>
-        internal ImportRequest RequestOf(string asset)
-        {
-            string guid = AssetDatabase.AssetPathToGUID(asset);
-            foreach (var request in Queue.Requests)
-                if (request.Asset == guid)
-                    return request;
-            return null;
-        }
+        internal ImportRequest RequestOf(string asset) => Queue.RequestOf(AssetDatabase.AssetPathToGUID(asset));
 
         /// <summary>Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its
         /// files.</summary>
@@ -171,6 +195,9 @@ namespace FastPoints.Editor
             if (m_reported != null)
                 Progress.Finish(m_progress, Progress.Status.Canceled);
             m_reported = null;
+            foreach (var drop in m_drops)
+                drop.Dispose();
+            m_drops.Clear();
             Checks.Dispose();
             Transfers.Dispose();
             Thumbnails.Dispose();
@@ -179,19 +206,24 @@ namespace FastPoints.Editor
 
         public void Dispose() => Suspend();
 
-        void Convert(string asset, CloudHandle handle)
+        internal ImportRequest RequestFor(string asset, CloudHandle handle) => new ImportRequest
         {
-            var request = new ImportRequest
-            {
-                Asset = AssetDatabase.AssetPathToGUID(asset),
-                Cloud = handle.CloudPath,
-                Sampler = m_settings.Sampler,
-            };
-            request.Sources.AddRange(handle.Sources);
-            Queue.Add(request);
-        }
+            Asset = AssetDatabase.AssetPathToGUID(asset),
+            Cloud = handle.CloudPath,
+            Sources = new List<string>(handle.Sources),
+            Sampler = m_settings.Sampler,
+        };
 
-        bool IsConvertedAtOnce(CloudHandle handle) => m_settings.ConvertAtOnce && (!handle.IsOctree || m_settings.ConvertOctrees);
+        internal bool IsConvertedAtOnce(CloudHandle handle) =>
+            m_settings.ConvertAtOnce && handle.Sources.Count > 0 && (!handle.IsOctree || m_settings.ConvertOctrees);
+
+        /// <summary>Names for new clouds, none of which another asset or request is waiting for.</summary>
+        internal FreeNames NewTargets()
+        {
+            var promised = new List<string>(Assets.Clouds);
+            promised.AddRange(Queue.Promised);
+            return Catalog.NewTargets(promised);
+        }
 
         CloudHandle OfPointFile(string asset)
         {
@@ -290,42 +322,24 @@ namespace FastPoints.Editor
 
         /// <summary>Unity asks for an asset's picture when it imports the asset, and reimports an unchanged one only by
         /// force.</summary>
-        void ShowThumbnail(string cloud)
+        internal void ShowThumbnails()
         {
+            if (m_drawn.Count == 0)
+                return;
             m_isShowing = true;
+            AssetDatabase.StartAssetEditing();
             try
             {
-                foreach (var (asset, itsCloud) in CloudsOfAssets())
-                    if (itsCloud == cloud)
+                foreach (string cloud in m_drawn)
+                    foreach (string asset in Assets.Of(cloud))
                         AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
+                m_drawn.Clear();
             }
             finally
             {
+                AssetDatabase.StopAssetEditing();
                 m_isShowing = false;
             }
-        }
-
-        /// <summary>Folders of the project's clouds, including those that do not exist yet.</summary>
-        HashSet<string> PromisedClouds()
-        {
-            var promised = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
-            foreach (var (_, cloud) in CloudsOfAssets())
-                promised.Add(cloud);
-            return promised;
-        }
-
-        /// <summary>Paths of assets, and absolute paths of their clouds' folders.</summary>
-        List<(string Asset, string Cloud)> CloudsOfAssets()
-        {
-            var clouds = new List<(string Asset, string Cloud)>();
-            foreach (string guid in AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)))
-            {
-                string path = AssetDatabase.GUIDToAssetPath(guid);
-                var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-                if (asset != null && !string.IsNullOrEmpty(asset.ProjectPath))
-                    clouds.Add((path, Paths.Absolute(asset.ProjectPath)));
-            }
-            return clouds;
         }
 
         /// <summary>Makes the scenes' clouds of an asset look for its folder again.</summary>
@@ -341,7 +355,7 @@ namespace FastPoints.Editor
         static double3? OriginShown(string asset)
         {
             foreach (var cloud in CloudsOf(asset))
-                if (cloud.TryGetSpace(out var space))
+                if (cloud.Origin == null && cloud.TryGetSpace(out var space))
                     return space.OriginGeo;
             return null;
         }

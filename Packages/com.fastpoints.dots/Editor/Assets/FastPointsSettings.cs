@@ -31,6 +31,9 @@ namespace FastPoints.Editor
         /// <summary>Larger files are not copied into the project when dropped: they get a handle.</summary>
         public int CopiedMiB = 64;
 
+        /// <summary>What becomes of several files that are dropped together.</summary>
+        public SeveralFiles SeveralFiles;
+
         /// <summary>Whether imported files are converted at once, or only on request.</summary>
         public bool ConvertAtOnce = true;
 

@@ -1,5 +1,6 @@
 using FastPoints.Samplers;
 using UnityEditor;
+using UnityEngine;
 
 namespace FastPoints.Editor
 {
@@ -15,30 +16,67 @@ namespace FastPoints.Editor
             guiHandler = _ => Draw(FastPointsSettings.instance),
         };
 
+        /// <summary>Undo brings back what was set, but not what follows from it.</summary>
+        static void SaveUndone()
+        {
+            if (PointCloudImports.Paths.Clouds != PointCloudImports.Current.Paths.Clouds)
+                PointCloudImports.Move(FastPointsSettings.instance.Place);
+            FastPointsSettings.instance.Save();
+        }
+
+        static void DrawImports(FastPointsSettings settings)
+        {
+            settings.SeveralFiles = (SeveralFiles)EditorGUILayout.EnumPopup(new GUIContent("Several files dropped together",
+                "One cloud, or a cloud each, on a shared origin. Ask: the answer is kept here."), settings.SeveralFiles);
+            settings.ConvertAtOnce = EditorGUILayout.Toggle(new GUIContent("Convert what is imported",
+                "Otherwise scenes show previews until Convert is pressed in an asset's inspector."), settings.ConvertAtOnce);
+            if (settings.ConvertAtOnce)
+                settings.ConvertOctrees = EditorGUILayout.Toggle(new GUIContent("COPC, Potree and EPT, too",
+                    "Otherwise they are streamed as they are."), settings.ConvertOctrees);
+            settings.Sampler = (Sampler)EditorGUILayout.EnumPopup(new GUIContent("Sampler",
+                "Which points stand for the others where a cloud is seen from afar."), settings.Sampler);
+        }
+
+        static void DrawLimits(FastPointsSettings settings)
+        {
+            settings.MemoryMiB = EditorGUILayout.IntSlider(new GUIContent("Memory of a conversion (MiB)",
+                "What does not fit goes to temporary files."), settings.MemoryMiB, 64, 65536);
+            settings.Workers = EditorGUILayout.IntSlider(new GUIContent("Worker threads of a conversion (0: all)",
+                "Fewer leave workers to other jobs."), settings.Workers, 0, 64);
+            settings.UpdateMs = EditorGUILayout.IntSlider(new GUIContent("Main thread of an update (ms)",
+                "Time of each of the editor's updates that a conversion gets."), settings.UpdateMs, 1, 30);
+            settings.GpuMiB = EditorGUILayout.IntSlider(new GUIContent("Graphics memory of points (MiB)",
+                "In the editor, in scenes without Point Cloud Settings, which begin with it when added. In players that " +
+                "component decides, or 512 MiB."), settings.GpuMiB, 64, 16384);
+            settings.CopiedMiB = EditorGUILayout.IntSlider(new GUIContent("Copied into Assets up to (MiB)",
+                "What is dropped together and larger stays where it is, and gets handles."), settings.CopiedMiB, 0, 2048);
+            settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup(new GUIContent("Shader variants in players",
+                "Automatic: those that the built scenes ask for; all if scripts may change looks."), settings.PlayerVariants);
+        }
+
         static void Draw(FastPointsSettings settings)
         {
+            float width = EditorGUIUtility.labelWidth;
+            EditorGUIUtility.labelWidth = 270;
             if (s_problem != null)
                 EditorGUILayout.HelpBox(s_problem, MessageType.Error);
+            // Unity compares when the event has been handled: without a change nothing is recorded.
+            Undo.RecordObject(settings, "Change FastPoints settings");
             EditorGUI.BeginChangeCheck();
-            settings.ConvertAtOnce = EditorGUILayout.Toggle("Convert what is imported", settings.ConvertAtOnce);
-            if (settings.ConvertAtOnce)
-                settings.ConvertOctrees = EditorGUILayout.Toggle("COPC, Potree and EPT, too", settings.ConvertOctrees);
-            settings.Sampler = (Sampler)EditorGUILayout.EnumPopup("Sampler", settings.Sampler);
-            settings.MemoryMiB = EditorGUILayout.IntSlider("Memory of a conversion (MiB)", settings.MemoryMiB, 64, 65536);
-            settings.Workers = EditorGUILayout.IntSlider("Worker threads of a conversion (0: all)", settings.Workers, 0, 64);
-            settings.UpdateMs = EditorGUILayout.IntSlider("Main thread of an update (ms)", settings.UpdateMs, 1, 30);
-            settings.GpuMiB = EditorGUILayout.IntSlider("Graphics memory of points (MiB)", settings.GpuMiB, 64, 16384);
-            settings.CopiedMiB = EditorGUILayout.IntSlider("Copied into Assets up to (MiB)", settings.CopiedMiB, 0, 2048);
-            settings.PlayerVariants =
-                (VariantChoice)EditorGUILayout.EnumPopup("Shader variants in players", settings.PlayerVariants);
-            string place = EditorGUILayout.DelayedTextField("Converted clouds in", settings.Place);
-            EditorGUILayout.HelpBox("A folder beside Assets, or anywhere else; clouds converted earlier stay where they are. " +
-                "Graphics memory applies in the editor if a scene has no Point Cloud Settings, which begin with it when added; " +
-                "in players that component decides, or 512 MiB.", MessageType.None);
-            if (!EditorGUI.EndChangeCheck())
+            DrawImports(settings);
+            DrawLimits(settings);
+            string place = EditorGUILayout.DelayedTextField(new GUIContent("Converted clouds in",
+                "A folder beside Assets, or anywhere else. Clouds converted earlier stay where they are."), settings.Place);
+            if (GUILayout.Button("Browse...") &&
+                EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
+                place = PointCloudImports.Paths.Stored(chosen);
+            EditorGUIUtility.labelWidth = width;
+            if (!EditorGUI.EndChangeCheck() && place == settings.Place)
                 return;
             s_problem = place == settings.Place ? null : PointCloudImports.Move(place);
             settings.Save();
+            Undo.undoRedoPerformed -= SaveUndone;
+            Undo.undoRedoPerformed += SaveUndone;
         }
     }
 }

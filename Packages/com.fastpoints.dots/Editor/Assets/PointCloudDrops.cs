@@ -3,6 +3,7 @@ using System.IO;
 using FastPoints.Entities;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace FastPoints.Editor
 {
@@ -17,14 +18,16 @@ namespace FastPoints.Editor
                 return;
 #if UNITY_6000_3_OR_NEWER
             DragAndDrop.ProjectBrowserDropHandlerV2 onProject = (_, path, perform) => OnProject(path, perform);
-            DragAndDrop.HierarchyDropHandlerV2 onHierarchy = (_, _, parent, perform) => OnScene(null, parent, perform);
+            DragAndDrop.HierarchyDropHandlerV2 onHierarchy = (id, flags, parent, perform) => OnScene(DropPlace.Of(
+                EditorUtility.EntityIdToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
             DragAndDrop.SceneDropHandler onScene = (_, place, _, parent, perform) => OnScene(place, parent, perform);
             DragAndDrop.AddDropHandlerV2(onProject);
             DragAndDrop.AddDropHandlerV2(onHierarchy);
             DragAndDrop.AddDropHandlerV2(onScene);
 #else
             DragAndDrop.ProjectBrowserDropHandler onProject = (_, path, perform) => OnProject(path, perform);
-            DragAndDrop.HierarchyDropHandler onHierarchy = (_, _, parent, perform) => OnScene(null, parent, perform);
+            DragAndDrop.HierarchyDropHandler onHierarchy = (id, flags, parent, perform) => OnScene(DropPlace.Of(
+                EditorUtility.InstanceIDToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
             DragAndDrop.SceneDropHandler onScene = (_, place, _, parent, perform) => OnScene(place, parent, perform);
             DragAndDrop.AddDropHandler(onProject);
             DragAndDrop.AddDropHandler(onHierarchy);
@@ -41,14 +44,17 @@ namespace FastPoints.Editor
             if (perform)
             {
                 DragAndDrop.AcceptDrag();
-                foreach (string source in DragAndDrop.paths)
-                    imports.Take(source, FolderOf(path));
+                Take(FolderOf(path), null);
             }
             return DragAndDropVisualMode.Link;
         }
 
         /// <summary>Accepts clouds of the project, or files that can become some.</summary>
-        public static DragAndDropVisualMode OnScene(Vector3? place, Transform parent, bool perform)
+        public static DragAndDropVisualMode OnScene(Vector3? place, Transform parent, bool perform) =>
+            OnScene(new DropPlace { Point = place, Parent = parent, Scene = parent != null ? parent.gameObject.scene : default },
+                perform);
+
+        internal static DragAndDropVisualMode OnScene(DropPlace place, bool perform)
         {
             var assets = new List<PointCloudAsset>();
             foreach (var dragged in DragAndDrop.objectReferences)
@@ -59,31 +65,40 @@ namespace FastPoints.Editor
                 CloudSources.Of(DragAndDrop.paths, imports.Paths, imports.MostCopiedBytes) != DropKind.NotOurs;
             if (assets.Count == 0 && !isFiles)
                 return DragAndDropVisualMode.None;
-            if (perform)
-            {
-                DragAndDrop.AcceptDrag();
-                if (isFiles)
-                    foreach (string source in DragAndDrop.paths)
-                        assets.Add(imports.Take(source, "Assets"));
-                foreach (var asset in assets)
-                    if (asset != null)
-                        Show(asset, place, parent);
-            }
+            if (!perform)
+                return DragAndDropVisualMode.Copy;
+            DragAndDrop.AcceptDrag();
+            if (isFiles)
+                Take("Assets", place);
+            if (assets.Count > 1)
+                place.Share();
+            foreach (var asset in assets)
+                place.Show(asset);
             return DragAndDropVisualMode.Copy;
         }
 
         /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
-        public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent)
+        public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent) =>
+            new DropPlace { Point = place, Parent = parent }.Show(asset);
+
+        /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
+        /// <param name="place">Where they are shown; null for nowhere.</param>
+        static void Take(string folder, DropPlace place)
         {
-            var scene = ObjectFactory.CreateGameObject(asset.name);
-            if (parent != null)
-                scene.transform.SetParent(parent, false);
-            if (place.HasValue)
-                scene.transform.position = place.Value;
-            var cloud = ObjectFactory.AddComponent<PointCloud>(scene);
-            cloud.Cloud = asset;
-            Selection.activeObject = scene;
-            return cloud;
+            var imports = PointCloudImports.Current;
+            if (DragAndDrop.paths.Length > 1)
+                imports.Take(DragAndDrop.paths, folder, place);
+            else if (imports.Take(DragAndDrop.paths[0], folder) is { } asset)
+                place?.Show(asset);
+        }
+
+        /// <summary>Of the scene's header, which the Hierarchy names by the handle's number.</summary>
+        static Scene SceneOf(int handle)
+        {
+            for (int i = 0; i < SceneManager.sceneCount; i++)
+                if (SceneManager.GetSceneAt(i).handle.GetHashCode() == handle)
+                    return SceneManager.GetSceneAt(i);
+            return default;
         }
 
         /// <summary>The folder for a drop target: a folder, an asset in it, or the window's empty part.</summary>

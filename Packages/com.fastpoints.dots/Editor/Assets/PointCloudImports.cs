@@ -46,12 +46,6 @@ namespace FastPoints.Editor
             return null;
         }
 
-        internal static void TakePointFile(string asset)
-        {
-            if (!AssetDatabase.IsAssetImportWorkerProcess())
-                Current.TakePointFile(asset);
-        }
-
         static void Update() => Current.Update(DateTime.UtcNow);
 
         static void Suspend()

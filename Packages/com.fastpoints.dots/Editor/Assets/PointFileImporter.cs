@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Files;
 using UnityEditor;
 using UnityEditor.AssetImporters;
@@ -31,15 +32,38 @@ namespace FastPoints.Editor
         static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,
             string[] movedFromAssetPaths)
         {
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                return;
+            PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
+            var ours = new List<string>();
+            var unclaimed = new List<string>();
             foreach (string path in importedAssets)
             {
                 if (!IsPointFile(path))
                     continue;
                 if (AssetDatabase.GetImporterType(path) == typeof(PointFileImporter))
-                    PointCloudImports.TakePointFile(path);
+                    ours.Add(path);
                 else if (AssetDatabase.GetImporterOverride(path) == null &&
                     !typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(path)))
+                    unclaimed.Add(path);
+            }
+            PointCloudImports.Current.TakePointFiles(ours);
+            Claim(unclaimed);
+        }
+
+        static void Claim(List<string> paths)
+        {
+            if (paths.Count == 0)
+                return;
+            AssetDatabase.StartAssetEditing();
+            try
+            {
+                foreach (string path in paths)
                     AssetDatabase.SetImporterOverride<PointFileImporter>(path);
+            }
+            finally
+            {
+                AssetDatabase.StopAssetEditing();
             }
         }
 

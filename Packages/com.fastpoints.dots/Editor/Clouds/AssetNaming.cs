@@ -1,10 +1,12 @@
 using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
 using System.Text;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Makes names for converted clouds and their handles: allowed on every system, not hidden by Unity, and unique
-    /// regardless of case.</summary>
+    /// <summary>Makes names for converted clouds and their handles: allowed on every system, not hidden by Unity.</summary>
     internal static class AssetNaming
     {
         /// <summary>Limit in UTF-8, without extension, that keeps paths in a project short.</summary>
@@ -41,16 +43,6 @@ namespace FastPoints.Editor
             return isDevice ? "_" + safe : safe;
         }
 
-        /// <summary>The safe name, with a number behind it if that is taken.</summary>
-        /// <param name="isTaken">Called with names that differ in more than case.</param>
-        public static string Unique(string name, Predicate<string> isTaken)
-        {
-            string safe = Safe(name), unique = safe;
-            for (int number = 2; isTaken(unique); number++)
-                unique = safe + " " + number.ToString(System.Globalization.CultureInfo.InvariantCulture);
-            return unique;
-        }
-
         /// <summary>Removes what systems dislike: Unity ignores files that begin with a point or end with a tilde; Windows drops
         /// points and blanks at the end.</summary>
         static string Trim(string name) =>
@@ -70,6 +62,34 @@ namespace FastPoints.Editor
                 i += units - 1;
             }
             return name;
+        }
+    }
+
+    /// <summary>Gives out free paths in a folder: what is taken is collected once, for however many names.</summary>
+    internal sealed class FreeNames
+    {
+        readonly string m_folder;
+        readonly string m_extension;
+        readonly HashSet<string> m_taken;
+        readonly Dictionary<string, int> m_numbers = new Dictionary<string, int>(StringComparer.OrdinalIgnoreCase);
+
+        /// <param name="taken">Paths; names that differ in case alone are the same.</param>
+        public FreeNames(string folder, string extension, IEnumerable<string> taken)
+        {
+            m_folder = folder;
+            m_extension = extension;
+            m_taken = new HashSet<string>(taken, StringComparer.OrdinalIgnoreCase);
+        }
+
+        /// <summary>The path of the safe name, with a number behind it if that is taken; it is taken from now on.</summary>
+        public string Next(string name)
+        {
+            string safe = AssetNaming.Safe(name), path = Path.Combine(m_folder, safe + m_extension);
+            m_numbers.TryGetValue(safe, out int number);
+            for (number = Math.Max(1, number); !m_taken.Add(path);)
+                path = Path.Combine(m_folder, safe + " " + (++number).ToString(CultureInfo.InvariantCulture) + m_extension);
+            m_numbers[safe] = number;
+            return path;
         }
     }
 }

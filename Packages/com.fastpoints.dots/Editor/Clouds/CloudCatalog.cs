@@ -67,17 +67,14 @@ namespace FastPoints.Editor
             return inPlace == null ? CatalogMatch.None : CatalogMatch.Another;
         }
 
-        /// <summary>A new folder for the cloud of a source: its name, with a number if a cloud or a build has that
-        /// already.</summary>
-        /// <param name="source">A file or folder.</param>
-        /// <param name="isPromised">Whether a folder that does not exist yet belongs to another cloud.</param>
-        public string NewTarget(string source, Predicate<string> isPromised)
+        /// <summary>Names for new clouds: none that a cloud or a build has already.</summary>
+        /// <param name="promised">Folders that belong to other clouds, even if they do not exist yet.</param>
+        public FreeNames NewTargets(IEnumerable<string> promised)
         {
-            var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+            var taken = new List<string>(promised);
             foreach (string folder in FolderNames(m_paths.Clouds))
                 taken.Add(StoreFormat.FinishedPath(folder));
-            string name = AssetNaming.Unique(CloudName.Of(source), n => taken.Contains(PathOf(n)) || isPromised(PathOf(n)));
-            return PathOf(name);
+            return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
         }
 
         /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete
@@ -104,8 +101,6 @@ namespace FastPoints.Editor
                 throw FileFailures.Writing(path, e);
             }
         }
-
-        string PathOf(string name) => Path.Combine(m_paths.Clouds, name + StoreFormat.FolderExtension);
 
         CatalogCloud Look(string path, string folder, Dictionary<string, Seen> seen)
         {

@@ -18,19 +18,22 @@ namespace FastPoints.Editor
 
         /// <summary>Decides what to do with files that are dropped into a project's assets.</summary>
         /// <param name="paths">Absolute paths of files and folders.</param>
-        /// <param name="mostBytes">The largest file that is copied.</param>
+        /// <param name="mostBytes">Of all files together, if they are to be copied.</param>
         public static DropKind Of(IReadOnlyList<string> paths, ProjectPaths project, long mostBytes)
         {
             if (paths.Count == 0)
                 return DropKind.NotOurs;
             var kind = DropKind.Copy;
+            long bytes = 0;
             foreach (string path in paths)
             {
                 string stored = project.Stored(path);
                 if (stored.StartsWith("Assets/", StringComparison.Ordinal) ||
                     stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path))
                     return DropKind.NotOurs;
-                if (!IsImported(path) || new FileInfo(path).Length > mostBytes)
+                bool isImported = IsImported(path);
+                bytes += isImported ? new FileInfo(path).Length : 0;
+                if (!isImported || bytes > mostBytes)
                     kind = DropKind.Handle;
             }
             return kind;

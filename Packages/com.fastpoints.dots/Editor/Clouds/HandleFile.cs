@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
@@ -19,41 +18,68 @@ namespace FastPoints.Editor
         /// <exception cref="PointCloudException">It cannot be written.</exception>
         public static void Write(string path, CloudHandle handle) => TextFile.Write(path, handle.ToJson());
 
-        /// <summary>Makes a handle for a source without opening it; a handle for a converted cloud takes over its
-        /// manifest.</summary>
-        /// <param name="source">A file or folder: one cloud.</param>
-        /// <param name="folder">The handle's folder.</param>
-        /// <param name="newTarget">Gives the folder that the cloud will be converted into.</param>
+        /// <summary>Names for new handles in a folder.</summary>
+        public static FreeNames NewHandles(string folder) =>
+            new FreeNames(folder, CloudHandle.Extension, Directory.GetFileSystemEntries(folder));
+
+        /// <summary>Makes a handle for sources; one for a converted cloud takes over its manifest. Any thread.</summary>
+        /// <param name="sources">Files and folders: one cloud.</param>
+        /// <param name="handles">Names of handles, in the folder of this one.</param>
+        /// <param name="clouds">Names of the folders that clouds are converted into.</param>
+        /// <param name="opens">Whether the source is opened for what its header claims.</param>
         /// <param name="handle">The handle that was written.</param>
         /// <returns>The handle's path.</returns>
         /// <exception cref="PointCloudException">It cannot be written, or the converted cloud cannot be read.</exception>
-        public static string Create(string source, string folder, ProjectPaths paths, Func<string, string> newTarget,
-            out CloudHandle handle)
+        public static string Create(IReadOnlyList<string> sources, ProjectPaths paths, FreeNames handles, FreeNames clouds,
+            bool opens, out CloudHandle handle)
         {
             handle = new CloudHandle();
-            if (CloudSources.IsConverted(source))
+            string name = NameOf(sources);
+            if (CloudSources.IsConverted(sources[0]))
             {
-                string manifest = Path.Combine(source, StoreFormat.ManifestName);
-                handle.CloudPath = paths.Stored(source);
+                string manifest = Path.Combine(sources[0], StoreFormat.ManifestName);
+                handle.CloudPath = paths.Stored(sources[0]);
                 handle.Describe(CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest));
+                // The folder's extension says the same as the handle's own.
+                name = Path.GetFileNameWithoutExtension(name);
             }
             else
             {
-                handle.CloudPath = paths.Stored(newTarget(source));
-                handle.Sources.Add(paths.Stored(source));
-                handle.IsOctree = CloudSources.BringsOctree(source);
+                handle.CloudPath = paths.Stored(clouds.Next(name));
+                foreach (string source in sources)
+                    handle.Sources.Add(paths.Stored(source));
+                handle.IsOctree = sources.Count == 1 && CloudSources.BringsOctree(sources[0]);
+                if (opens)
+                    Describe(handle, sources);
             }
-            var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
-            foreach (string file in Directory.GetFileSystemEntries(folder))
-                taken.Add(Path.GetFileName(file));
-            // The folder's extension says the same as the handle's own.
-            string wanted = CloudName.Of(source);
-            if (handle.Sources.Count == 0)
-                wanted = Path.GetFileNameWithoutExtension(wanted);
-            string name = AssetNaming.Unique(wanted, n => taken.Contains(n + CloudHandle.Extension));
-            string path = Path.Combine(folder, name + CloudHandle.Extension);
-            Write(path, handle);
+            string path = handles.Next(name);
+            // Nothing is lost with a new one, and a thousand flushes would take seconds.
+            TextFile.Write(path, handle.ToJson(), false);
             return path;
+        }
+
+        /// <summary>What cannot be opened has no description: whoever shows or converts it says why.</summary>
+        static void Describe(CloudHandle handle, IReadOnlyList<string> sources)
+        {
+            try
+            {
+                var reader = PointReaders.Open(sources);
+                handle.Describe(reader.Info);
+                reader.DisposeUnread();
+            }
+            catch (PointCloudException)
+            {
+            }
+        }
+
+        /// <summary>Several files are named after their folder, if they lie in one.</summary>
+        static string NameOf(IReadOnlyList<string> sources)
+        {
+            string folder = Path.GetDirectoryName(Path.GetFullPath(sources[0]));
+            for (int i = 1; i < sources.Count; i++)
+                if (Path.GetDirectoryName(Path.GetFullPath(sources[i])) != folder)
+                    return CloudName.Of(sources[0]);
+            return CloudName.Of(sources.Count > 1 ? folder : sources[0]);
         }
 
         /// <summary>Updates a handle after a conversion with its results and the stamp of its source.</summary>

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
         /// <summary>Replaces the file of that name.</summary>
         /// <exception cref="PointCloudException">It cannot be written, or the disk is full; the old file is
         /// unchanged.</exception>
-        public static void Write(string path, string text)
+        public static void Write(string path, string text, bool flushes = true)
         {
             // Unity does not import files of that extension.
             string temporary = path + TemporarySuffix;
@@ -24,7 +24,7 @@ namespace FastPoints.Editor
                 {
                     byte[] bytes = new UTF8Encoding(false).GetBytes(text);
                     file.Write(bytes, 0, bytes.Length);
-                    file.Flush(true);
+                    file.Flush(flushes);
                 }
                 if (File.Exists(path))
                     File.Replace(temporary, path, null);

@@ -15,7 +15,8 @@ namespace FastPoints.Editor
     {
         const string Extension = ".preview.png";
 
-        readonly List<(string Cloud, string[] Sources)> m_waiting = new List<(string Cloud, string[] Sources)>();
+        readonly Queue<string> m_order = new Queue<string>();
+        readonly Dictionary<string, string[]> m_waiting = new Dictionary<string, string[]>();
         PoolWork<ThumbnailDrawing> m_opening;
         ThumbnailDrawing m_drawing;
         PoolWork<string> m_writing;
@@ -68,6 +69,7 @@ namespace FastPoints.Editor
         public void Dispose()
         {
             m_waiting.Clear();
+            m_order.Clear();
             m_drawing ??= m_opening?.TakeIfSound();
             m_writing?.TakeIfSound();
             End();
@@ -76,15 +78,16 @@ namespace FastPoints.Editor
         /// <summary>Adds a cloud; a later request replaces a waiting one.</summary>
         void Add(string cloud, string[] sources)
         {
-            m_waiting.RemoveAll(w => w.Cloud == cloud);
-            m_waiting.Add((cloud, sources));
+            if (!m_waiting.ContainsKey(cloud))
+                m_order.Enqueue(cloud);
+            m_waiting[cloud] = sources;
         }
 
         void Begin()
         {
-            var (cloud, sources) = m_waiting[0];
-            m_waiting.RemoveAt(0);
-            m_current = cloud;
+            string cloud = m_current = m_order.Dequeue();
+            var sources = m_waiting[cloud];
+            m_waiting.Remove(cloud);
             m_opening = PoolWork.Begin(cloud,
                 () => sources == null ? ThumbnailDrawing.OfCloud(cloud) : ThumbnailDrawing.OfFiles(sources));
         }

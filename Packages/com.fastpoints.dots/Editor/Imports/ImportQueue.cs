@@ -58,21 +58,36 @@ namespace FastPoints.Editor
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
 
-        /// <summary>Adds a request at the end and removes a waiting one of the same folder.</summary>
-        /// <returns>False if that folder is being made.</returns>
-        public bool Add(ImportRequest request)
+        /// <summary>How often the file was written or deleted.</summary>
+        internal int Saves { get; private set; }
+
+        /// <summary>Adds a request at the end and removes a waiting one of the same folder. A folder that is being made stays
+        /// with its request.</summary>
+        public void Add(ImportRequest request) => Add(new[] { request });
+
+        /// <summary>Does the same with many, and writes the file once.</summary>
+        public void Add(IReadOnlyList<ImportRequest> requests)
         {
-            if (m_running != null && IsSame(m_running, request))
-                return false;
-            m_requests.RemoveAll(r => IsSame(r, request));
-            m_requests.Add(request);
+            if (requests.Count == 0)
+                return;
             m_nextLook = default;
+            Append(requests);
             Save();
-            return true;
         }
 
-        /// <summary>Whether a folder is the target of a request, even if it does not exist.</summary>
-        public bool IsPromised(string folder) => m_requests.Exists(r => IsSame(m_paths.Absolute(r.Cloud), folder));
+        /// <summary>Folders that are targets of requests, even if they do not exist.</summary>
+        public IEnumerable<string> Promised
+        {
+            get
+            {
+                foreach (var request in m_requests)
+                    yield return m_paths.Absolute(request.Cloud);
+            }
+        }
+
+        /// <summary>The request for an asset, or null.</summary>
+        /// <param name="asset">Its number.</param>
+        public ImportRequest RequestOf(string asset) => m_requests.Find(r => r.Asset == asset);
 
         /// <summary>Continues the running conversion or begins the next one; called once an update.</summary>
         /// <param name="budgetMs">Main-thread time to use, not counting jobs.</param>
@@ -231,12 +246,21 @@ namespace FastPoints.Editor
                 request.State = isHopeless ? ImportState.Failed : ImportState.Waiting;
                 request.Failure = isHopeless ? "the editor ended " + request.Attempts + " times while this was imported" : null;
             }
-            foreach (var request in added)
-            {
-                m_requests.RemoveAll(r => IsSame(r, request));
-                m_requests.Add(request);
-            }
+            Append(added);
             Save();
+        }
+
+        void Append(IReadOnlyList<ImportRequest> requests)
+        {
+            var folders = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+            string running = m_running == null ? null : FolderOf(m_running);
+            foreach (var request in requests)
+                folders.Add(FolderOf(request));
+            m_requests.RemoveAll(r => r != m_running && folders.Contains(FolderOf(r)));
+            // Of two for one folder, the later one counts.
+            for (int i = requests.Count - 1, at = m_requests.Count; i >= 0; i--)
+                if (folders.Remove(FolderOf(requests[i])) && !IsSame(FolderOf(requests[i]), running))
+                    m_requests.Insert(at, requests[i]);
         }
 
         /// <summary>Reads the file. A damaged one is put aside: its clouds are imported again on request. One of a later version
@@ -264,6 +288,7 @@ namespace FastPoints.Editor
         {
             if (m_lock == null)
                 return;
+            Saves++;
             try
             {
                 if (m_requests.Count == 0)
@@ -295,7 +320,7 @@ namespace FastPoints.Editor
             m_lock = null;
         }
 
-        bool IsSame(ImportRequest a, ImportRequest b) => IsSame(m_paths.Absolute(a.Cloud), m_paths.Absolute(b.Cloud));
+        string FolderOf(ImportRequest request) => m_paths.Absolute(request.Cloud);
 
         static bool IsSame(string a, string b) => string.Equals(a, b, StringComparison.OrdinalIgnoreCase);
     }

@@ -50,7 +50,16 @@ namespace FastPoints.Editor
         static void Begin()
         {
             string path = SourcePath;
-            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            try
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+            }
+            catch (Exception e)
+            {
+                Tell(e);
+                s_waiting.Clear();
+                return;
+            }
             s_pump = new WorkPump(File.Exists(path) ? Nothing() : LasScan.Run(path, Points, Seed, progress: s_stage));
             s_progress = Progress.Start("Scan a street", null, Progress.Options.Managed);
             Progress.RegisterCancelCallback(s_progress, () =>
@@ -68,6 +77,8 @@ namespace FastPoints.Editor
             yield break;
         }
 
+        static void Tell(Exception e) => Debug.LogError("FastPoints: " + PointCloudException.Of(SourcePath, e).Story);
+
         static void Update()
         {
             bool isDone;
@@ -75,9 +86,10 @@ namespace FastPoints.Editor
             {
                 isDone = s_pump.Tick(UpdateMs);
             }
-            catch (PointCloudException e)
+            catch (Exception e)
             {
-                Debug.LogError("FastPoints: " + e.Message);
+                // Whatever it is: the next update would throw it again, and the next request would wait for ever.
+                Tell(e);
                 Progress.Finish(s_progress, Progress.Status.Failed);
                 End();
                 return;

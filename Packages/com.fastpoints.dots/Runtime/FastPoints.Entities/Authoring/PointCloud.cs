@@ -41,6 +41,7 @@ namespace FastPoints.Entities
         int[] m_hiddenClasses = new int[0];
 
         OwnedEntity m_entity;
+        string m_comparedCrs;
 
         // The values that the cloud was opened with.
         PointCloudAsset m_openedCloud;
@@ -98,6 +99,9 @@ namespace FastPoints.Entities
         /// <summary>Null while the component is disabled.</summary>
         public Entity Entity => m_entity.Value;
 
+        /// <summary>The origin that the cloud lies by: of its parents; null if there is none.</summary>
+        internal PointCloudOrigin Origin { get; private set; }
+
         /// <summary>The error of opening the cloud, in one line; null if there was none.</summary>
         public string Error =>
             m_entity.TryGet(out var entities) ? entities.GetComponentObject<PointCloudFile>(Entity).Error : null;
@@ -143,15 +147,25 @@ namespace FastPoints.Entities
             return isKnown;
         }
 
-        void OnEnable() => Add();
+        void OnEnable()
+        {
+            FindOrigin();
+            Add();
+        }
 
-        void OnDisable() => m_entity.Destroy();
+        void OnDisable()
+        {
+            m_entity.Destroy();
+            SetOrigin(null);
+        }
 
         void Update()
         {
-            // Undo, prefabs and animations change fields without notice.
-            if (!IsAsOpened)
+            // Undo, prefabs and animations change fields and parents without notice.
+            if (FindOrigin() || !IsAsOpened)
                 Reopen();
+            if (Origin != null && m_cloud != null && !ReferenceEquals(m_comparedCrs, m_cloud.Crs))
+                Origin.Compare(this, m_comparedCrs = m_cloud.Crs);
             if (m_entity.TryGet(out var entities))
             {
                 entities.SetComponentData(Entity, TransformMatrix.Of(transform));
@@ -172,6 +186,49 @@ namespace FastPoints.Entities
                 return;
             Gizmos.matrix = transform.localToWorldMatrix;
             Gizmos.DrawWireCube(local.center, local.size);
+        }
+
+        /// <summary>Places the cloud, in double, when its origin has moved.</summary>
+        internal void PlaceByOrigin()
+        {
+            if (!m_entity.TryGet(out var entities))
+                return;
+            Place(entities.GetComponentObject<PointCloudFile>(Entity));
+            if (!entities.HasComponent<PointCloudSpace>(Entity))
+                return;
+            var space = entities.GetComponentData<PointCloudSpace>(Entity);
+            space.Value.OriginGeo = Origin.Place;
+            entities.SetComponentData(Entity, space);
+        }
+
+        void Place(PointCloudFile file)
+        {
+            if (Origin == null || !Origin.HasPlace)
+                return;
+            file.HasOrigin = true;
+            file.OriginGeo = Origin.Place;
+        }
+
+        /// <returns>Whether it is another than before.</returns>
+        bool FindOrigin()
+        {
+            var origin = GetComponentInParent<PointCloudOrigin>();
+            if (origin != null && !origin.isActiveAndEnabled)
+                origin = null;
+            return SetOrigin(origin);
+        }
+
+        bool SetOrigin(PointCloudOrigin origin)
+        {
+            if (ReferenceEquals(origin, Origin))
+                return false;
+            if (!(Origin is null))
+                Origin.Remove(this);
+            if (!(origin is null))
+                origin.Add(this);
+            Origin = origin;
+            m_comparedCrs = null;
+            return true;
         }
 
         bool IsAsOpened => ReferenceEquals(m_openedCloud, m_cloud) && m_openedPath == (m_path ?? "") &&
@@ -200,6 +257,8 @@ namespace FastPoints.Entities
             file.Color = m_color;
             file.Gradient = m_gradient;
             file.HiddenClasses = m_openedClasses;
+            file.HasGameObject = true;
+            Place(file);
             entities.AddComponentObject(Entity, file);
         }
     }

@@ -43,6 +43,13 @@ namespace FastPoints.Entities
         /// <summary>The origin, georeferenced, in CRS units.</summary>
         public double3 OriginGeo;
 
+        /// <summary>Whether a <see cref="PointCloud"/> places it.</summary>
+        internal bool HasGameObject;
+
+        /// <summary>What <see cref="PointCloudOrigin.ShiftEntities"/> has moved its origin by, in the space that its transform
+        /// moves: it may not be open yet.</summary>
+        internal double3 Shift;
+
         /// <summary>The cloud's axis that points up.</summary>
         public UpAxis Up = UpAxis.Z;
 

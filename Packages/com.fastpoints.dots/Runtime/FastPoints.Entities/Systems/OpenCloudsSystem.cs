@@ -141,6 +141,7 @@ namespace FastPoints.Entities
             var space = UnitySpace.Of(facts.BoundsGeo, file.UnitMetres > 0 ? file.UnitMetres : facts.MetresPerUnit, file.Up);
             if (file.HasOrigin)
                 space.OriginGeo = file.OriginGeo;
+            space.OriginGeo = space.ToGeo(file.Shift);
             EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
             EntityManager.AddComponentData(entity, new PointCloudPlacement());
         }

@@ -1,0 +1,253 @@
+using System.Diagnostics;
+using UnityEngine.SceneManagement;
+using PointCloud = FastPoints.Entities.PointCloud;
+
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>Several files dropped at once.</summary>
+public sealed class CloudDropTests : EditorFixture
+{
+    [TearDown]
+    public void ClearScene() => SceneLoop.Clear();
+
+    string[] Tiles(int count, int points = 1000)
+    {
+        string first = m_project.Scratch.Demo("tile 0000.las", points);
+        return Enumerable.Range(0, count).Select(i =>
+        {
+            string tile = m_project.Scratch["tiles/tile " + i.ToString("0000") + ".las"];
+            Directory.CreateDirectory(Path.GetDirectoryName(tile));
+            File.Copy(first, tile);
+            return tile;
+        }).ToArray();
+    }
+
+    void Finish() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.IsTaking);
+
+    static void Drop(string[] paths, DropPlace place = null)
+    {
+        DragAndDrop.paths = paths;
+        FastPointsSettings.instance.CopiedMiB = 0;
+        try
+        {
+            if (place == null)
+                PointCloudDrops.OnProject("Assets", true);
+            else
+                PointCloudDrops.OnScene(place, true);
+        }
+        finally
+        {
+            FastPointsSettings.instance.CopiedMiB = 64;
+        }
+    }
+
+    [Test]
+    public void Drop_SeveralFiles_AsksOnceAndRemembers()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        EditorUtility.s_answer = 2;
+        Drop(Tiles(3));
+        Assert.That(EditorUtility.s_asked, Is.Zero, "the mouse button is still down");
+        Finish();
+        Assert.That(AssetDatabase.FindAssets("t:PointCloudAsset"), Has.Length.EqualTo(3));
+        Assert.That(m_project.Asset("Assets/tile 0001.pointcloud").Points, Is.EqualTo(1000), "its header was read");
+        AssemblyReloadEvents.Reload();
+        EditorUtility.s_answer = -1;
+        Drop(Directory.GetFiles(m_project.Scratch["tiles"]));
+        Finish();
+        Assert.That(EditorUtility.s_asked, Is.EqualTo(1));
+        Assert.That(m_project.Asset("Assets/tile 0001 2.pointcloud"), Is.Not.Null);
+        Assert.That(m_logged, Is.Empty);
+    }
+
+    [Test]
+    public void Drop_AsOneCloud_IsOneHandleNamedAfterTheFolder()
+    {
+        EditorUtility.s_answer = 0;
+        Drop(Tiles(3).Reverse().ToArray(), new DropPlace());
+        Finish();
+        var cloud = SceneLoop.Find<PointCloud>().Single();
+        Assert.That(AssetDatabase.GetAssetPath(cloud.Cloud), Is.EqualTo("Assets/tiles.pointcloud"));
+        Assert.That(SceneLoop.Find<PointCloudOrigin>(), Is.Empty);
+        m_project.UpdateToTheEnd();
+        Assert.That(cloud.Cloud.Points, Is.EqualTo(3000));
+        Assert.That(cloud.Cloud.ProjectSources.Select(Path.GetFileName), Is.Ordered);
+    }
+
+    [Test]
+    public void Drop_Cancelled_MakesNothingAndIsAskedAgain()
+    {
+        EditorUtility.s_answer = 1;
+        Drop(Tiles(2));
+        Finish();
+        Assert.That(AssetDatabase.FindAssets("t:PointCloudAsset"), Is.Empty);
+        Assert.That(FastPointsSettings.instance.SeveralFiles, Is.EqualTo(SeveralFiles.Ask));
+    }
+
+    /// <summary>Octrees are never merged: nobody needs to be asked.</summary>
+    [Test]
+    public void Drop_WithAnOctree_IsSeparateAndNobodyIsAsked()
+    {
+        Drop(Tiles(2).Append(m_project.Copc("tile.copc.laz")).ToArray());
+        Finish();
+        Assert.That(AssetDatabase.FindAssets("t:PointCloudAsset"), Has.Length.EqualTo(3));
+    }
+
+    /// <summary>What cannot be read has an asset all the same, as one file has; whoever shows it says why.</summary>
+    [Test]
+    public void Drop_OneOfThemDamaged_TakesTheOthersAndIt()
+    {
+        FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        var tiles = Tiles(3);
+        File.WriteAllText(tiles[1], "LASF");
+        Drop(tiles);
+        Finish();
+        Assert.That(m_project.Asset("Assets/tile 0001.pointcloud").Points, Is.EqualTo(-1));
+        Assert.That(m_project.Asset("Assets/tile 0002.pointcloud").Points, Is.EqualTo(1000));
+    }
+
+    [Test]
+    public void Reload_InTheMiddle_EndsItsProgressAndSaysSo()
+    {
+        FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
+        Drop(Tiles(20));
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(m_project.Imports.IsTaking, Is.True);
+        AssemblyReloadEvents.Reload();
+        Assert.That(Progress.Entries.All(e => e.HasEnded), Is.True);
+        Assert.That(m_logged.Single(), Does.Contain("broke off the import of 20 point clouds"));
+    }
+
+    /// <summary>However many there are: one search, one batch, one list written, and a few loads each.</summary>
+    [TestCase(40)]
+    [TestCase(1000, Category = "Large")]
+    public void Drop_Many_CostsEachAsMuchAsTheFirst(int count)
+    {
+        FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
+        m_project.Imports.Take(m_project.Scratch.Demo("first.las", 200_000), "Assets");
+        var queue = m_project.Imports.Queue;
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => queue.Session?.State == BuildState.Building);
+        queue.Pause(queue.Running);
+        var tiles = Tiles(count);
+        int saves = queue.Saves;
+        (AssetDatabase.s_loads, AssetDatabase.s_searches, AssetDatabase.s_batches) = (0, 0, 0);
+
+        var (whole, slice) = (Stopwatch.StartNew(), new Stopwatch());
+        var slices = new List<double>();
+        Drop(tiles, new DropPlace());
+        ImportProject.Updates(() =>
+        {
+            slice.Restart();
+            m_project.Imports.Update(DateTime.UtcNow);
+            slices.Add(slice.Elapsed.TotalMilliseconds);
+        }, () => !m_project.Imports.IsTaking);
+        TestContext.Out.WriteLine($"{count} files: {whole.Elapsed.TotalSeconds:0.00} s; longest updates " +
+            string.Join(", ", slices.OrderByDescending(s => s).Take(4).Select(s => s.ToString("0.0"))) + " ms");
+
+        Assert.That(queue.Requests, Has.Count.EqualTo(1 + count));
+        Assert.That(queue.Saves - saves, Is.EqualTo(1), "the list");
+        Assert.That(AssetDatabase.s_searches, Is.LessThanOrEqualTo(1));
+        if (count < 100)
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.Thumbnails.IsDrawing);
+        // Each is loaded when it is imported, shown, and its picture is shown.
+        Assert.That(AssetDatabase.s_loads, Is.LessThanOrEqualTo(3 * count + 10));
+        Assert.That(AssetDatabase.s_searches, Is.LessThanOrEqualTo(1));
+        Assert.That(SceneLoop.Find<PointCloud>(), Has.Length.EqualTo(count));
+        queue.Cancel(queue.Running);
+    }
+
+    /// <summary>Pictures that come faster than Unity imports are shown together.</summary>
+    [Test]
+    public void Assets_CopiedIntoTheProject_AreQueuedInOneGo()
+    {
+        foreach (string tile in Tiles(10))
+            File.Copy(tile, Path.Combine("Assets", Path.GetFileName(tile)));
+        AssetDatabase.Refresh();
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(10));
+        Assert.That(AssetDatabase.s_batches, Is.EqualTo(2), "when they are found, and with the package's importer");
+    }
+
+    [Test]
+    public void Assets_MovedAndDeleted_AreFoundByTheirCloud()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        var asset = m_project.Imports.Take(Tiles(1)[0], "Assets");
+        string cloud = m_project.Paths.Absolute(asset.ProjectPath);
+        Assert.That(m_project.Imports.Assets.Of(cloud.ToUpperInvariant()), Is.EqualTo(new[] { "Assets/tile 0000.pointcloud" }));
+        File.Copy("Assets/tile 0000.pointcloud", "Assets/copy.pointcloud");
+        AssetDatabase.Refresh();
+        Assert.That(m_project.Imports.Assets.Of(cloud), Has.Count.EqualTo(2));
+        m_project.Imports.Assets.Update(new string[0], new string[0], new[] { "Assets/copy.pointcloud" }, new string[0]);
+        File.Delete("Assets/tile 0000.pointcloud");
+        AssetDatabase.Refresh();
+        Assert.That(m_project.Imports.Assets.Of(cloud), Is.Empty);
+        Assert.That(m_project.Imports.Assets.Clouds, Is.Empty);
+    }
+
+    static PointCloudAsset Known(string name, double3 at, string crs = "EPSG:25832")
+    {
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        asset.name = name;
+        (asset.BoundsMin, asset.BoundsMax, asset.MetresPerUnit, asset.Crs) = (at, at + 100, 1, crs);
+        return asset;
+    }
+
+    [Test]
+    public void OnScene_SeveralAssets_ShareAnOriginThatUndoTakesAwayWithThem()
+    {
+        DragAndDrop.objectReferences = new UnityEngine.Object[]
+        {
+            Known("a", new double3(690_000, 5_330_000, 500)), Known("b", new double3(690_100, 5_330_000, 500)),
+        };
+        PointCloudDrops.OnScene(new Vector3(4, 5, 6), null, true);
+        var origin = SceneLoop.Find<PointCloudOrigin>().Single();
+        Assert.That(origin.Place, Is.EqualTo(new double3(690_050, 5_330_050, 500)));
+        Assert.That(SceneLoop.Find<PointCloud>().Select(c => c.Origin), Is.All.SameAs(origin));
+        Assert.That(SceneLoop.Find<PointCloud>().Select(c => c.transform.position), Is.All.EqualTo(Vector3.zero));
+
+        // The next ones lie beside them.
+        DragAndDrop.objectReferences = new UnityEngine.Object[] { Known("c", new double3(690_200, 5_330_000, 500)) };
+        PointCloudDrops.OnScene(new Vector3(4, 5, 6), null, true);
+        Assert.That(SceneLoop.Find<PointCloud>().Select(c => c.Origin), Has.Exactly(3).SameAs(origin));
+        Undo.PerformUndo();
+        Undo.PerformUndo();
+        Assert.That(SceneLoop.Objects, Is.Empty);
+    }
+
+    [Test]
+    public void OnHierarchy_WhereItFalls_IsParentSiblingAndScene()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
+        Scene first = new Scene { Number = 7, Path = "one" }, second = new Scene { Number = 9, Path = "two" };
+        SceneManager.s_open.AddRange(new[] { first, second });
+        SceneManager.s_active = first;
+        var (above, on, child) = (new GameObject("above"), new GameObject("on"), new GameObject("child"));
+        child.transform.SetParent(on.transform, false);
+        SceneManager.MoveGameObjectToScene(above, second);
+        SceneManager.MoveGameObjectToScene(on, second);
+        (EditorUtility.s_objects[1], EditorUtility.s_objects[2]) = (on, child);
+        DragAndDrop.objectReferences = new UnityEngine.Object[] { Known("a", 0) };
+        GameObject Drop(int id, HierarchyDropFlags flags, Transform parent = null)
+        {
+            DragAndDrop.Drop<DragAndDrop.HierarchyDropHandler>(id, flags, parent, true);
+            return (GameObject)Selection.activeObject;
+        }
+
+        var made = Drop(1, HierarchyDropFlags.DropUpon);
+        Assert.That(made.transform.parent, Is.SameAs(on.transform));
+        made = Drop(1, HierarchyDropFlags.DropBetween | HierarchyDropFlags.DropAbove);
+        Assert.That((made.scene == second, made.transform.parent, made.transform.GetSiblingIndex()),
+            Is.EqualTo((true, (Transform)null, 1)));
+        made = Drop(2, HierarchyDropFlags.DropBetween | HierarchyDropFlags.DropAbove | HierarchyDropFlags.DropAfterParent);
+        Assert.That((made.transform.parent, made.transform.GetSiblingIndex()), Is.EqualTo((on.transform, 0)));
+        made = Drop(2, HierarchyDropFlags.DropBetween);
+        Assert.That((made.transform.parent, made.transform.GetSiblingIndex()), Is.EqualTo((on.transform, 2)));
+        made = Drop(9, HierarchyDropFlags.DropUpon);
+        Assert.That((made.scene == second, made.transform.parent), Is.EqualTo((true, (Transform)null)));
+        made = Drop(0, HierarchyDropFlags.None, on.transform);
+        Assert.That(made.transform.parent, Is.SameAs(on.transform));
+        made = Drop(0, HierarchyDropFlags.None);
+        Assert.That(made.scene == first, Is.True);
+    }
+}

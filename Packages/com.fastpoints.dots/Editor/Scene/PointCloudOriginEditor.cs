@@ -1,0 +1,43 @@
+using FastPoints.Entities;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The inspector of an origin: its place, and two ways to move it.</summary>
+    [CustomEditor(typeof(PointCloudOrigin))]
+    internal sealed class PointCloudOriginEditor : UnityEditor.Editor
+    {
+        public override void OnInspectorGUI()
+        {
+            var origin = (PointCloudOrigin)target;
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, "m_Script");
+            // A place that was typed is one.
+            if (serializedObject.ApplyModifiedProperties())
+                origin.Place = origin.Place;
+            if (!origin.HasPlace)
+                EditorGUILayout.HelpBox("The first cloud beneath this GameObject will decide on the place.", MessageType.Info);
+            var cloud = (PointCloud)EditorGUILayout.ObjectField("Align to", null, typeof(PointCloud), true);
+            if (cloud != null)
+                Change(origin, "Align origin", () => origin.AlignTo(cloud));
+            if (GUILayout.Button("Set origin here") && SceneView.lastActiveSceneView is { } view)
+                SetHere(origin, view.pivot);
+        }
+
+        /// <summary>What lies in the middle of the Scene view is the origin from now on, and so lies at its GameObject.</summary>
+        internal static void SetHere(PointCloudOrigin origin, Vector3 pivot)
+        {
+            var by = pivot - origin.transform.position;
+            Change(origin, "Set origin", () => origin.Shift(new Unity.Mathematics.double3(by.x, by.y, by.z)));
+        }
+
+        static void Change(PointCloudOrigin origin, string name, System.Action change)
+        {
+            Undo.RecordObject(origin, name);
+            change();
+            EditorUtility.SetDirty(origin);
+            EditorApplication.QueuePlayerLoopUpdate();
+        }
+    }
+}
