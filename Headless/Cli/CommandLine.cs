@@ -56,7 +56,7 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(),
+        new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CompletionVerb(),
     ];
 
     static int WrongUsage(TextWriter error, Command command, string what)
@@ -75,6 +75,9 @@ public static class CommandLine
     static string? Misread(ParseResult parsed, List<Verb> verbs)
     {
         var command = parsed.CommandResult.Command;
+        // What is half typed is completed, not judged.
+        if (parsed.Tokens.Any(t => t.Type == TokenType.Directive))
+            return null;
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
             return parsed.Errors[0].Message;
         // Behind -- are files only, whatever they are called.

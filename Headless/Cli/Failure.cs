@@ -37,7 +37,10 @@ public sealed class Failure
                 return new Failure { Code = "Cancelled", Message = message, Status = ExitStatus.Cancelled };
             case PointCloudException p:
                 bool isAbsent = p.Code is FailureCode.NotFound or FailureCode.AccessDenied;
-                bool isInput = p.IsBadInput || (isAbsent && inputs.Contains(p.Path));
+                bool isMissingPart = p.Code == FailureCode.NotFound && inputs.Any(i => Directory.Exists(i)
+                    && p.Path.StartsWith(Path.TrimEndingDirectorySeparator(i) + Path.DirectorySeparatorChar,
+                        StringComparison.Ordinal));
+                bool isInput = p.IsBadInput || isMissingPart || (isAbsent && inputs.Contains(p.Path));
                 return new Failure
                 {
                     Code = p.Code.ToString(),

@@ -18,6 +18,8 @@ public static class Hints
             return "";
         if (failure.Message.Contains("a PNG picture", StringComparison.Ordinal))
             return "; a picture holds no points: name the cloud that it was made from";
+        if (failure.Message.Contains("a converted cloud already", StringComparison.Ordinal))
+            return "; info, verify, picture and fly take it";
         bool isText = failure.Message.Contains("got text \"", StringComparison.Ordinal)
             || failure.Message.Contains("columns of the text", StringComparison.Ordinal);
         return isText ? "; if its lines are points, say what the columns are: --columns x,y,z,... (- leaves one out, as words)"

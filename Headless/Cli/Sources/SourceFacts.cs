@@ -45,6 +45,7 @@ public sealed class SourceFacts(PointReader reader)
             foreach (var line in BoundsLines("bounds (found)", Found.Bounds))
                 yield return line;
         yield return ("crs", Info.Crs.Summary ?? "unknown");
+        yield return ("unit", UnitOf(Info.Crs.MetresPerUnit));
         TakeTree();
         if (m_tree is { } tree)
             yield return ("octree", Human.Count(tree.Nodes) + " nodes on " + tree.Levels.Count + " levels"
@@ -126,6 +127,33 @@ public sealed class SourceFacts(PointReader reader)
                 ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
     }
 
+    /// <summary>Of the horizontal axes.</summary>
+    /// <param name="metresPerUnit">As <see cref="CoordinateSystem.MetresPerUnit"/>.</param>
+    public static string UnitOf(double metresPerUnit) => metresPerUnit switch
+    {
+        0 => "unknown, taken for metres",
+        1 => "metres",
+        double.NaN => "degrees",
+        _ => Human.Value(metresPerUnit) + " metres",
+    };
+
+    public static void WriteCrs(Utf8JsonWriter json, CloudCrs crs)
+    {
+        json.WriteString("crs", crs.Name);
+        WriteCode(json, "crsEpsg", crs.Epsg);
+        WriteCode(json, "crsVerticalEpsg", crs.VerticalEpsg);
+        json.WriteReal("crsMetresPerUnit", crs.MetresPerUnit > 0 ? crs.MetresPerUnit : double.NaN);
+        json.WriteString("crsWkt", crs.Wkt);
+    }
+
+    static void WriteCode(Utf8JsonWriter json, string key, int code)
+    {
+        if (code != 0)
+            json.WriteNumber(key, code);
+        else
+            json.WriteNull(key);
+    }
+
     void WriteTree(Utf8JsonWriter json)
     {
         if (m_tree is not { } tree)
@@ -145,6 +173,7 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteNumber("level", level.Level);
             json.WriteNumber("nodes", level.Nodes);
             json.WriteInteger("points", level.Points);
+            json.WriteNumber("mostPoints", level.MostPoints);
             json.WriteReal("spacing", level.Spacing);
             json.WriteEndObject();
         }
@@ -185,7 +214,16 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteEndObject();
         }
         json.WriteEndArray();
-        json.WriteString("crs", Info.Crs.Summary);
+        WriteCrs(json, Info.Crs.ToCloudCrs());
+        json.WriteStartArray("facts");
+        foreach (var fact in Info.Facts)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", fact.Key);
+            json.WriteString("value", fact.Value);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
         WriteTree(json);
         if (Found == null)
         {

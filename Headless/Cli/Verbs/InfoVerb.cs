@@ -6,7 +6,7 @@ public sealed class InfoVerb : Verb
     readonly Argument<string[]> m_files = new("FILE")
     {
         Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, or folders of them.",
+        Description = "Point clouds, folders of them, or converted clouds.",
     };
     readonly Option<bool> m_scan = new("--scan")
     {
@@ -30,6 +30,7 @@ public sealed class InfoVerb : Verb
         ("./fastpoints info scan.las", "from the header, whatever the size"),
         ("./fastpoints info --scan scan.ply --json facts.json", "from every point"),
         ("./fastpoints info *.las --json - | jq '.files[].points'", "many files, for a script"),
+        ("./fastpoints info scan.fastpoints", "levels, sizes and sources of a converted cloud"),
         ("./fastpoints info tiles/", "all clouds in a folder as one"),
     ];
 
@@ -50,6 +51,13 @@ public sealed class InfoVerb : Verb
 
     static (Action<Utf8JsonWriter>, PointsAccount) Say(string[] cloud, ReadOptions source, bool scan, CliRun run)
     {
+        if (cloud is [var path] && CloudFolder.IsCloud(path))
+        {
+            var stored = new StoredFacts(path);
+            stored.Write(run.Out);
+            run.Out.WriteLine();
+            return (stored.WriteKeys, stored.Account);
+        }
         using var reader = PointReaders.Open(cloud, source);
         if (reader.Tree != null && !reader.BlocksAreKnown)
             run.Pump(reader.FindBlocks());

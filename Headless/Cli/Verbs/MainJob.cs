@@ -180,6 +180,8 @@ public sealed class MainJob : Verb
             int firstStage = run.Progress.Finished.Count;
             using var reader = PointReaders.Open(files, source);
             string file = files[0];
+            if (reader.Tree != null && !reader.BlocksAreKnown)
+                run.Pump(reader.FindBlocks());
             var facts = new SourceFacts(reader);
             facts.Write(run.Out);
             run.Out.WriteLine();

@@ -2,7 +2,7 @@ namespace FastPoints.HostTests.Cli;
 
 public sealed class UsageTests
 {
-    static readonly string[] s_verbs = { "info", "preview", "convert", "verify", "picture", "demo-cloud", "bench" };
+    static readonly string[] s_verbs = { "info", "preview", "convert", "verify", "picture", "demo-cloud", "bench", "completion" };
 
     [Test]
     public void Help_OfTheMainJob_ListsEveryVerbWithExamplesAndExitStatus()

@@ -1,0 +1,169 @@
+namespace FastPoints.Cli.Sources;
+
+/// <summary>What a converted cloud is, from its own tables: nothing is decoded.</summary>
+public sealed class StoredFacts
+{
+    sealed class Level
+    {
+        public int Nodes;
+        public long Points;
+        public int MostPoints;
+        public double Spacing;
+    }
+
+    const int NameWidth = 22;
+
+    readonly string m_path;
+    readonly CloudManifest m_cloud;
+    readonly List<Level> m_levels = [];
+    readonly List<(string Name, long Bytes)> m_planes = [];
+    readonly long m_bytes;
+
+    /// <exception cref="PointCloudException">A file of it is missing or damaged.</exception>
+    public StoredFacts(string path)
+    {
+        m_path = path;
+        using var folder = CloudFolder.Open(path);
+        m_cloud = folder.Manifest;
+        m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
+        var bytesOfPlane = new long[folder.Layout.Planes.Count];
+        Take(folder.Upper, bytesOfPlane);
+        for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
+        {
+            using var table = folder.LoadTable(chunk);
+            Take(table, bytesOfPlane);
+        }
+        m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
+    }
+
+    public PointsAccount Account => PointsAccount.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
+
+    bool IsWhole => !m_cloud.IsBuilding;
+
+    void Take(NodeTable table, long[] bytesOfPlane)
+    {
+        for (int i = 0; i < table.Nodes.Length; i++)
+        {
+            var node = table.Nodes[i];
+            int at = m_cloud.Root.SideLog2 - node.SideLog2;
+            while (m_levels.Count <= at)
+                m_levels.Add(new Level());
+            var level = m_levels[at];
+            level.Nodes++;
+            level.Points += node.PointCount;
+            level.MostPoints = Math.Max(level.MostPoints, node.PointCount);
+            double spacing = math.cmax(m_cloud.Grid.Step) * Math.Pow(2, node.CellLog2);
+            if (node.HasSpacing && (level.Spacing == 0 || spacing < level.Spacing))
+                level.Spacing = spacing;
+        }
+        for (int i = 0; i < table.Planes.Length; i++)
+            bytesOfPlane[i % table.PlaneCount] += table.Planes[i].LengthBytes;
+    }
+
+    public void Write(TextWriter writer)
+    {
+        writer.WriteLine(m_path);
+        foreach (var (name, value) in Lines())
+            writer.WriteLine("  " + name.PadRight(NameWidth) + value);
+        writer.WriteLine();
+        var attributes = new TextTable("attribute", "type", "min", "max");
+        for (int i = 0; i < m_cloud.Attributes.Count; i++)
+            attributes.Add(m_cloud.Attributes[i].Name, m_cloud.Attributes[i].Type.ToString(),
+                Human.Value(m_cloud.Ranges[i].Min), Human.Value(m_cloud.Ranges[i].Max));
+        attributes.Write(writer, "  ");
+        writer.WriteLine();
+        var levels = new TextTable("level", "nodes", "points", "most in a node", "spacing");
+        for (int i = 0; i < m_levels.Count; i++)
+            levels.Add(Human.Count(i), Human.Count(m_levels[i].Nodes), Human.Count(m_levels[i].Points),
+                Human.Count(m_levels[i].MostPoints), m_levels[i].Spacing > 0 ? Human.Value(m_levels[i].Spacing) : "");
+        levels.Write(writer, "  ");
+        writer.WriteLine();
+        var planes = new TextTable("plane", "bytes", "bytes a point");
+        foreach (var (name, bytes) in m_planes)
+            planes.Add(name, Human.Count(bytes), Human.Value(Math.Round(bytes / Math.Max(1.0, m_cloud.Points), 2)));
+        planes.Write(writer, "  ");
+    }
+
+    IEnumerable<(string, string)> Lines()
+    {
+        yield return ("format", "converted cloud " + StoreFormat.Version + (IsWhole ? "" : ", being built"));
+        yield return ("size", Human.Count(m_bytes) + " bytes");
+        yield return ("points", Human.Count(m_cloud.Points)
+            + (m_cloud.PointsLeftOut > 0 ? ", " + Human.Count(m_cloud.PointsLeftOut) + " left out" : ""));
+        var bounds = m_cloud.BoundsGeo;
+        for (int axis = 0; axis < 3 && !bounds.IsEmpty; axis++)
+            yield return (axis == 0 ? "bounds" : "", "xyz"[axis] + "  "
+                + Human.Coordinate(bounds.Min[axis], m_cloud.Grid.Step[axis]) + " to "
+                + Human.Coordinate(bounds.Max[axis], m_cloud.Grid.Step[axis]));
+        yield return ("crs", m_cloud.CrsName ?? "unknown");
+        yield return ("unit", SourceFacts.UnitOf(m_cloud.MetresPerUnit));
+        yield return ("octree", Human.Count(m_cloud.NodeCount) + " nodes on " + m_levels.Count + " levels in "
+            + Human.Count(m_cloud.ChunkCount) + " chunks");
+        yield return ("sampler", m_cloud.Sampler);
+        foreach (var source in m_cloud.Sources)
+            yield return ("source", source.Name + ", " + Human.Count(source.FileBytes) + " bytes, " + Human.Count(source.Points)
+                + " points");
+    }
+
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        json.WriteString("format", "FastPoints");
+        json.WriteString("version", StoreFormat.Version.ToString(CultureInfo.InvariantCulture));
+        json.WriteNull("pointFormat");
+        json.WriteInteger("points", m_cloud.Points);
+        json.WriteString("pointsAre", "counted");
+        json.WriteInteger("pointsLeftOut", m_cloud.PointsLeftOut);
+        json.WriteBoolean("isWhole", IsWhole);
+        json.WriteBounds("boundsClaimed", BoundsGeo.Empty);
+        json.WriteBounds("bounds", m_cloud.BoundsGeo);
+        json.WriteVector("scale", m_cloud.Grid.Step);
+        json.WriteVector("offset", m_cloud.Grid.Origin);
+        json.WriteStartArray("attributes");
+        for (int i = 0; i < m_cloud.Attributes.Count; i++)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", m_cloud.Attributes[i].Name);
+            json.WriteString("type", m_cloud.Attributes[i].Type.ToString());
+            json.WriteReal("min", m_cloud.Ranges[i].Min);
+            json.WriteReal("max", m_cloud.Ranges[i].Max);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        SourceFacts.WriteCrs(json, m_cloud.Crs);
+        json.WriteStartObject("tree");
+        json.WriteNumber("nodes", m_cloud.NodeCount);
+        json.WriteNumber("chunks", m_cloud.ChunkCount);
+        json.WriteBoolean("isWhole", IsWhole);
+        json.WriteStartArray("levels");
+        for (int i = 0; i < m_levels.Count; i++)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("level", i);
+            json.WriteNumber("nodes", m_levels[i].Nodes);
+            json.WriteInteger("points", m_levels[i].Points);
+            json.WriteNumber("mostPoints", m_levels[i].MostPoints);
+            json.WriteReal("spacing", m_levels[i].Spacing > 0 ? m_levels[i].Spacing : double.NaN);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        json.WriteEndObject();
+        json.WriteInteger("bytesOnDisk", m_bytes);
+        json.WriteStartObject("bytesOfPlane");
+        foreach (var (name, bytes) in m_planes)
+            json.WriteInteger(name, bytes);
+        json.WriteEndObject();
+        json.WriteString("sampler", m_cloud.Sampler);
+        json.WriteString("checksum", m_cloud.Checksum.ToString("x16", CultureInfo.InvariantCulture));
+        json.WriteStartArray("sources");
+        foreach (var source in m_cloud.Sources)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", source.Name);
+            json.WriteInteger("bytes", source.FileBytes);
+            json.WriteInteger("points", source.Points);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        json.WriteNull("columnSums");
+    }
+}

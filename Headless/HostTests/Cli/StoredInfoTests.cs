@@ -1,0 +1,131 @@
+namespace FastPoints.HostTests.Cli;
+
+/// <summary><c>info</c> of converted clouds, what else it says of files, and the completion of words.</summary>
+public sealed class StoredInfoTests
+{
+    ScratchFolder m_scratch;
+    string m_demo, m_cloud;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
+    {
+        m_scratch = new ScratchFolder();
+        m_demo = m_scratch.Demo(points: 20_000);
+        m_cloud = m_scratch["cloud.fastpoints"];
+        Assert.That(CliCall.Of("convert", m_demo, "-o", m_cloud).Status, Is.Zero);
+    }
+
+    [OneTimeTearDown]
+    public void RemoveCloud() => m_scratch.Dispose();
+
+    [Test]
+    public void Info_OfAConvertedCloud_IsWhatItsSourceHas()
+    {
+        var cloud = CliCall.Of("info", m_cloud, "--json", "-").Json;
+        var source = CliCall.Of("info", "--scan", m_demo, "--json", "-").Json;
+        var verified = CliCall.Of("verify", m_cloud, "--json", "-").Json;
+        Assert.That(cloud.GetProperty("format").GetString(), Is.EqualTo("FastPoints"));
+        Assert.That(cloud.GetProperty("isWhole").GetBoolean(), Is.True);
+        Assert.That(cloud.GetProperty("pointsAre").GetString(), Is.EqualTo("counted"));
+        Assert.That(cloud.GetProperty("pointsFound").GetInt64(), Is.EqualTo(20_000));
+        foreach (string key in new[] { "points", "bounds", "crs", "crsEpsg", "crsWkt", "crsMetresPerUnit" })
+            Assert.That(cloud.GetProperty(key).GetRawText(), Is.EqualTo(source.GetProperty(key).GetRawText()), key);
+        Assert.That(cloud.GetProperty("crsEpsg").GetInt32(), Is.EqualTo(32632));
+
+        var ranges = source.GetProperty("attributes").EnumerateArray().ToDictionary(a => a.GetProperty("name").GetString());
+        foreach (var attribute in cloud.GetProperty("attributes").EnumerateArray())
+            foreach (string end in new[] { "min", "max" })
+                Assert.That(attribute.GetProperty(end).GetDouble(),
+                    Is.EqualTo(ranges[attribute.GetProperty("name").GetString()].GetProperty(end).GetDouble()));
+        var levels = cloud.GetProperty("tree").GetProperty("levels").EnumerateArray().ToArray();
+        Assert.That(levels.Sum(l => l.GetProperty("points").GetInt64()), Is.EqualTo(20_000));
+        foreach (var level in verified.GetProperty("levels").EnumerateArray())
+            foreach (string key in new[] { "nodes", "points", "spacing" })
+                Assert.That(levels[level.GetProperty("level").GetInt32()].GetProperty(key).GetRawText(),
+                    Is.EqualTo(level.GetProperty(key).GetRawText()), key);
+        Assert.That(cloud.GetProperty("bytesOnDisk").GetInt64(),
+            Is.EqualTo(Directory.GetFiles(m_cloud, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length)));
+        var planes = cloud.GetProperty("bytesOfPlane").EnumerateObject().ToArray();
+        Assert.That(planes.Select(p => p.Name), Does.Contain("position").And.Contain("color"));
+        Assert.That(planes.Sum(p => p.Value.GetInt64()), Is.InRange(1, cloud.GetProperty("bytesOnDisk").GetInt64()));
+        Assert.That(cloud.GetProperty("sources")[0].GetProperty("name").GetString(), Is.EqualTo(Path.GetFileName(m_demo)));
+        Assert.That(cloud.GetProperty("sampler").GetString(), Is.EqualTo("random"));
+    }
+
+    [Test]
+    public void Info_OfCloudAndFiles_SaysAllOfThem()
+    {
+        var call = CliCall.Of("info", m_demo, m_cloud);
+        Assert.That(call.Status, Is.Zero, call.Error);
+        Assert.That(call.Output, Does.Contain("converted cloud").And.Contain("LAS 1.4"));
+        Assert.That(call.Output, Does.Match(@"unit +metres"));
+    }
+
+    [Test]
+    public void Info_OfADamagedCloud_IsBadInput()
+    {
+        string broken = m_scratch["broken.fastpoints"];
+        Directory.CreateDirectory(broken);
+        File.Copy(Path.Combine(m_cloud, "cloud.json"), Path.Combine(broken, "cloud.json"));
+        Assert.That(CliCall.Of("info", broken).Status, Is.EqualTo(ExitStatus.BadInput));
+    }
+
+    [Test]
+    public void Json_HasTheFactsOfTheText()
+    {
+        var call = CliCall.Of("info", m_demo, "--json", m_scratch["facts.json"]);
+        var facts = JsonDocument.Parse(File.ReadAllBytes(m_scratch["facts.json"])).RootElement.GetProperty("facts");
+        Assert.That(facts.GetArrayLength(), Is.GreaterThan(3));
+        foreach (var fact in facts.EnumerateArray())
+            Assert.That(call.Output, Does.Contain(fact.GetProperty("name").GetString())
+                .And.Contain(fact.GetProperty("value").GetString()));
+    }
+
+    [Test]
+    public void MainJob_OfCopc_CountsItsNodes()
+    {
+        string copc = TestData.SampleOrIgnore("copc/example.copc.laz");
+        var tree = CliCall.Of(copc, "-o", m_scratch["copc"], "--json", "-").Json.GetProperty("info").GetProperty("tree");
+        Assert.That(tree.GetProperty("nodes").GetInt32(), Is.GreaterThan(0));
+        Assert.That(tree.GetProperty("isWhole").GetBoolean(), Is.True);
+    }
+
+    [TestCase("[suggest:3]", "inf", "info")]
+    [TestCase("[suggest:9]", "info --sc", "--scan")]
+    [TestCase("[suggest:3]", "con", "convert")]
+    public void Suggest_OfAWordThatBegins_NamesWhatItMayBe(string directive, string line, string word)
+    {
+        var call = CliCall.Of(directive, line);
+        Assert.That(call.Status, Is.Zero, call.Error);
+        Assert.That(call.Output.Split('\n').Select(l => l.Trim()), Does.Contain(word));
+    }
+
+    [Test]
+    public void Completion_InBash_CompletesVerbsAndOptions()
+    {
+        if (!OperatingSystem.IsLinux())
+            Assert.Ignore("no bash");
+        string script = CliCall.Of("completion", "bash").Output;
+        File.WriteAllText(m_scratch["ask.sh"], script + """
+            COMP_LINE="$1" COMP_POINT=${#1} COMP_WORDS=($1) COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+            _fastpoints
+            printf '%s\n' "${COMPREPLY[@]}"
+            """);
+        string program = Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli");
+        foreach (var (line, wanted) in new[] { ("conv", "convert"), ("info --sc", "--scan"), ("picture --bud", "--budget") })
+        {
+            using var bash = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("bash",
+                [m_scratch["ask.sh"], program + " " + line]) { RedirectStandardOutput = true });
+            Assert.That(bash.StandardOutput.ReadToEnd().Trim(), Is.EqualTo(wanted), line);
+            bash.WaitForExit();
+        }
+    }
+
+    [Test]
+    public void Completion_OfEachShell_IsAScriptThatAsks()
+    {
+        foreach (string shell in new[] { "bash", "zsh", "fish", "powershell" })
+            Assert.That(CliCall.Of("completion", shell).Output, Does.Contain("[suggest:").And.Contain("fastpoints"));
+        Assert.That(CliCall.Of("completion", "tcsh").Status, Is.EqualTo(ExitStatus.Usage));
+    }
+}
