@@ -82,3 +82,9 @@ install_cross() {
     npm install --prefix Headless/artifacts/webgpu --ignore-scripts --no-audit --no-fund >/dev/null 2>&1 </dev/null ||
     echo "npm's packages (see Headless/WebGpu) cannot be had, shaders are not compiled for WebGPU" >&2
 }
+
+# What shows pages as their readers see them.
+install_browser() {
+  { command -v chromium >/dev/null 2>&1 || apt_install chromium fonts-dejavu-core; } ||
+    echo "no browser here, pages are not tried in one; with root: apt-get install chromium" >&2
+}

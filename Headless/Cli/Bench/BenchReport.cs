@@ -28,7 +28,7 @@ public static class BenchReport
             var present = family.Where(p => p.Samples.HadInput).ToList();
             if (present.Count > 0)
                 page.Chart(Times(family.Key, present, baseline != null));
-            page.WideTable(BenchTable.Of(family.Select(p => p.Samples).ToList(),
+            page.Table(BenchTable.Of(family.Select(p => p.Samples).ToList(),
                 rows == null ? null : family.Select(p => p.Row!).ToList()));
             foreach (var noted in family.Where(p => p.Samples.Note != null))
                 page.Paragraph(noted.Samples.Name + ": " + noted.Samples.Note);

@@ -54,6 +54,7 @@ public sealed class ChartAxis
         double rough = (high - low) / 6, decade = Math.Pow(10, Math.Floor(Math.Log10(rough)));
         double step = decade * (rough / decade) switch { < 1.5 => 1, < 3.5 => 2, < 7.5 => 5, _ => 10 };
         for (double tick = Math.Ceiling(low / step); tick * step <= high; tick++)
-            yield return tick * step;
+            // Not -0.
+            yield return tick * step + 0.0;
     }
 }

@@ -22,11 +22,12 @@ public static class ChartSvg
         .chart text { font: 12px system-ui, sans-serif; fill: #333; } .chart .title { font-size: 14px; font-weight: 600; }
         .chart .page { fill: #fff; } .chart .grid { stroke: #e4e4e4; } .chart .axis { stroke: #777; fill: none; }
         .chart .line { fill: none; stroke-width: 2; stroke-linejoin: round; } .chart .dash { stroke-dasharray: 6 4; }
+        .chart .bar { fill: #0072b2; }
 
         """ + Colors(s_onLight) + """
         @media (prefers-color-scheme: dark) {
         .chart text { fill: #ccc; } .chart .page { fill: #181818; } .chart .grid { stroke: #333; }
-        .chart .axis { stroke: #999; }
+        .chart .axis { stroke: #999; } .chart .bar { fill: #56a9e8; }
 
         """ + Colors(s_onDark) + "} .chart .mark.hollow { fill: none; }";
 

@@ -9,13 +9,14 @@ namespace FastPoints.Cli.Charts;
 public sealed class LineChart(string title, string xLabel, string yLabel)
 {
     const int HeightPx = 400, Left = 74, Top = 38, Bottom = 52;
-    const int PlotWidth = 490, PlotHeight = HeightPx - Top - Bottom;
+    const int PlotHeight = HeightPx - Top - Bottom;
     const int LegendLine = 20, LegendLeft = 16, LegendText = 34;
 
     static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
 
     readonly List<Series> m_series = [];
 
+    public int PlotWidth { get; init; } = 490;
     public bool LogX { get; init; }
     public bool LogY { get; init; }
 
@@ -28,7 +29,9 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     public string ToSvg()
     {
         int longest = m_series.Select(s => s.Name.Length).DefaultIfEmpty().Max();
-        int width = Left + PlotWidth + LegendLeft + LegendText + (int)Math.Max(146, longest * ChartSvg.LetterPx + 12);
+        int legend = LegendLeft + LegendText + (int)Math.Max(146, longest * ChartSvg.LetterPx + 12);
+        // The title names a series that is alone.
+        int width = Left + PlotWidth + (m_series.Count > 1 ? legend : LegendLeft);
         var all = m_series.SelectMany(s => s.Points).ToList();
         var x = ChartAxis.Of(all.Select(p => p.X), LogX, Left, Left + PlotWidth);
         var y = ChartAxis.Of(all.Select(p => p.Y), LogY, Top + PlotHeight, Top);
@@ -57,7 +60,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
         return svg.Append("</svg>\n").ToString();
     }
 
-    static void Draw(StringBuilder svg, Series series, int index, ChartAxis x, ChartAxis y)
+    void Draw(StringBuilder svg, Series series, int index, ChartAxis x, ChartAxis y)
     {
         string color = "c" + (index % ChartSvg.ColorCount).ToString(CultureInfo.InvariantCulture);
         string line = series.IsDashed ? "line dash" : "line";
@@ -71,6 +74,11 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
         }
         foreach (var (px, py) in series.Points)
             ChartSvg.Mark(svg, index, x.At(px), y.At(py), x.Holds(px) && y.Holds(py));
+        if (m_series.Count == 1)
+        {
+            svg.Append("</g>\n");
+            return;
+        }
         double legendX = Left + PlotWidth + LegendLeft, legendY = Top + 10 + index * LegendLine;
         ChartSvg.Line(svg, line, legendX, legendY, legendX + 26, legendY);
         ChartSvg.Mark(svg, index, legendX + 13, legendY, true);

@@ -2,30 +2,55 @@ using System.Net;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>The page of the main job: one file with everything in it, pictures too.</summary>
-public sealed class ReportPage(string title)
+/// <summary>A page: one file with everything in it, pictures too, which asks nothing of any network. Its style and scripts are
+/// the host's resources.</summary>
+public sealed class ReportPage(string title, string? lead = null)
 {
-    const string Style = """
-        body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 72rem; padding: 0 1rem;
-          color: #222; background: #fff; }
-        h1 { font-size: 1.6rem; } h2 { font-size: 1.15rem; margin-top: 2rem; border-bottom: 1px solid #ddd; }
-        table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-        td, th { padding: .15rem .9rem .15rem 0; text-align: right; font-weight: normal; white-space: pre-wrap;
-          vertical-align: top; }
-        th { color: #666; } td:first-child, th:first-child { text-align: left; } table.facts td { text-align: left; }
-        table.facts td:first-child { color: #666; white-space: nowrap; } img { max-width: 100%; border: 1px solid #ddd; }
-        .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; }
-        .row figure { margin: 0; }
-        .row svg { width: 100%; height: auto; } .rows svg { max-width: 100%; height: auto; } .wide { overflow-x: auto; }
-        .wide td, .wide th { padding-right: .6rem; font-size: 13px; }
-        .warning { color: #8a4b00; } figcaption { color: #666; } figure { margin: 1rem 0; }
-        @media (prefers-color-scheme: dark) { body { color: #ddd; background: #181818; } h2, img { border-color: #444; }
-          th, figcaption, table.facts td:first-child { color: #999; } .warning { color: #f0b060; } }
-        """;
+    /// <summary>Nothing is fetched from anywhere, whatever a file's name or text holds.</summary>
+    const string Policy = "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
     readonly StringBuilder m_body = new();
+    readonly List<string> m_scripts = [];
 
-    static string Escape(string text) => WebUtility.HtmlEncode(text);
+    public static string Escape(string text) => WebUtility.HtmlEncode(text);
+
+    static string Resource(string name)
+    {
+        using var reader = new StreamReader(typeof(ReportPage).Assembly.GetManifestResourceStream(name)!);
+        return reader.ReadToEnd();
+    }
+
+    /// <summary>HTML as it is.</summary>
+    public void Html(string html) => m_body.Append(html).Append('\n');
+
+    /// <summary>The 3D view.</summary>
+    /// <param name="json">What its script reads.</param>
+    /// <param name="png">Stands in where it cannot be drawn, and on paper.</param>
+    /// <param name="note">HTML below it.</param>
+    public void View(string json, byte[] png, string alt, string time, string note)
+    {
+        m_body.Append(Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time)).Replace("{note}", note)
+            .Replace("{png}", System.Convert.ToBase64String(png)).Replace("{data}", json));
+        m_scripts.Add("view.js");
+    }
+
+    /// <summary>What stands first: large figures with small names.</summary>
+    public void Tiles(IEnumerable<(string Name, string Value)> tiles) =>
+        Html("<dl class=\"tiles\">" + string.Concat(tiles.Select(t =>
+            $"<div><dt>{Escape(t.Name)}</dt><dd>{Escape(t.Value)}</dd></div>\n")) + "</dl>");
+
+    /// <summary>Side by side, as many as fit.</summary>
+    public void Row(IEnumerable<string> html) => Html("<div class=\"row\">" + string.Concat(html.Select(h =>
+        "<figure>" + h + "</figure>\n")) + "</div>");
+
+    /// <summary>Lines to copy, each with what it is for.</summary>
+    public void Lines(IEnumerable<(string What, string Line)> lines)
+    {
+        Html("<ul class=\"lines\">" + string.Concat(lines.Select(l => $"<li>{Escape(l.What)}<div class=\"copy\"><code>"
+            + $"{Escape(l.Line)}</code><button type=\"button\">Copy</button></div></li>\n")) + "</ul>");
+        m_scripts.Add("page.js");
+    }
+
     public void Heading(string text) => m_body.Append("<h2>").Append(Escape(text)).Append("</h2>\n");
     public void Paragraph(string text) => m_body.Append("<p>").Append(Escape(text)).Append("</p>\n");
     public void Warning(string text) => m_body.Append("<p class=\"warning\">").Append(Escape(text)).Append("</p>\n");
@@ -38,24 +63,10 @@ public sealed class ReportPage(string title)
         m_body.Append("</table>\n");
     }
 
-    /// <summary>As <see cref="Table"/>, in smaller print; scrolls where the page is too narrow for it.</summary>
-    public void WideTable(TextTable table)
-    {
-        m_body.Append("<div class=\"wide\">\n");
-        Table(table);
-        m_body.Append("</div>\n");
-    }
+    public void Chart(LineChart chart) => Html("<figure class=\"rows\">\n" + chart.ToSvg() + "</figure>");
+    public void Chart(RowChart chart) => Html("<figure class=\"rows\">\n" + chart.ToSvg() + "</figure>");
 
-    public void Chart(RowChart chart) => m_body.Append("<figure class=\"rows\">\n").Append(chart.ToSvg()).Append("\n</figure>\n");
-
-    /// <summary>Charts side by side, as many as fit.</summary>
-    public void Charts(IEnumerable<LineChart> charts)
-    {
-        m_body.Append("<div class=\"row\">\n");
-        foreach (var chart in charts)
-            m_body.Append("<figure>").Append(chart.ToSvg()).Append("</figure>\n");
-        m_body.Append("</div>\n");
-    }
+    public void Charts(IEnumerable<LineChart> charts) => Row(charts.Select(c => c.ToSvg()));
 
     /// <summary>Pictures side by side, as many as fit.</summary>
     public void Pictures(IEnumerable<(byte[] Png, string Caption)> pictures)
@@ -66,9 +77,10 @@ public sealed class ReportPage(string title)
         m_body.Append("</div>\n");
     }
 
+    /// <summary>Scrolls where the page is too narrow for it.</summary>
     public void Table(TextTable table)
     {
-        m_body.Append("<table>\n");
+        m_body.Append("<div class=\"wide\"><table>\n");
         string cell = "th";
         foreach (var row in table.Rows)
         {
@@ -78,7 +90,7 @@ public sealed class ReportPage(string title)
             m_body.Append("</tr>\n");
             cell = "td";
         }
-        m_body.Append("</table>\n");
+        m_body.Append("</table></div>\n");
     }
 
     public void Picture(byte[] png, string caption)
@@ -88,10 +100,11 @@ public sealed class ReportPage(string title)
             .Append("</figcaption></figure>\n");
     }
 
-    public void Chart(LineChart chart) => m_body.Append("<figure>\n").Append(chart.ToSvg()).Append("\n</figure>\n");
-
-    public byte[] ToBytes() => Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture,
-        $"<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        + $"<title>{Escape(title)}</title>\n<style>\n{Style}\n</style>\n"
-        + $"</head>\n<body>\n<h1>{Escape(title)}</h1>\n{m_body}</body>\n</html>\n"));
+    public byte[] ToBytes() => Encoding.UTF8.GetBytes(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        + $"<meta http-equiv=\"Content-Security-Policy\" content=\"{Policy}\">\n"
+        + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n"
+        + $"<title>{Escape(title)}</title>\n<style>\n{Resource("page.css")}</style>\n</head>\n<body>\n<main>\n"
+        + $"<h1>{Escape(title)}</h1>\n" + (lead == null ? "" : $"<p class=\"lead\">{Escape(lead)}</p>\n") + m_body + "</main>\n"
+        + string.Concat(m_scripts.Select(name => $"<script>\n{Resource(name)}</script>\n")) + "</body>\n</html>\n");
 }

@@ -39,7 +39,7 @@ public static class ErrorReport
         page.Heading("All points");
         page.Pictures(pictures);
         page.Heading("All figures");
-        page.WideTable(step.ToTable());
+        page.Table(step.ToTable());
         page.Heading("What is measured");
         page.Facts(step.Curves.Select(c => (c.Name, c.What)));
         page.Facts(Definitions(step));

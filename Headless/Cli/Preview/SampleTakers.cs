@@ -7,7 +7,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
 {
     /// <summary>Runs of what is quick, of which the fastest counts: it takes so little that anything else on the machine
     /// shows.</summary>
-    const int RunsOfQuick = 3;
+    public int Runs { get; init; } = 3;
 
     /// <summary>What takes longer is run once.</summary>
     const double QuickSeconds = 3;
@@ -97,7 +97,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
     TakenSample Timed(Func<PointReader, double, TakenSample> take)
     {
         TakenSample? best = null;
-        for (int i = 0; i < RunsOfQuick; i++)
+        for (int i = 0; i < Runs; i++)
         {
             // What earlier samples left behind is not to be collected within this one's time.
             GC.Collect();

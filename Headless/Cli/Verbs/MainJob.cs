@@ -69,6 +69,7 @@ public sealed class MainJob : Verb
             : Report.FoldersOf(clouds).Select(f => Path.Combine(outFolder ?? "", f)).ToArray();
         for (int i = 0; i < clouds.Length; i++)
             Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
+        string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
         var all = new CloudList(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         if (files.Length == 0)
@@ -85,7 +86,7 @@ public sealed class MainJob : Verb
             string folder = folders[i];
             all.Take(run, () =>
             {
-                var report = Report.Make(cloud, source, folder, run);
+                var report = Report.Make(cloud, source, folder, command, run);
                 report.WriteSummary(folder);
                 pages.Add(report.Page);
                 return (report.WriteKeys, report.Account);
@@ -175,7 +176,7 @@ public sealed class MainJob : Verb
             Account.WriteKeys(json);
         });
 
-        public static Report Make(string[] files, ReadOptions source, string folder, CliRun run)
+        public static Report Make(string[] files, ReadOptions source, string folder, string command, CliRun run)
         {
             int firstStage = run.Progress.Finished.Count;
             using var reader = PointReaders.Open(files, source);
@@ -218,30 +219,25 @@ public sealed class MainJob : Verb
                 + (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
             run.Out.WriteLine();
 
-            var page = new ReportPage(files.Length > 1 ? reader.Info.Path : NameOf(file));
-            page.Facts(facts.Lines());
-            foreach (var warning in reader.Info.Warnings)
-                page.Warning("warning: " + warning);
-            page.Heading("Preview");
-            page.Picture(preview.Png, preview.Describe());
-            page.Heading("From the octree");
-            page.Paragraph(convert.Describe() + ": " + cloudPath);
-            page.Picture(drawn.Png, string.Join("; ", drawn.Assumptions.Prepend(drawn.Describe())));
-            if (gpu != null)
+            run.Progress.Group = "page";
+            int ownStages = run.Progress.Finished.Count - firstStage;
+            var view = ViewCloud.Take(() => PointReaders.Open(files, source), picture, preview.Camera, run);
+            run.Progress.Group = null;
+            var page = new CloudPage
             {
-                page.Heading("Streamed, and drawn as a game would draw it");
-                page.Picture(gpu.Png, gpu.Describe() + ", " + gpu.Device);
-            }
-            page.Heading("Attributes");
-            page.Table(facts.Attributes());
-            if (reader.Info.Facts.Count > 0)
-            {
-                page.Heading("Header");
-                page.Facts(reader.Info.Facts.Select(f => (f.Key, f.Value)));
-            }
-            page.Heading("What took how long");
-            page.Table(StageTable.Of(run.Progress, firstStage));
-            page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory resident.");
+                Name = files.Length > 1 ? reader.Info.Path : NameOf(file),
+                Command = command,
+                Facts = facts,
+                View = view,
+                Preview = preview,
+                Convert = convert,
+                CloudPath = cloudPath,
+                Drawn = drawn,
+                Gpu = gpu,
+                Stages = run.Progress.Finished.Skip(firstStage).Take(ownStages).ToList(),
+                Inputs = files,
+                UpAxis = picture.UpAxis,
+            };
             string pagePath = Path.Combine(folder, "report.html");
             OutputFile.Write(pagePath, page.ToBytes());
             return new Report

@@ -41,6 +41,9 @@ namespace FastPoints.Files
         /// <summary>The attributes of each point.</summary>
         public PointSchema Schema;
 
+        /// <summary>Attributes that samples keep beside those that a picture can be coloured by.</summary>
+        internal string[] SampledToo = System.Array.Empty<string>();
+
         public CoordinateSystem Crs = new CoordinateSystem();
 
         /// <summary>Everything else that the header says, as lines for people: name and value, in the file's order.</summary>

@@ -158,8 +158,12 @@ namespace FastPoints.Preview
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public static PointSchema Of(SourceInfo info)
         {
-            var schema = info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity,
-                AttributeNames.Classification, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue);
+            var names = new List<string>(info.SampledToo)
+            {
+                AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Classification,
+                AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
+            };
+            var schema = info.Schema.Select(names.ToArray());
             if (!schema.Has(AttributeNames.X) || !schema.Has(AttributeNames.Y) || !schema.Has(AttributeNames.Z))
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "nothing to draw: wanted attributes X, Y and Z, got " + info.Schema);

@@ -1,0 +1,77 @@
+namespace FastPoints.Cli.Charts;
+
+/// <summary>Bars as SVG: a histogram of amounts, or a bar for each of some names. Narrow, so that telephones show it
+/// legibly.</summary>
+public static class BarChart
+{
+    const int Width = 400, Left = 12, Right = 12, Top = 34, PlotHeight = 120, RowPx = 22, NameWidth = 132;
+    const int Bins = 56;
+
+    /// <summary>Of the values, this share at either end is beyond the axis.</summary>
+    const double StrayShare = 0.002;
+
+    static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
+
+    public static string Histogram(string title, IEnumerable<double> values, string unit)
+    {
+        double[] sorted = values.Where(double.IsFinite).Order().ToArray();
+        var svg = new StringBuilder();
+        ChartSvg.Begin(svg, title, Width, Top + PlotHeight + 44, Left);
+        if (sorted.Length == 0)
+            return svg.Append("</svg>\n").ToString();
+        int strays = (int)(sorted.Length * StrayShare);
+        double low = sorted[strays], high = sorted[sorted.Length - 1 - strays];
+        if (!(high > low))
+            (low, high) = (low - 0.5, low + 0.5);
+        // Whole numbers get bins of whole numbers: otherwise some hold more of them than others.
+        double bin = (high - low) / Bins;
+        if (sorted.All(v => v == Math.Floor(v)))
+            (bin, low) = (Math.Ceiling(Math.Max(bin, 1)), low - 0.5);
+        int[] counts = new int[(int)Math.Ceiling((high - low) / bin + 1e-9)];
+        foreach (double value in sorted.AsSpan(strays, sorted.Length - 2 * strays))
+            counts[Math.Clamp((int)((value - low) / bin), 0, counts.Length - 1)]++;
+        high = low + bin * counts.Length;
+        double PlaceOf(double value) => Left + (value - low) / (high - low) * (Width - Left - Right);
+        svg.Append("<path class=\"bar\" d=\"");
+        for (int i = 0; i < counts.Length; i++)
+        {
+            double x = PlaceOf(low + i * bin), width = PlaceOf(low + (i + 1) * bin) - x, most = counts.Max();
+            double y = PlotHeight * counts[i] / most;
+            svg.Append(s_c, $"M{x:0.##} {Top + PlotHeight}v{-y:0.##}h{Math.Max(0.6, width - 0.6):0.##}v{y:0.##}z");
+        }
+        svg.Append("\"/>\n");
+        ChartSvg.Line(svg, "axis", Left, Top + PlotHeight, Width - Right, Top + PlotHeight);
+        var ticks = ChartAxis.Of([low, high], false, 0, 1).Ticks.Where(t => t >= low && t <= high).ToList();
+        int letters = ticks.Count == 0 ? 0 : ticks.Max(t => ChartSvg.Label(t).Length), every = 1;
+        while (ticks.Count / every * (letters + 2) * ChartSvg.LetterPx > Width)
+            every++;
+        foreach (double tick in ticks.Where((_, i) => i % every == 0))
+        {
+            string label = ChartSvg.Label(tick);
+            double half = label.Length * ChartSvg.LetterPx / 2;
+            ChartSvg.Line(svg, "axis", PlaceOf(tick), Top + PlotHeight, PlaceOf(tick), Top + PlotHeight + 4);
+            ChartSvg.Text(svg, Math.Clamp(PlaceOf(tick), half, Width - half), Top + PlotHeight + 18, "middle", label);
+        }
+        ChartSvg.Text(svg, Width / 2.0, Top + PlotHeight + 37, "middle", unit);
+        return svg.Append("</svg>\n").ToString();
+    }
+
+    /// <param name="rows">Name, amount, and what is written behind its bar.</param>
+    public static string Rows(string title, IReadOnlyList<(string Name, double Amount, string Text)> rows)
+    {
+        var svg = new StringBuilder();
+        ChartSvg.Begin(svg, title, Width, Top + rows.Count * RowPx + 4, Left);
+        double most = rows.Select(r => r.Amount).DefaultIfEmpty().Max();
+        double text = rows.Select(r => r.Text.Length).DefaultIfEmpty().Max() * ChartSvg.LetterPx;
+        double plot = Width - NameWidth - Right - 8 - text;
+        for (int i = 0; i < rows.Count; i++)
+        {
+            double y = Top + i * RowPx, width = most > 0 ? Math.Max(1, plot * rows[i].Amount / most) : 1;
+            string name = rows[i].Name.Length <= 20 ? rows[i].Name : rows[i].Name[..19] + "…";
+            ChartSvg.Text(svg, NameWidth - 6, y + 13, "end", name);
+            svg.Append(s_c, $"<rect class=\"bar\" x=\"{NameWidth}\" y=\"{y + 2:0.#}\" width=\"{width:0.#}\" height=\"15\"/>\n");
+            ChartSvg.Text(svg, NameWidth + width + 6, y + 13, "start", rows[i].Text);
+        }
+        return svg.Append("</svg>\n").ToString();
+    }
+}

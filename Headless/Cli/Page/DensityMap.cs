@@ -1,0 +1,62 @@
+namespace FastPoints.Cli.Page;
+
+/// <summary>How many points there are on a square of ground, from above: counted in a sample, and scaled up to all.</summary>
+sealed class DensityMap
+{
+    const int MostCells = 256;
+
+    /// <summary>Fewer of the sample in a cell, and its density would be chance.</summary>
+    const int PointsOfCell = 16;
+
+    readonly RgbaImage m_image;
+
+    /// <param name="points">Of the whole cloud, that the sample stands for.</param>
+    public DensityMap(ViewCloud view, UpAxis upAxis, long points)
+    {
+        upAxis.Directions(out var east, out var north, out _);
+        var ranges = view.Ranges;
+        double3 size = view.Bounds.Size * ranges.LengthsPerUnit;
+        double width = Math.Max(math.dot(size, math.abs(east)), 1e-9), depth = Math.Max(math.dot(size, math.abs(north)), 1e-9);
+        double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, view.Points.Count));
+        Edge = Math.Max(wanted, Math.Max(width, depth) / MostCells);
+        int columns = (int)(width / Edge) + 1, rows = (int)(depth / Edge) + 1;
+        int[] counts = new int[columns * rows];
+        for (int i = 0; i < view.Points.Count; i++)
+        {
+            double3 place = (view.Points[i] - view.Bounds.Center) * ranges.LengthsPerUnit;
+            double x = (math.dot(place, east) + width / 2) / Edge, y = (math.dot(place, north) + depth / 2) / Edge;
+            if (x >= 0 && y >= 0 && x < columns && y < rows)
+                counts[(rows - 1 - (int)y) * columns + (int)x]++;
+        }
+        double perCount = points / (double)Math.Max(1, view.Points.Count) / (Edge * Edge);
+        double[] sorted = counts.Where(c => c > 0).Order().Select(c => c * perCount).ToArray();
+        Quartiles = new[] { 1, 2, 3 }.Select(q => sorted.Length == 0 ? 0 : sorted[sorted.Length * q / 4]).ToArray();
+        High = sorted.Length == 0 ? 1 : sorted[sorted.Length * 98 / 100];
+        m_image = new RgbaImage(columns, rows);
+        for (int i = 0; i < counts.Length; i++)
+            if (counts[i] > 0)
+                m_image[i % columns, i / columns] = Palettes.Viridis(Math.Min(1, counts[i] * perCount / High));
+    }
+
+    /// <summary>Of a cell, in lengths.</summary>
+    public double Edge { get; }
+
+    /// <summary>Over the cells that have points, in points on a square unit of length.</summary>
+    public double[] Quartiles { get; }
+
+    /// <summary>The brightest colour.</summary>
+    public double High { get; }
+
+    public string ToHtml(string unit)
+    {
+        string colors = string.Join(',', Enumerable.Range(0, 6).Select(i => "#" + ViewColumn.Hex(Palettes.Viridis(i / 5.0))));
+        string squared = "points/" + unit + "²";
+        return "<h3>Density from above</h3><div class=\"map\"><img alt=\"Map of the density of points, seen from above\" "
+            + $"src=\"data:image/png;base64,{System.Convert.ToBase64String(Png.Encode(m_image))}\"></div>"
+            + $"<div class=\"scale\">0<b style=\"background:linear-gradient(90deg,{colors})\"></b>{Human.Measured(High)} "
+            + squared + "</div>"
+            + $"<figcaption>Squares of {Human.Measured(Edge)} {unit}. Where there are points: a quarter of the squares below "
+            + $"{Human.Measured(Quartiles[0])}, half below {Human.Measured(Quartiles[1])}, three quarters below "
+            + $"{Human.Measured(Quartiles[2])} {squared}; from the sample, scaled up.</figcaption>";
+    }
+}

@@ -1,0 +1,59 @@
+using FastPoints.Cli.Preview;
+
+namespace FastPoints.Cli.Page;
+
+/// <summary>How far the waves of a sample are from the cloud: RMS distance of a uniform choice of its points to the nearest one
+/// of the wave, in units of its coordinates.</summary>
+static class WaveErrors
+{
+    const int Queries = 100_000;
+
+    /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
+    const uint Seed = 0x9E3779B9;
+
+    public static List<double> Measure(PointReader reader, TakenSample taken, CliRun run)
+    {
+        if (!reader.BlocksAreKnown)
+            run.Pump(reader.FindBlocks());
+        run.Progress.Begin("error of the waves");
+        using var uniform = new UniformSampler(reader, Queries, Seed);
+        run.Pump(uniform.Run(0, run.Progress));
+        using var asked = uniform.TakeSample();
+        using var queries = new NativeArray<double3>(Math.Max(1, asked.Count), Allocator.Persistent);
+        using var loaded = new NativeReference<int>(Allocator.Persistent);
+        new LoadPositionsJob
+        {
+            Bytes = asked.Points.Bytes,
+            Positions = PositionColumns.Of(asked.Points),
+            Transform = asked.Transform,
+            Count = asked.Count,
+            Points = queries,
+            Loaded = loaded,
+        }.Schedule().Complete();
+        var errors = taken.Waves.Select(w =>
+            Measure(w.Points, w.Wave.Points, taken.Transform, queries, loaded.Value, run)).ToList();
+        run.Progress.End();
+        return errors;
+    }
+
+    static double Measure(PointBatch points, int count, PositionTransform transform, NativeArray<double3> queries, int asked,
+        CliRun run)
+    {
+        using var tree = new PointTree();
+        run.Pump(tree.Build(points, count, transform));
+        using var distancesSq = new NativeArray<double>(Math.Max(1, asked), Allocator.Persistent);
+        using var found = new NativeReference<DistanceError>(Allocator.Persistent);
+        var measured = new NearestDistancesJob
+        {
+            Queries = queries,
+            QueryCount = asked,
+            Points = tree.Points,
+            Nodes = tree.Nodes,
+            Count = tree.Count,
+            Levels = tree.Levels,
+            DistancesSq = distancesSq,
+        }.ScheduleParallel(NearestDistancesJob.PieceCount(asked), 1, default);
+        new RankDistancesJob { DistancesSq = distancesSq, Count = asked, Unit = 1, Error = found }.Schedule(measured).Complete();
+        return found.Value.Rms;
+    }
+}

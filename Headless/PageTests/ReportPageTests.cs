@@ -1,0 +1,297 @@
+[assembly: Parallelizable(ParallelScope.None)]
+
+namespace FastPoints.PageTests;
+
+/// <summary>Pages as a reader's browser shows them. Chromium draws WebGL in software here.</summary>
+public sealed class ReportPageTests
+{
+    const int GridWidth = 160, GridHeight = 90;
+
+    /// <summary>Largest difference of a channel from the background, of 255, that is still background.</summary>
+    const int NearBackground = 12;
+
+    static readonly int[] s_background = [24, 26, 30];
+
+    ScratchFolder m_scratch;
+    string m_report, m_corners;
+    IPlaywright m_playwright;
+    IBrowser m_browser;
+    IPage m_page;
+    List<string> m_said;
+
+    [OneTimeSetUp]
+    public async Task MakePages()
+    {
+        string chromium = new[] { "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome" }
+            .FirstOrDefault(File.Exists);
+        if (chromium == null)
+            Assert.Ignore("no browser here, pages are not tried in one; with root: apt-get install chromium");
+        m_scratch = new ScratchFolder();
+        m_report = Report(m_scratch.Demo(points: 60_000), "demo");
+        // Corners of a rectangle 30 by 40, where surveyors' coordinates lie.
+        string corners = m_scratch["corners.xyz"];
+        File.WriteAllText(corners, string.Concat(Enumerable.Range(0, 64).Select(i => (i % 4) switch
+        {
+            0 => "500000 5400000 100\n",
+            1 => "500030 5400000 100\n",
+            2 => "500000 5400040 100\n",
+            _ => "500030 5400040 112\n",
+        })));
+        m_corners = Report(corners, "corners");
+        m_playwright = await Playwright.CreateAsync();
+        m_browser = await m_playwright.Chromium.LaunchAsync(new()
+        {
+            ExecutablePath = chromium,
+            Args = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+        });
+    }
+
+    [OneTimeTearDown]
+    public async Task Close()
+    {
+        if (m_browser != null)
+            await m_browser.CloseAsync();
+        m_playwright?.Dispose();
+        m_scratch?.Dispose();
+    }
+
+    string Report(string cloud, string name)
+    {
+        var call = CliCall.Of(cloud, "--out", m_scratch[name], "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        return Path.Combine(m_scratch[name], "report.html");
+    }
+
+    /// <summary>Opens a page; whatever it says or asks a network for fails the test.</summary>
+    async Task Open(string path, int width = 1280, int height = 900, string script = null)
+    {
+        m_said = [];
+        m_page = await m_browser.NewPageAsync(new() { ViewportSize = new() { Width = width, Height = height } });
+        m_page.Console += (_, message) => m_said.Add("console: " + message.Text);
+        m_page.PageError += (_, error) => m_said.Add("error: " + error);
+        m_page.Request += (_, request) =>
+        {
+            if (request.Url != "file://" + path && !request.Url.StartsWith("data:", StringComparison.Ordinal))
+                m_said.Add("request: " + request.Url);
+        };
+        if (script != null)
+            await m_page.AddInitScriptAsync(script);
+        await m_page.GotoAsync("file://" + path);
+        await m_page.WaitForSelectorAsync(".still img, canvas[data-frames]", new() { State = WaitForSelectorState.Attached });
+    }
+
+    [TearDown]
+    public async Task IsSilent()
+    {
+        if (m_page != null)
+            await m_page.CloseAsync();
+        m_page = null;
+        Assert.That(m_said, Is.Empty);
+    }
+
+    Task<string> Text(string selector) => m_page.Locator(selector).InnerTextAsync();
+
+    async Task Click(string id)
+    {
+        int frames = await Frames();
+        await m_page.ClickAsync(id);
+        await NewFrame(frames);
+    }
+
+    Task<int> Frames() => m_page.EvaluateAsync<int>("() => Number(document.getElementById('view').dataset.frames)");
+
+    Task NewFrame(int after) =>
+        m_page.WaitForFunctionAsync("n => Number(document.getElementById('view').dataset.frames) > n", after);
+
+    /// <summary>The canvas, made smaller: red, green, blue, alpha.</summary>
+    async Task<byte[]> Pixels() => System.Convert.FromBase64String(await m_page.EvaluateAsync<string>($$"""
+        () => {
+          const small = document.createElement("canvas"), context = small.getContext("2d");
+          [small.width, small.height] = [{{GridWidth}}, {{GridHeight}}];
+          context.imageSmoothingQuality = "high";
+          context.drawImage(document.getElementById("view"), 0, 0, small.width, small.height);
+          let text = "";
+          for (const byte of context.getImageData(0, 0, small.width, small.height).data) text += String.fromCharCode(byte);
+          return btoa(text);
+        }
+        """));
+
+    static byte[] Small(RgbaImage image)
+    {
+        int step = image.Width / GridWidth;
+        byte[] small = new byte[4 * GridWidth * GridHeight];
+        for (int i = 0; i < small.Length; i++)
+        {
+            int x = i / 4 % GridWidth * step, y = i / 4 / GridWidth * step, sum = 0;
+            for (int p = 0; p < step * step; p++)
+                sum += image.Rgba[4 * ((y + p / step) * image.Width + x + p % step) + i % 4];
+            small[i] = (byte)(sum / (step * step));
+        }
+        return small;
+    }
+
+    static bool IsCovered(byte[] pixels, int pixel) =>
+        Enumerable.Range(0, 3).Any(c => Math.Abs(pixels[4 * pixel + c] - s_background[c]) > NearBackground);
+
+    /// <summary>Share of the pixels.</summary>
+    static double Difference(byte[] a, byte[] b) => Enumerable.Range(0, GridWidth * GridHeight).Average(p =>
+        Enumerable.Range(0, 3).Any(c => Math.Abs(a[4 * p + c] - b[4 * p + c]) > 8) ? 1.0 : 0);
+
+    [Test]
+    public async Task View_FirstPicture_IsTheCommandLines()
+    {
+        await Open(m_report);
+        byte[] shown = await Pixels(), drawn = Small(Png.Read(Path.Combine(m_scratch["demo"], "preview.png")));
+        int both = 0, either = 0;
+        double difference = 0;
+        for (int p = 0; p < GridWidth * GridHeight; p++)
+        {
+            bool isShown = IsCovered(shown, p), isDrawn = IsCovered(drawn, p);
+            either += isShown || isDrawn ? 1 : 0;
+            if (!isShown || !isDrawn)
+                continue;
+            both++;
+            difference += Enumerable.Range(0, 3).Average(c => Math.Abs(shown[4 * p + c] - drawn[4 * p + c]));
+        }
+        TestContext.Out.WriteLine($"overlap {both / (double)either:0.000}, difference {difference / both:0.0} of 255");
+        Assert.That(both / (double)either, Is.GreaterThan(0.85), "silhouettes");
+        Assert.That(difference / both, Is.LessThan(30), "colours");
+    }
+
+    [Test]
+    public async Task View_Buttons_ChangeWhatIsShown()
+    {
+        await Open(m_report);
+        byte[] home = await Pixels();
+        foreach (string view in new[] { "#view-top", "#view-front", "#view-side" })
+        {
+            await Click(view);
+            Assert.That(Difference(await Pixels(), home), Is.GreaterThan(0.05), view);
+        }
+        await Click("#view-home");
+        Assert.That(Difference(await Pixels(), home), Is.LessThan(0.001), "home again");
+        bool wasShaded = await m_page.GetAttributeAsync("#view-shade", "aria-pressed") == "true";
+        await Click("#view-shade");
+        Assert.That(await m_page.GetAttributeAsync("#view-shade", "aria-pressed"), Is.EqualTo(wasShaded ? "false" : "true"));
+        Assert.That(Difference(await Pixels(), home), Is.GreaterThan(0.01), "shading");
+        foreach (string color in await m_page.Locator("#view-color option").AllInnerTextsAsync())
+        {
+            int frames = await Frames();
+            await m_page.SelectOptionAsync("#view-color", color);
+            await m_page.WaitForFunctionAsync("n => Number(document.getElementById('view').dataset.frames) >= n", frames);
+            Assert.That(await m_page.Locator("#view-legend > *").CountAsync(), color == "Colour" ? Is.Zero : Is.Positive, color);
+        }
+        await m_page.SelectOptionAsync("#view-color", "Classification");
+        byte[] all = await Pixels();
+        await Click("#view-legend button >> nth=0");
+        Assert.That(Difference(await Pixels(), all), Is.GreaterThan(0.001), "a class is hidden");
+    }
+
+    [Test]
+    public async Task View_Keys_TurnMoveAndZoom()
+    {
+        await Open(m_report);
+        await m_page.FocusAsync("#view");
+        foreach (string key in new[] { "ArrowLeft", "ArrowUp", "Shift+ArrowLeft", "+", "t", "Home" })
+        {
+            byte[] before = await Pixels();
+            int frames = await Frames();
+            await m_page.Keyboard.PressAsync(key);
+            await NewFrame(frames);
+            Assert.That(Difference(await Pixels(), before), Is.GreaterThan(0.01), key);
+        }
+    }
+
+    [Test]
+    public async Task View_TwoPoints_HaveTheFilesCoordinatesAndDistance()
+    {
+        await Open(m_corners);
+        await Click("#view-top");
+        await Click("#view-measure");
+        var box = await m_page.Locator("#view").BoundingBoxAsync();
+        // From above all of the depth, 40, is seen, with 2 % to spare on either side.
+        double perUnit = box!.Height / (1.04 * 40);
+        foreach (int side in new[] { -1, 1 })
+        {
+            int frames = await Frames();
+            await m_page.Mouse.ClickAsync((float)(box.X + box.Width / 2 + side * 15 * perUnit),
+                (float)(box.Y + box.Height / 2 - side * 20 * perUnit));
+            await NewFrame(frames);
+        }
+        string measured = await Text("#view-measured");
+        Assert.That(measured, Does.Contain("x 500,000.0").And.Contains("y 5,400,000.0").And.Contains("z 100.0"), "A");
+        Assert.That(measured, Does.Contain("x 500,030.0").And.Contains("y 5,400,040.0").And.Contains("z 112.0"), "B");
+        // The square root of 30^2 + 40^2 + 12^2, and of the first two.
+        Assert.That(measured, Does.Contain("51.41").And.Contains("50.00").And.Contains("12.00"));
+        Assert.That(await Text("#view-status"), Does.Contain("51.41"));
+    }
+
+    [Test]
+    public async Task View_Play_ShowsTheWavesWithTheirErrors()
+    {
+        await Open(m_report);
+        byte[] all = await Pixels();
+        string last = await Text("#view-time-text");
+        Assert.That(last, Does.Contain("points after").And.Contains("RMS error"));
+        await Click("#view-play");
+        string first = await Text("#view-time-text");
+        Assert.That(first, Is.Not.EqualTo(last));
+        Assert.That(Difference(await Pixels(), all), Is.GreaterThan(0.01));
+        Assert.That(await m_page.Locator("#error-chart .mark.now").CountAsync(), Is.EqualTo(1));
+        await m_page.WaitForFunctionAsync("text => document.getElementById('view-time-text').textContent === text", last);
+        Assert.That(Difference(await Pixels(), all), Is.LessThan(0.001));
+    }
+
+    [Test]
+    public async Task Page_WithoutWebGl_ShowsThePicture()
+    {
+        await Open(m_report, script: "HTMLCanvasElement.prototype.getContext = () => null");
+        Assert.That(await m_page.Locator("#view").IsVisibleAsync(), Is.False);
+        Assert.That(await m_page.Locator(".stage img").IsVisibleAsync(), Is.True);
+        Assert.That(await m_page.EvaluateAsync<int>("() => document.querySelector('.stage img').naturalWidth"), Is.EqualTo(1280));
+        Assert.That(await Text("#view-status"), Does.Contain("stands in"));
+        Assert.That(await m_page.Locator("#view-home").IsDisabledAsync(), Is.True);
+    }
+
+    [Test]
+    public async Task Page_AtAnyWidthAndScheme_FitsAndCanBeRead()
+    {
+        Assert.That(new FileInfo(m_report).Length, Is.LessThan(8_000_000));
+        await Open(m_report, 400, 800);
+        foreach (var (width, scheme) in new[] { (400, ColorScheme.Light), (400, ColorScheme.Dark), (1600, ColorScheme.Dark) })
+        {
+            await m_page.SetViewportSizeAsync(width, 800);
+            await m_page.EmulateMediaAsync(new() { ColorScheme = scheme });
+            int needed = await m_page.EvaluateAsync<int>("() => document.documentElement.scrollWidth");
+            Assert.That(needed, Is.LessThanOrEqualTo(width));
+            // Contrast of text by WCAG 2: at least 4.5 to 1.
+            string worst = await m_page.EvaluateAsync<string>("""
+                () => {
+                  const light = c => {
+                    const [r, g, b] = c.map(v => (v /= 255) <= .04045 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4);
+                    return .2126 * r + .7152 * g + .0722 * b; };
+                  const rgb = text => text.match(/[\d.]+/g).map(Number);
+                  let worst = ["", 99];
+                  const all = "p, dt, dd, td, th, li, button, figcaption, h1, h2, code, svg text, .scale";
+                  for (const e of document.querySelectorAll(all)) {
+                    if (e.closest(".legend, :disabled, #view-marks") || !e.textContent.trim()) continue;
+                    const style = getComputedStyle(e), ink = light(rgb(e instanceof SVGElement ? style.fill : style.color));
+                    let behind = e, color = "rgb(255, 255, 255)";
+                    while (behind && /rgba\(.*, 0\)/.test(color = getComputedStyle(behind).backgroundColor))
+                      behind = behind.parentElement;
+                    const page = light(rgb(color));
+                    const contrast = (Math.max(ink, page) + .05) / (Math.min(ink, page) + .05);
+                    if (contrast < worst[1]) worst = [e.outerHTML.slice(0, 80), contrast];
+                  }
+                  return worst[1] < 4.5 ? worst.join(" ") : "";
+                }
+                """);
+            Assert.That(worst, Is.Empty, width + " " + scheme);
+        }
+        string nameless = await m_page.EvaluateAsync<string>("""
+            () => [...document.querySelectorAll("button, input, select, canvas, img, svg[role=img]")].filter(e =>
+              !(e.getAttribute("aria-label") || e.alt || e.textContent.trim() || e.labels?.length)).map(e => e.outerHTML).join()
+            """);
+        Assert.That(nameless, Is.Empty, "names for screen readers");
+    }
+}
