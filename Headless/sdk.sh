@@ -83,8 +83,12 @@ install_cross() {
     echo "npm's packages (see Headless/WebGpu) cannot be had, shaders are not compiled for WebGPU" >&2
 }
 
-# What shows pages as their readers see them.
+# What shows pages as their readers see them, and what drives it.
 install_browser() {
+  local version
   { command -v chromium >/dev/null 2>&1 || apt_install chromium fonts-dejavu-core; } ||
     echo "no browser here, pages are not tried in one; with root: apt-get install chromium" >&2
+  version=$(sed -n 's/.*"Microsoft.Playwright" Version="\([^"]*\)".*/\1/p' Headless/Directory.Packages.props)
+  find_dotnet && dotnet package download "Microsoft.Playwright@$version" --output "${NUGET_PACKAGES:-$HOME/.nuget/packages}" \
+    >/dev/null 2>&1 </dev/null || echo "Playwright cannot be had, pages are not tried in a browser" >&2
 }

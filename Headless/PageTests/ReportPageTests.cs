@@ -243,6 +243,22 @@ public sealed class ReportPageTests
     }
 
     [Test]
+    public async Task Flight_Play_MovesTheCamera()
+    {
+        string folder = m_scratch["flight"];
+        var call = CliCall.Of("fly", m_scratch["demo.las"], "--frames", "60", "--every", "30", "--size", "160x90",
+            "-o", folder, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        await Open(Path.Combine(folder, "report.html"));
+        byte[] first = await Pixels();
+        Assert.That(await Text("#view-time-text"), Is.EqualTo("frame 0"));
+        await Click("#view-play");
+        await m_page.WaitForFunctionAsync("() => document.getElementById('view-time-text').textContent === 'frame 54'");
+        Assert.That(Difference(await Pixels(), first), Is.GreaterThan(0.05));
+        Assert.That(await m_page.Locator(".row svg.chart").CountAsync(), Is.EqualTo(4));
+    }
+
+    [Test]
     public async Task Page_WithoutWebGl_ShowsThePicture()
     {
         await Open(m_report, script: "HTMLCanvasElement.prototype.getContext = () => null");

@@ -17,6 +17,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     readonly List<Series> m_series = [];
 
     public int PlotWidth { get; init; } = 490;
+    public bool HasMarks { get; init; } = true;
     public bool LogX { get; init; }
     public bool LogY { get; init; }
 
@@ -72,7 +73,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
                 svg.Append(s_c, $"{x.At(px):0.#},{y.At(py):0.#} ");
             svg.Append("\"/>\n");
         }
-        foreach (var (px, py) in series.Points)
+        foreach (var (px, py) in HasMarks ? series.Points : [])
             ChartSvg.Mark(svg, index, x.At(px), y.At(py), x.Holds(px) && y.Holds(py));
         if (m_series.Count == 1)
         {

@@ -31,6 +31,12 @@ public sealed class FlightLog
     public double[] SelectMs => Percentiles(f => f.Stats.SelectMs);
     public double[] RequestMs => Percentiles(f => f.Stats.RequestMs);
 
+    /// <summary>By number of the frame.</summary>
+    public IEnumerable<(double, double)> Of(Func<FrameStats, double> value) =>
+        m_frames.Select((f, i) => ((double)i, value(f.Stats)));
+
+    public IEnumerable<(double, double)> MainThreadByFrame => m_frames.Select((f, i) => ((double)i, f.MainThreadMs));
+
     public void Add(in FrameStats stats, double mainThreadMs, double frameMs, long garbageBytes,
         double atSeconds, bool isCut) =>
         m_frames.Add(new Frame(stats, mainThreadMs, frameMs, garbageBytes, atSeconds, isCut));

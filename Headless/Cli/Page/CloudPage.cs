@@ -51,7 +51,7 @@ sealed class CloudPage
         page.Table(Attributes());
         page.Html("</div></div>");
         page.Heading("Distribution");
-        page.Row(Histograms().Append(density.ToHtml(View.Unit)));
+        page.Row(density.HasArea ? Histograms().Append(density.ToHtml(View.Unit)) : Histograms());
         Speed(page);
         page.Heading("Pictures of the octree");
         page.Row(pictures);
@@ -75,7 +75,7 @@ sealed class CloudPage
             double3 size = Manifest.BoundsGeo.Size * View.Ranges.LengthsPerUnit;
             yield return ("extent, " + View.Unit, string.Join(" × ", new[] { size.x, size.y, size.z }.Select(Amount)));
         }
-        yield return ("median density", Amount(density.Quartiles[1]) + " /" + View.Unit + "²");
+        yield return ("median density", density.HasArea ? Amount(density.Quartiles[1]) + " /" + View.Unit + "²" : "no area");
         yield return ("coordinates", Info.Crs.Summary ?? "unknown");
         yield return ("size", Human.Bytes(Info.FileBytes));
         yield return ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk));
@@ -151,7 +151,8 @@ sealed class CloudPage
         foreach (string name in new[] { AttributeNames.Intensity, AttributeNames.Classification, AttributeNames.ReturnNumber,
             AttributeNames.GpsTime })
         {
-            if (!points.Attributes.TryGetValue(name, out double[]? values) || values.All(v => v == values[0]))
+            if (!points.Attributes.TryGetValue(name, out double[]? values)
+                || values.Where(double.IsFinite).Distinct().Take(2).Count() < 2)
                 continue;
             if (name is AttributeNames.Classification or AttributeNames.ReturnNumber)
                 yield return BarChart.Rows(name, values.CountBy(v => v).OrderBy(c => c.Key).Select(c =>

@@ -17,6 +17,7 @@ sealed class DensityMap
         var ranges = view.Ranges;
         double3 size = view.Bounds.Size * ranges.LengthsPerUnit;
         double width = Math.Max(math.dot(size, math.abs(east)), 1e-9), depth = Math.Max(math.dot(size, math.abs(north)), 1e-9);
+        HasArea = Math.Min(width, depth) > 1e-6 * math.cmax(size);
         double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, view.Points.Count));
         Edge = Math.Max(wanted, Math.Max(width, depth) / MostCells);
         int columns = (int)(width / Edge) + 1, rows = (int)(depth / Edge) + 1;
@@ -37,6 +38,9 @@ sealed class DensityMap
             if (counts[i] > 0)
                 m_image[i % columns, i / columns] = Palettes.Viridis(Math.Min(1, counts[i] * perCount / High));
     }
+
+    /// <summary>Otherwise it is a point or a line from above.</summary>
+    public bool HasArea { get; }
 
     /// <summary>Of a cell, in lengths.</summary>
     public double Edge { get; }

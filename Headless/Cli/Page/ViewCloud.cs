@@ -19,11 +19,11 @@ sealed class ViewCloud
     readonly PictureOptions m_options;
     List<ViewColumn> m_columns = [];
 
-    ViewCloud(PictureOptions options, CoordinateSystem crs)
+    ViewCloud(PictureOptions options, CoordinateSystem crs, DisplayRanges? ranges = null)
     {
         m_options = options;
         double unit = crs.MetresPerUnit;
-        Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(unit) };
+        Ranges = ranges ?? new DisplayRanges { IsInDegrees = double.IsNaN(unit) };
         Unit = double.IsNaN(unit) || unit == 1 ? "m" : unit == 0 ? "units" : Math.Abs(unit - 0.3048) < 1e-5 ? "ft"
             : "units of " + Human.Value(unit) + " m";
     }
@@ -45,7 +45,7 @@ sealed class ViewCloud
     public required Camera Camera { get; init; }
 
     /// <summary>The cameras of a flight, and every how many frames there is one; null without.</summary>
-    public (List<Camera> Cameras, int Every)? Path { get; set; }
+    public (List<Camera> Cameras, int Every)? Path { get; init; }
 
     /// <summary>Half the step of the positions along each axis: no point is farther from where it was.</summary>
     public double3 PositionError => Bounds.Size / Steps / 2;
@@ -56,12 +56,7 @@ sealed class ViewCloud
     {
         var preview = new PreviewOptions { Points = MostPoints, Picture = options };
         using var reader = open();
-        using var taken = new SampleTakers(() =>
-        {
-            var all = open();
-            all.Info.SampledToo = all.Info.Schema.Select(a => a.Name).ToArray();
-            return all;
-        }, preview, run) { Runs = 1 }.Ours();
+        using var taken = new SampleTakers(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
         var view = new ViewCloud(options, reader.Info.Crs) { Camera = camera };
         for (int i = 0; i < taken.Waves.Count; i++)
@@ -76,6 +71,71 @@ sealed class ViewCloud
             run.Pump(view.Ranges.Measure(taken.Waves[^1].Points, taken.Transform, options.UpAxis));
         view.Prepare();
         return view;
+    }
+
+    /// <summary>Clouds that are flown over, where their coordinates put them: upper levels of octrees, previews of
+    /// files.</summary>
+    /// <param name="every">The frames from one camera to the next.</param>
+    public static ViewCloud OfFlight(string[] clouds, PictureOptions options, List<Camera> cameras, int every, CliRun run)
+    {
+        ViewCloud? view = null;
+        var parts = new List<ViewPoints>();
+        foreach (string cloud in clouds)
+        {
+            using var batch = Load(cloud, MostPoints / clouds.Length, run, out var transform, out var crs);
+            var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(crs.MetresPerUnit) };
+            run.Pump(ranges.Measure(batch, transform, options.UpAxis));
+            parts.Add(ViewPoints.Of(batch, batch.Count, transform));
+            view ??= new ViewCloud(options, crs, ranges) { Camera = cameras[0], Path = (cameras, every) };
+            if (ranges.Full.IsEmpty)
+                continue;
+            view.Ranges.Full = Around(view.Ranges.Full, ranges.Full);
+            view.Ranges.Robust = Around(view.Ranges.Robust, ranges.Robust);
+            view.Ranges.ElevationLow = Math.Min(view.Ranges.ElevationLow, ranges.ElevationLow);
+            view.Ranges.ElevationHigh = Math.Max(view.Ranges.ElevationHigh, ranges.ElevationHigh);
+        }
+        view!.m_sets.Add(ViewPoints.Join(parts));
+        view.Prepare();
+        return view;
+    }
+
+    static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
+
+    /// <summary>About so many points of a cloud, with all attributes.</summary>
+    static PointBatch Load(string path, int most, CliRun run, out PositionTransform transform, out CoordinateSystem crs)
+    {
+        if (!CloudFolder.IsCloud(path))
+        {
+            using var reader = WithAll(PointReaders.Open(path));
+            using var sampler = Sampled(reader, most, run);
+            (transform, crs) = (reader.Info.Transform, reader.Info.Crs);
+            return sampler.TakeSample().Points;
+        }
+        using var folder = CloudFolder.Open(path);
+        using var selection = new NodeSelection(folder);
+        selection.Choose(null, 0, 0, most);
+        var schema = LoadNodes.SchemaFor(folder, folder.Manifest.Attributes.Select(a => a.Name).ToArray());
+        var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
+        run.Pump(LoadNodes.Run(folder, selection, batch, null));
+        transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+        crs = new CoordinateSystem { MetresPerUnit = folder.Manifest.MetresPerUnit };
+        return batch;
+    }
+
+    static PreviewSampler Sampled(PointReader reader, int most, CliRun run)
+    {
+        if (!reader.BlocksAreKnown)
+            run.Pump(reader.FindBlocks());
+        var sampler = PreviewSampler.Create(reader, most, 1);
+        run.Pump(sampler.Run(0, null));
+        return sampler;
+    }
+
+    /// <summary>Its samples keep all attributes.</summary>
+    static PointReader WithAll(PointReader reader)
+    {
+        reader.Info.SampledToo = reader.Info.Schema.Select(a => a.Name).ToArray();
+        return reader;
     }
 
     void Prepare()

@@ -81,7 +81,7 @@ sealed class ViewColumn
     /// <summary>What a value is called.</summary>
     public static string NameOf(string attribute, double value)
     {
-        string number = value.ToString("0.######", CultureInfo.InvariantCulture);
+        string number = value.ToString(Math.Abs(value) < 1e15 ? "0.######" : "0.####e0", CultureInfo.InvariantCulture);
         return attribute == AttributeNames.Classification && ClassNames.Of((int)value) is { } name ? number + " " + name : number;
     }
 

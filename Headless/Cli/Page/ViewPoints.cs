@@ -30,6 +30,18 @@ sealed class ViewPoints(int count)
         return points;
     }
 
+    /// <summary>One behind the other; what some lack is 0 for those.</summary>
+    public static ViewPoints Join(IReadOnlyList<ViewPoints> parts)
+    {
+        var joined = new ViewPoints(parts.Sum(p => p.Count));
+        foreach (string name in parts.SelectMany(p => p.Attributes.Keys).Distinct())
+            joined.Attributes[name] = parts.SelectMany(p =>
+                p.Attributes.GetValueOrDefault(name) ?? new double[p.Count]).ToArray();
+        for (int axis = 0; axis < 3; axis++)
+            joined.Positions[axis] = parts.SelectMany(p => p.Positions[axis]).ToArray();
+        return joined;
+    }
+
     public double3 this[int point] => new(Positions[0][point], Positions[1][point], Positions[2][point]);
 
     /// <summary>About how far points are from their neighbours, as on surfaces: by the cubes that they occupy, of an edge that

@@ -232,7 +232,7 @@
     gl.useProgram(points.program);
     gl.uniformMatrix4fv(points.toClip, false, new Float32Array(m));
     gl.uniform1f(points.size, world * perLength);
-    gl.uniform1f(points.least, Math.max(1, sizeFactor) * Math.min(window.devicePixelRatio || 1, 2));
+    gl.uniform1f(points.least, Math.max(1, sizeFactor) * (count < 2000 ? 4 : 1) * Math.min(window.devicePixelRatio || 1, 2));
     gl.bindVertexArray(set.array);
     gl.drawArrays(gl.POINTS, 0, count);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

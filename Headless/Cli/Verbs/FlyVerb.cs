@@ -31,7 +31,8 @@ public sealed class FlyVerb : Verb
     readonly Option<string?> m_output = new("--output", "-o")
     {
         HelpName = "DIR",
-        Description = "Draw: frames.csv, flight.png (an animation that browsers play) and last.png. "
+        Description = "Draw: frames.csv, flight.png (an animation that browsers play), last.png and "
+            + "report.html (the camera's way in 3D, and charts of each frame). "
             + "Without it nothing is drawn.",
     };
     readonly Option<long> m_every = Counts.Of("--every", "Draw every Nth frame (default: 6, ten pictures a second).", 6);
@@ -113,18 +114,21 @@ public sealed class FlyVerb : Verb
         var log = new FlightLog(frames);
         double disposeMs = 0;
         run.WriteKeys = json => WriteKeys(json, log, disposeMs);
-        Fly(stream, path, frames, options, picture, output, every, log, run);
+        var last = Fly(stream, path, frames, options, picture, output, every, log, run);
         if (output != null)
             OutputFile.Write(Path.Combine(output, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
         long end = Stopwatch.GetTimestamp();
         stream.Dispose();
         disposeMs = Stopwatch.GetElapsedTime(end).TotalMilliseconds;
+        if (last != null)
+            OutputFile.Write(Path.Combine(output!, "report.html"), FlightPage.Make(clouds, path, log, options, last, run));
         while (stream.TryTakeFailure(out var failure))
             run.Warnings.Add(failure.ToString());
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
 
-    static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options,
+    /// <returns>The last picture; null where none is drawn.</returns>
+    static RgbaImage? Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options,
         FlightPicture picture, string? output, int every, FlightLog log, CliRun run)
     {
         run.Progress.Begin("fly");
@@ -164,6 +168,7 @@ public sealed class FlyVerb : Verb
         run.Progress.End();
         if (last != null)
             OutputFile.Write(Path.Combine(output!, "last.png"), Png.Encode(last));
+        return last;
     }
 
     static void Describe(CliRun run, FlightLog log, int uploadBytes, double disposeMs)

@@ -1,0 +1,53 @@
+namespace FastPoints.Cli.Page;
+
+/// <summary>The page of a flight: the clouds in 3D with the camera's way to play, and what each frame took.</summary>
+static class FlightPage
+{
+    /// <summary>Cameras are for every so many frames: ten a second.</summary>
+    const int FramesACamera = 6;
+
+    /// <summary>The picture takes some of a page's 8 MB.</summary>
+    const int ViewBytes = 4_500_000;
+
+    public static byte[] Make(string[] clouds, CameraPath path, FlightLog log, PictureOptions options, RgbaImage last,
+        CliRun run)
+    {
+        run.Progress.Begin("page");
+        var cameras = Enumerable.Range(0, (log.Count + FramesACamera - 1) / FramesACamera)
+            .Select(i => path.CameraAt(i * FramesACamera)).ToList();
+        var view = ViewCloud.OfFlight(clouds, options, cameras, FramesACamera, run);
+        run.Progress.End();
+        string name = string.Join(", ", clouds.Select(c => Path.GetFileName(Path.TrimEndingDirectorySeparator(c))));
+        var page = new ReportPage("Flight over " + name, "Made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
+        page.Tiles(
+        [
+            ("frames", Human.Count(log.Count)),
+            ("main thread, p99", Ms(log.MainThreadMs[1])),
+            ("main thread, most", Ms(log.MainThreadMs[2])),
+            ("points in the last frame", Human.Count(log.Last.DrawnPoints)),
+            ("read", Human.Bytes(log.BytesRead)),
+            ("pool, most", Human.Bytes(log.PoolBytesPeak)),
+        ]);
+        string json = view.ToJson(ViewBytes, out int shown);
+        string note = ReportPage.Escape(Human.Count(shown) + " points stand for the clouds here: the upper levels of "
+            + "octrees, previews of files. "
+            + "The flight itself streamed others, as each frame needed them.");
+        page.View(json, Png.Encode(last), name + ": " + Human.Count(shown) + " points", "Frames of the flight", note);
+        page.Heading("Each frame");
+        page.Charts([Chart("Points drawn", "points", log.Of(s => s.DrawnPoints)),
+            Chart("Main thread", "milliseconds", log.MainThreadByFrame), Chart("Read", "MB", log.Of(s => s.ReadBytes / 1e6)),
+            Chart("Copied to the pool", "MB", log.Of(s => s.UploadedBytes / 1e6))]);
+        page.Facts([("machine", Machine.Describe()),
+            ("memory", "at most " + Human.Bytes(PeakMemory.ResidentBytes) + " resident")]);
+        return page.ToBytes();
+    }
+
+    static string Ms(double ms) => ms.ToString("0.00", CultureInfo.InvariantCulture) + " ms";
+
+    static LineChart Chart(string title, string unit, IEnumerable<(double, double)> points)
+    {
+        var chart = new LineChart(title, "frame", unit) { PlotWidth = 310, HasMarks = false };
+        chart.Add(title, points);
+        return chart;
+    }
+}
