@@ -154,8 +154,8 @@ public sealed class ReportPageTests
             difference += Enumerable.Range(0, 3).Average(c => Math.Abs(shown[4 * p + c] - drawn[4 * p + c]));
         }
         TestContext.Out.WriteLine($"overlap {both / (double)either:0.000}, difference {difference / both:0.0} of 255");
-        Assert.That(both / (double)either, Is.GreaterThan(0.85), "silhouettes");
-        Assert.That(difference / both, Is.LessThan(30), "colours");
+        Assert.That(both / (double)either, Is.GreaterThan(0.88), "silhouettes");
+        Assert.That(difference / both, Is.LessThan(20), "colours");
     }
 
     [Test]

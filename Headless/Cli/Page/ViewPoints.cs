@@ -44,8 +44,8 @@ sealed class ViewPoints(int count)
 
     public double3 this[int point] => new(Positions[0][point], Positions[1][point], Positions[2][point]);
 
-    /// <summary>About how far points are from their neighbours, as on surfaces: by the cubes that they occupy, of an edge that
-    /// leaves some points to each.</summary>
+    /// <summary>About how far points are from their neighbours, as on surfaces, where half of the space has them nearer: by the
+    /// cubes that they occupy, of an edge that leaves some points to each.</summary>
     public double Spacing(BoundsGeo bounds, double3 lengths)
     {
         const int PointsOfCube = 6;
@@ -53,22 +53,23 @@ sealed class ViewPoints(int count)
         double edge = math.max(math.cmax(size), 1e-9) / 16;
         for (int halving = 0; ; halving++, edge /= 2)
         {
-            var cubes = new HashSet<Cube>();
+            var cubes = new Dictionary<Cube, int>();
             int inside = 0;
             for (int i = 0; i < Count; i++)
             {
                 var place = (this[i] - bounds.Min) * lengths / edge;
                 if (math.any(place < 0) || math.any(place > 1 << 20))
                     continue;
-                cubes.Add(new Cube((long)place.x, (long)place.y, (long)place.z));
+                var cube = new Cube((int)place.x, (int)place.y, (int)place.z);
+                cubes[cube] = cubes.GetValueOrDefault(cube) + 1;
                 inside++;
             }
             if (inside <= PointsOfCube * cubes.Count || halving == 14)
-                return edge * Math.Sqrt(cubes.Count / (double)Math.Max(1, inside));
+                return edge / Math.Sqrt(cubes.Count == 0 ? 1 : cubes.Values.Order().ElementAt(cubes.Count / 2));
         }
     }
 
-    readonly record struct Cube(long X, long Y, long Z);
+    readonly record struct Cube(int X, int Y, int Z);
 }
 
 /// <summary>A beginning of a sample, as a page shows it.</summary>
