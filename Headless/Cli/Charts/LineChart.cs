@@ -18,6 +18,10 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
 
     public int PlotWidth { get; init; } = 490;
     public bool HasMarks { get; init; } = true;
+
+    /// <summary>Where there is but one series, the title may name it.</summary>
+    public bool HasLegend { get; init; } = true;
+
     public bool LogX { get; init; }
     public bool LogY { get; init; }
 
@@ -31,8 +35,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     {
         int longest = m_series.Select(s => s.Name.Length).DefaultIfEmpty().Max();
         int legend = LegendLeft + LegendText + (int)Math.Max(146, longest * ChartSvg.LetterPx + 12);
-        // The title names a series that is alone.
-        int width = Left + PlotWidth + (m_series.Count > 1 ? legend : LegendLeft);
+        int width = Left + PlotWidth + (HasLegend ? legend : LegendLeft);
         var all = m_series.SelectMany(s => s.Points).ToList();
         var x = ChartAxis.Of(all.Select(p => p.X), LogX, Left, Left + PlotWidth);
         var y = ChartAxis.Of(all.Select(p => p.Y), LogY, Top + PlotHeight, Top);
@@ -75,7 +78,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
         }
         foreach (var (px, py) in HasMarks ? series.Points : [])
             ChartSvg.Mark(svg, index, x.At(px), y.At(py), x.Holds(px) && y.Holds(py));
-        if (m_series.Count == 1)
+        if (!HasLegend)
         {
             svg.Append("</g>\n");
             return;

@@ -171,6 +171,7 @@ sealed class CloudPage
         var curve = new LineChart("Error of the preview against time", "seconds from the open call", "RMS distance, " + View.Unit)
         {
             PlotWidth = 310,
+            HasLegend = false,
             LogX = true,
             LogY = true,
         };

@@ -46,7 +46,7 @@ static class FlightPage
 
     static LineChart Chart(string title, string unit, IEnumerable<(double, double)> points)
     {
-        var chart = new LineChart(title, "frame", unit) { PlotWidth = 310, HasMarks = false };
+        var chart = new LineChart(title, "frame", unit) { PlotWidth = 310, HasMarks = false, HasLegend = false };
         chart.Add(title, points);
         return chart;
     }
