@@ -11,9 +11,7 @@ public sealed class FlyTests
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_cloud = m_scratch["scan.fastpoints"];
-        var call = CliCall.Of("convert", m_scratch.Demo(points: Points), "-o", m_cloud, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_cloud = m_scratch.Converted(points: Points);
     }
 
     [OneTimeTearDown]

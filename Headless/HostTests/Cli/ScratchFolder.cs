@@ -15,5 +15,14 @@ sealed class ScratchFolder : IDisposable
         return this[name];
     }
 
+    /// <summary>A small scan, converted.</summary>
+    /// <returns>The folder's path.</returns>
+    public string Converted(string name = "scan.fastpoints", int points = 3000)
+    {
+        var call = CliCall.Of("convert", Demo($"s{points}.las", points), "-o", this[name], "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        return this[name];
+    }
+
     public void Dispose() => Directory.Delete(Root, true);
 }

@@ -21,9 +21,7 @@ public sealed class CloudCatalogTests
     {
         string target = Path.Combine(m_paths.Clouds, name + StoreFormat.FolderExtension);
         Directory.CreateDirectory(m_paths.Clouds);
-        var call = CliCall.Of("convert", m_scratch.Demo("s" + points + ".las", points), "-o", target, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
-        return target;
+        return m_scratch.Converted(target, points);
     }
 
     CloudHandle Handle(string target) => new CloudHandle { CloudPath = m_paths.Stored(target) };

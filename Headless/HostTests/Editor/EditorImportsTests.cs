@@ -48,8 +48,7 @@ public sealed class EditorImportsTests : EditorFixture
     [Test]
     public void Take_ConvertedFolder_IsReferredToAsItIs()
     {
-        string folder = m_project.Scratch["far.fastpoints"];
-        Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", folder, "--quiet").Status, Is.Zero);
+        string folder = m_project.Scratch.Converted("far.fastpoints");
 
         var asset = m_project.Imports.Take(folder, "Assets");
 

@@ -19,9 +19,7 @@ public sealed class MeasureTests
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_path = m_scratch["scan.fastpoints"];
-        var call = CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", m_path, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_path = m_scratch.Converted(points: 20_000);
         m_folder = CloudFolder.Open(m_path);
     }
 

@@ -44,9 +44,8 @@ public sealed class TransferTests : EditorFixture
     [Test]
     public void ImportCopy_CloudOfAnotherProject_LiesInThisOneAndHasAnAsset()
     {
-        string other = m_project.Scratch["other/scan.fastpoints"];
         Directory.CreateDirectory(m_project.Scratch["other"]);
-        Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", other, "--quiet").Status, Is.Zero);
+        string other = m_project.Scratch.Converted("other/scan.fastpoints");
 
         m_project.Imports.ImportCopy(other, "Assets");
         Updates(() => !m_project.Imports.Transfers.IsCopying);

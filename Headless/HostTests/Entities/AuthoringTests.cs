@@ -18,9 +18,7 @@ public sealed class AuthoringTests
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_cloud = m_scratch["scan.fastpoints"];
-        var call = CliCall.Of("convert", m_scratch.Demo(points: 5000), "-o", m_cloud, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_cloud = m_scratch.Converted(points: 5000);
     }
 
     [OneTimeTearDown]

@@ -13,9 +13,7 @@ public sealed class GpuVerbsTests : GraphicsFixture
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_cloud = m_scratch["scan.fastpoints"];
-        var call = CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", m_cloud, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_cloud = m_scratch.Converted(points: 20_000);
     }
 
     [OneTimeTearDown]

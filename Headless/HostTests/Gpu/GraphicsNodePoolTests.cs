@@ -15,9 +15,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_cloud = m_scratch["demo.fastpoints"];
-        var call = CliCall.Of("convert", m_scratch.Demo(points: 250_000), "-o", m_cloud, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_cloud = m_scratch.Converted(points: 250_000);
     }
 
     [OneTimeTearDown]

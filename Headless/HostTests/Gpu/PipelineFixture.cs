@@ -28,9 +28,7 @@ public abstract class PipelineFixture : GraphicsFixture
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_cloud = m_scratch["scan.fastpoints"];
-        var call = CliCall.Of("convert", m_scratch.Demo(points: 30_000), "-o", m_cloud, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        m_cloud = m_scratch.Converted(points: 30_000);
     }
 
     [OneTimeTearDown]

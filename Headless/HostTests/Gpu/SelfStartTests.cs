@@ -41,9 +41,7 @@ public sealed class SelfStartTests : GraphicsFixture
     [Test]
     public void PointCloud_InFrontOfACamera_IsDrawn()
     {
-        string path = m_scratch["scan.fastpoints"];
-        Assert.That(CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", path, "--quiet").Status,
-            Is.EqualTo(ExitStatus.Done));
+        string path = m_scratch.Converted(points: 20_000);
         var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         target.Create();
         var camera = new GameObject("camera").AddComponent<Camera>();
@@ -125,8 +123,7 @@ public sealed class SelfStartTests : GraphicsFixture
     [Test]
     public void GraphicsMemory_OfTheProject_HoldsWhereNoSettingsAreAndNewOnesBeginWithIt()
     {
-        string path = m_scratch["scan.fastpoints"];
-        Assert.That(CliCall.Of("convert", m_scratch.Demo(), "-o", path, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+        string path = m_scratch.Converted();
         var project = FastPointsSettings.instance;
         var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();

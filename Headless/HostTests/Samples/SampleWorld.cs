@@ -25,9 +25,7 @@ sealed class SampleWorld : IDisposable
     /// <summary>A converted cloud's asset.</summary>
     public PointCloudAsset Asset(int points)
     {
-        string path = Scratch["scan.fastpoints"];
-        var call = CliCall.Of("convert", Scratch.Demo(points: points), "-o", path, "--quiet");
-        Assert.That(call.Status, Is.EqualTo(FastPoints.Cli.ExitStatus.Done), call.Error);
+        string path = Scratch.Converted(points: points);
         using var folder = FastPoints.Store.CloudFolder.Open(path);
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         asset.PlayerPath = path;

@@ -10,39 +10,21 @@ using FastPoints.Points;
 using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Tests.Samplers;
+using FastPoints.Tests.Support;
 using FastPoints.Verify;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Convert
 {
     [Category("Smoke")]
-    public class ConvertCloudTests
+    public class ConvertCloudTests : FolderTests
     {
         static readonly PositionTransform s_centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };
 
-        string m_folder;
-        int m_workers;
-
-        [SetUp]
-        public void MakeFolder()
-        {
-            m_folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(m_folder);
-            m_workers = JobsUtility.JobWorkerCount;
-        }
-
-        [TearDown]
-        public void DeleteFolder()
-        {
-            JobsUtility.JobWorkerCount = m_workers;
-            Directory.Delete(m_folder, true);
-        }
-
-        string Target(string name = "cloud") => Path.Combine(m_folder, name + StoreFormat.FolderExtension);
+        string Target(string name = "cloud") => Folder.File(name + StoreFormat.FolderExtension);
 
         ConvertResult Convert(PointReader reader, string name = "cloud", ConvertSettings settings = null)
         {
@@ -233,7 +215,7 @@ namespace FastPoints.Tests.Convert
             var before = new Dictionary<string, byte[]>();
             foreach (int workers in new[] { 1, 2, 7 })
             {
-                JobsUtility.JobWorkerCount = math.min(workers, JobsUtility.JobWorkerMaximumCount);
+                using var threads = new WorkerCount(workers);
                 string name = "w" + workers;
                 Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings
                 {
@@ -282,7 +264,7 @@ namespace FastPoints.Tests.Convert
         [TestCase(1), TestCase(3)]
         public void Convert_SomeOfTheWorkers_ReadsSoManyBlocksSideBySide(int workers)
         {
-            JobsUtility.JobWorkerCount = 3;
+            using var threads = new WorkerCount(3);
             var reader = MemoryReader.Of(Uniform(20000, 3000), s_centimetres, 1000);
             Convert(reader, "cloud", new ConvertSettings { Workers = workers, SecondsToFirstGeneration = 1e9 });
             // Those of the sample, and those of the reading: all others come behind another block's jobs.
@@ -292,7 +274,7 @@ namespace FastPoints.Tests.Convert
         [Test]
         public void Convert_TextByOneWorker_WritesTheSameBytes()
         {
-            string path = Path.Combine(m_folder, "text.xyz");
+            string path = Folder.File("text.xyz");
             using (var writer = new StreamWriter(path))
                 foreach (var place in Uniform(30000, 1000))
                     writer.Write(place.x + " " + place.y + " " + place.z + "\n");
@@ -418,7 +400,7 @@ namespace FastPoints.Tests.Convert
             for (int i = 0; i < 60 && work.MoveNext(); i++)
                 work.Current.Complete();
             work.Dispose();
-            Assert.That(Directory.GetFileSystemEntries(m_folder), Is.Empty);
+            Assert.That(Directory.GetFileSystemEntries(Folder.Path), Is.Empty);
         }
 
         [Test]

@@ -5,6 +5,7 @@ using System.Linq;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Files;
+using FastPoints.Tests.Support;
 using FastPoints.Verify;
 using NUnit.Framework;
 
@@ -19,23 +20,15 @@ namespace FastPoints.Tests.Convert
         {
             if (TestData.Samples == null)
                 Assert.Ignore("no samples: set FASTPOINTS_DATA");
-            string scratch = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(scratch);
+            using var scratch = new TemporaryFolder();
             var problems = new List<string>();
             int converted = 0;
-            try
+            string[] files = Directory.GetFiles(Path.Combine(TestData.Samples, kind));
+            foreach (string file in files.OrderBy(f => f, StringComparer.Ordinal))
             {
-                foreach (string file in Directory.GetFiles(Path.Combine(TestData.Samples, kind))
-                    .OrderBy(f => f, StringComparer.Ordinal))
-                {
-                    string problem = Prove(file, Path.Combine(scratch, "c.fastpoints"), ref converted);
-                    if (problem != null)
-                        problems.Add(Path.GetFileName(file) + ": " + problem);
-                }
-            }
-            finally
-            {
-                Directory.Delete(scratch, true);
+                string problem = Prove(file, scratch.File("c.fastpoints"), ref converted);
+                if (problem != null)
+                    problems.Add(Path.GetFileName(file) + ": " + problem);
             }
             Assert.That(problems, Is.Empty);
             Assert.That(converted, Is.GreaterThan(0));

@@ -10,38 +10,20 @@ using FastPoints.Records;
 using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Tests.Samplers;
+using FastPoints.Tests.Support;
 using FastPoints.Verify;
 using FastPoints.Writing;
 using NUnit.Framework;
-using Unity.Jobs.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Convert
 {
     /// <summary>Builds whose points do not fit into memory, and builds that were killed.</summary>
-    public class ConvertStoredTests
+    public class ConvertStoredTests : FolderTests
     {
         const int Points = 200000;
 
         static readonly PositionTransform s_centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };
-
-        string m_folder;
-        int m_workers;
-
-        [SetUp]
-        public void MakeFolder()
-        {
-            m_folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(m_folder);
-            m_workers = JobsUtility.JobWorkerCount;
-        }
-
-        [TearDown]
-        public void DeleteFolder()
-        {
-            JobsUtility.JobWorkerCount = m_workers;
-            Directory.Delete(m_folder, true);
-        }
 
         /// <summary>A street's worth of unevenness: a flat half, a dense corner, one far point.</summary>
         static MemoryReader Uneven(int count = Points, int blockPoints = 2000)
@@ -88,7 +70,7 @@ namespace FastPoints.Tests.Convert
 
         static ConvertSettings InMemory(long pointsPerChunk = 10000) => new ConvertSettings { PointsPerChunk = pointsPerChunk };
 
-        string Target(string name) => Path.Combine(m_folder, name + StoreFormat.FolderExtension);
+        string Target(string name) => Folder.File(name + StoreFormat.FolderExtension);
 
         ConvertResult Convert(PointReader reader, string name, ConvertSettings settings)
         {
@@ -127,7 +109,7 @@ namespace FastPoints.Tests.Convert
             var wanted = Files("memory");
             foreach (int workers in new[] { 1, 2, 7 })
             {
-                JobsUtility.JobWorkerCount = math.min(workers, JobsUtility.JobWorkerMaximumCount);
+                using var threads = new WorkerCount(workers);
                 var made = Convert(Uneven(), "w" + workers, InFiles());
                 Assert.That(made.TemporaryBytesPeak, Is.GreaterThan(0));
                 Assert.That(made.SliceMs, Is.Ordered.And.All.GreaterThan(0));
@@ -317,7 +299,7 @@ namespace FastPoints.Tests.Convert
             for (int i = 0; i < 20 && work.MoveNext(); i++)
                 work.Current.Complete();
             work.Dispose();
-            Assert.That(Directory.GetFileSystemEntries(m_folder), Is.Empty);
+            Assert.That(Directory.GetFileSystemEntries(Folder.Path), Is.Empty);
         }
 
         [TestCase(true, Sampler.Random), TestCase(false, Sampler.Random), TestCase(true, Sampler.Poisson)]

@@ -103,22 +103,14 @@ namespace FastPoints.Tests.Samplers
         public void Convert_MorePointsThanTheDiskHasRoomFor_SaysSoBeforeItReadsThem()
         {
             // 200 TB of records.
-            string folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(folder);
-            try
+            using var folder = new TemporaryFolder();
+            using (var reader = new VirtualReader(1L << 44))
             {
-                using (var reader = new VirtualReader(1L << 44))
-                {
-                    var work = ConvertCloud.Run(new[] { reader }, Path.Combine(folder, "cloud.fastpoints"), new ConvertSettings(),
-                        r => { }, null);
-                    Failures.Of(() => WorkPump.RunToEnd(work), FailureCode.DiskFull, "too little room");
-                }
-                Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
+                var work = ConvertCloud.Run(new[] { reader }, folder.File("cloud.fastpoints"), new ConvertSettings(),
+                    r => { }, null);
+                Failures.Of(() => WorkPump.RunToEnd(work), FailureCode.DiskFull, "too little room");
             }
-            finally
-            {
-                Directory.Delete(folder, true);
-            }
+            Assert.That(Directory.GetFileSystemEntries(folder.Path), Is.Empty);
         }
     }
 }
