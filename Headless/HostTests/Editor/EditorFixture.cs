@@ -22,6 +22,7 @@ public abstract class EditorFixture
         Debug.s_sink = null;
         var settings = FastPointsSettings.instance;
         (settings.ConvertAtOnce, settings.ConvertOctrees) = (true, false);
+        settings.PlayerMiB = 2048;
         settings.SeveralFiles = SeveralFiles.Ask;
         settings.Place = ProjectPaths.DefaultClouds;
         settings.PlayerVariants = VariantChoice.Automatic;

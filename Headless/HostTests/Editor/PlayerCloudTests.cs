@@ -85,6 +85,38 @@ public sealed class PlayerCloudTests : EditorFixture
         Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.EndsWith("got one in the making"));
     }
 
+    [TestCase(BuildTarget.Android)]
+    [TestCase(BuildTarget.WebGL)]
+    public void Build_ForWhatCannotOpenThem_FailsWithOneLine(BuildTarget target)
+    {
+        void BuildFor(string scene) => new PlayerCloudProcessor().PrepareForBuild(
+            new BuildPlayerContext(new BuildPlayerOptions { scenes = new[] { scene }, target = target }));
+        Take("a");
+        m_project.UpdateToTheEnd();
+        Assert.That(() => BuildFor(ScenePath), Throws.TypeOf<BuildFailedException>().With.Message
+            .StartsWith("FastPoints: players for " + target + " cannot open").And.Message.Contains("PointClouds/a.fastpoints")
+            .And.Message.Not.Contains("\n"));
+        Assert.That(() => BuildFor("Assets/menu.unity"), Throws.Nothing, "without a cloud");
+    }
+
+    [Test]
+    public void Build_LargeClouds_AreWarnedOfFromTheSettingOn()
+    {
+        string source = m_project.Copc("a.copc.laz");
+        AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud" };
+        m_project.Imports.Take(source, "Assets");
+        using (var file = File.OpenWrite(source))
+            file.SetLength(3 << 20);
+        var settings = FastPointsSettings.instance;
+        foreach (var (limitMiB, warns) in new[] { (3, true), (4, false), (0, false) })
+        {
+            m_logged.Clear();
+            settings.PlayerMiB = limitMiB;
+            Build();
+            Assert.That(m_logged.Count(l => l.Contains("point clouds have 3 MiB")), Is.EqualTo(warns ? 1 : 0));
+        }
+    }
+
     [Test]
     public void Build_ResourcesAreAddedWithoutAScene()
     {

@@ -2,7 +2,7 @@ using UnityEditor.Build.Reporting;
 
 namespace UnityEditor;
 
-public enum BuildTarget { StandaloneOSX = 2, StandaloneWindows64 = 19, StandaloneLinux64 = 24 }
+public enum BuildTarget { StandaloneOSX = 2, Android = 13, StandaloneWindows64 = 19, WebGL = 20, StandaloneLinux64 = 24 }
 
 public class BuildPipeline
 {

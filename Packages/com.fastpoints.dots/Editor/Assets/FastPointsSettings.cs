@@ -40,6 +40,9 @@ namespace FastPoints.Editor
         /// <summary>Whether that includes COPC, Potree and EPT, which can be streamed directly.</summary>
         public bool ConvertOctrees;
 
+        /// <summary>From this size on, the clouds of a player are warned of when it is built; 0 for never.</summary>
+        public int PlayerMiB = 2048;
+
         /// <summary>Which variants of the package's shaders players contain.</summary>
         public VariantChoice PlayerVariants = VariantChoice.Automatic;
 

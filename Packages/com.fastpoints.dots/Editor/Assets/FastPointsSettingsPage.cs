@@ -50,6 +50,8 @@ namespace FastPoints.Editor
                 "component decides, or 512 MiB."), settings.GpuMiB, 64, 16384);
             settings.CopiedMiB = EditorGUILayout.IntSlider(new GUIContent("Copied into Assets up to (MiB)",
                 "What is dropped together and larger stays where it is, and gets handles."), settings.CopiedMiB, 0, 2048);
+            settings.PlayerMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
+                "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerMiB, 0, 65536);
             settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup(new GUIContent("Shader variants in players",
                 "Automatic: those that the built scenes ask for; all if scripts may change looks."), settings.PlayerVariants);
         }

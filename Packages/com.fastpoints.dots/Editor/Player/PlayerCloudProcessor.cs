@@ -38,6 +38,7 @@ namespace FastPoints.Editor
             {
                 throw new BuildFailedException(e.Message);
             }
+            Check(clouds, buildPlayerContext.BuildPlayerOptions.target);
             PlayerReaders.s_areNeeded = clouds.HasSources;
             foreach (var entry in clouds.Entries)
                 buildPlayerContext.AddAdditionalPathToStreamingAssets(entry.Folder, entry.PlayerPath);
@@ -46,6 +47,18 @@ namespace FastPoints.Editor
             else if (AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)).Length is var known && known > 0)
                 Debug.LogWarning("FastPoints: no point cloud in the player, of " + known + " in the project: neither " +
                     (scenes.Length > 0 ? string.Join(", ", scenes) : "a scene") + " nor a folder Resources refers to one.");
+        }
+
+        static void Check(PlayerClouds clouds, BuildTarget target)
+        {
+            if (clouds.Entries.Count > 0 && (target == BuildTarget.Android || target == BuildTarget.WebGL))
+                throw new BuildFailedException("FastPoints: players for " + target + " cannot open point clouds in their " +
+                    "streaming assets, " + clouds.Entries[0].PlayerPath + " for one: take them out of the scenes, and see Limits " +
+                    "in the manual");
+            int limitMiB = FastPointsSettings.instance.PlayerMiB;
+            if (limitMiB > 0 && clouds.Bytes >= (long)limitMiB << 20)
+                Debug.LogWarning("FastPoints: the player's point clouds have " + (clouds.Bytes >> 20) + " MiB. Project Settings " +
+                    "> FastPoints says from where on this is told");
         }
     }
 

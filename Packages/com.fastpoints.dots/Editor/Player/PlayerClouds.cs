@@ -87,6 +87,18 @@ namespace FastPoints.Editor
             return known >= 0;
         }
 
+        /// <summary>Of all of them.</summary>
+        public long Bytes
+        {
+            get
+            {
+                long bytes = 0;
+                foreach (var entry in m_entries)
+                    bytes += entry.Bytes;
+                return bytes;
+            }
+        }
+
         static long BytesOf(string folder)
         {
             long bytes = 0;
@@ -101,16 +113,12 @@ namespace FastPoints.Editor
             var sorted = new List<Entry>(m_entries);
             sorted.Sort((a, b) => b.Bytes.CompareTo(a.Bytes));
             var text = new StringBuilder();
-            long bytes = 0;
             foreach (var entry in sorted)
-            {
                 text.AppendFormat(CultureInfo.InvariantCulture, "\n{0,10:0.0} MB  {1,15} points  {2}{3}", entry.Bytes * 1e-6,
                     entry.Points < 0 ? "?" : entry.Points.ToString("N0", CultureInfo.InvariantCulture), entry.PlayerPath,
                     entry.IsSource ? " as it is, with FastPoints.Import" : "");
-                bytes += entry.Bytes;
-            }
             return string.Format(CultureInfo.InvariantCulture, "{0} point clouds in the player, {1:0.0} MB", sorted.Count,
-                bytes * 1e-6) + text;
+                Bytes * 1e-6) + text;
         }
     }
 }
