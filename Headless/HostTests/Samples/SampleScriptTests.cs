@@ -94,6 +94,32 @@ public sealed class SampleScriptTests
     }
 
     [Test]
+    public void EntitiesOnlyStart_WithoutWishForNodes_FramesMakeNoStructuralChange()
+    {
+        var asset = m_world.Asset(20_000);
+        m_world.Add<EntitiesOnlyStart>(s => s.Cloud = asset);
+        var entities = m_world.World.EntityManager;
+        using (var wish = entities.CreateEntityQuery(ComponentType.ReadOnly<PointCloudNodesWanted>()))
+            entities.DestroyEntity(wish);
+        using (var budget = entities.CreateEntityQuery(ComponentType.ReadOnly<PointCloudBudget>()))
+            entities.DestroyEntity(budget);
+        m_world.Settle();
+        m_world.Frames(() => m_world.Count<PointCloudNode>() == 0);
+        int before = entities.Store.StructuralVersion, loaded = 0;
+        for (int round = 0; round < 4; round++)
+        {
+            // Nodes go with their memory, and come again.
+            m_world.Group.Stream.Pool.LimitBytes = 0;
+            m_world.Frame();
+            m_world.Group.Stream.Pool.LimitBytes = 64 << 20;
+            m_world.Frames(() => m_world.Group.Stats.IsSettled && m_world.Group.Stats.DrawnPoints > 0);
+            loaded += m_world.Group.Stats.CachedNodes;
+        }
+        Assert.That(loaded, Is.GreaterThanOrEqualTo(4));
+        Assert.That(entities.Store.StructuralVersion, Is.EqualTo(before));
+    }
+
+    [Test]
     public void CloudGrid_NineClouds_ShareTheStreamAndGoWithTheGrid()
     {
         var asset = m_world.Asset(3000);

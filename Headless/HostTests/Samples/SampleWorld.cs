@@ -66,7 +66,7 @@ sealed class SampleWorld : IDisposable
 
     /// <summary>Until all that the camera needs is drawn, and entities have followed.</summary>
     public void Settle() => Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 &&
-        Count<PointCloudNode>() == Group.Stats.CachedNodes);
+        (Count<PointCloudNodesWanted>() == 0 || Count<PointCloudNode>() == Group.Stats.CachedNodes));
 
     public int Count<T>() where T : unmanaged, IComponentData
     {

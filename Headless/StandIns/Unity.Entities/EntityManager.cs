@@ -31,6 +31,13 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
             entities[i] = Store.Create(Of(archetype));
     }
 
+    /// <summary>Copies with their values and with what is enabled, but no prefabs themselves.</summary>
+    public void Instantiate(Entity srcEntity, NativeArray<Entity> outputEntities)
+    {
+        for (int i = 0; i < outputEntities.Length; i++)
+            outputEntities[i] = Store.Copy(srcEntity, TypeRegistry.Of<Prefab>.Index.Value);
+    }
+
     public void DestroyEntity(Entity entity) => Store.Destroy(entity);
 
     public void DestroyEntity(NativeArray<Entity> entities)

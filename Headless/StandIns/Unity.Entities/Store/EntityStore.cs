@@ -62,6 +62,22 @@ sealed class EntityStore : IDisposable
         return entity;
     }
 
+    /// <param name="left">The component that the copy does not have; cleanup components it never has.</param>
+    public Entity Copy(Entity source, int left)
+    {
+        var from = Find(source);
+        Span<int> types = stackalloc int[from.Archetype.Types.Length];
+        int count = 0;
+        foreach (var column in from.Archetype.Columns)
+            if (column.TypeIndex != left && !column.Info.IsCleanup)
+                types[count++] = column.TypeIndex;
+        var archetype = ArchetypeOf(types.Slice(0, count));
+        var copy = Create(archetype);
+        foreach (var column in archetype.Columns)
+            from.Archetype.Find(column.TypeIndex).Copy(from.Row, column, m_places[copy.Index].Row);
+        return copy;
+    }
+
     /// <summary>What has cleanup components keeps these until they are removed.</summary>
     public void Destroy(Entity entity)
     {

@@ -20,6 +20,7 @@ sealed class QueryTerms
     public readonly List<int> Present = new List<int>();
 
     static readonly int s_disabled = TypeRegistry.Of<Disabled>.Index.Value;
+    static readonly int s_prefab = TypeRegistry.Of<Prefab>.Index.Value;
 
     /// <summary>Not there.</summary>
     public readonly List<int> Absent = new List<int>();
@@ -42,6 +43,8 @@ sealed class QueryTerms
             return false;
         if (Options != EntityQueryOptions.IncludeDisabledEntities && !All.Contains(s_disabled) &&
             archetype.Find(s_disabled) != null)
+            return false;
+        if (archetype.Find(s_prefab) != null && !All.Contains(s_prefab))
             return false;
         foreach (int type in Absent)
             if (archetype.Find(type) != null)

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FastPoints.Samples.EntitiesOnly
 {
-    /// <summary>Makes the entities of a cloud and of its budget by hand, and runs a system of our own on the cloud's nodes. It is
+    /// <summary>Makes the entities of a cloud and of its budget by hand, asks for nodes, and runs a system of our own on the cloud's nodes. It is
     /// the scene's only GameObject besides the camera: in a game, the bootstrap does this.</summary>
     [AddComponentMenu("FastPoints/Samples/Entities Only Start")]
     public sealed class EntitiesOnlyStart : MonoBehaviour
@@ -15,7 +15,7 @@ namespace FastPoints.Samples.EntitiesOnly
         public PointCloudAsset Cloud;
 
         World m_world;
-        Entity m_cloud, m_budget;
+        Entity m_cloud, m_budget, m_wanted;
 
         void OnEnable()
         {
@@ -35,6 +35,8 @@ namespace FastPoints.Samples.EntitiesOnly
                 SmallestNodePx = 1,
             });
 
+            // The system below looks at nodes.
+            m_wanted = entities.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
             var tint = m_world.GetOrCreateSystemManaged<TintNodesSystem>();
             m_world.GetExistingSystemManaged<SimulationSystemGroup>().AddSystemToUpdateList(tint);
         }
@@ -47,6 +49,7 @@ namespace FastPoints.Samples.EntitiesOnly
             m_world.GetExistingSystemManaged<SimulationSystemGroup>().RemoveSystemFromUpdateList(tint);
             m_world.EntityManager.DestroyEntity(m_cloud);
             m_world.EntityManager.DestroyEntity(m_budget);
+            m_world.EntityManager.DestroyEntity(m_wanted);
         }
     }
 }

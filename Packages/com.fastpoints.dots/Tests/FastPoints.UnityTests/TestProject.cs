@@ -85,7 +85,8 @@ namespace FastPoints.UnityTests
             Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
 
         /// <summary>Nodes that the world's clouds have in the list of what to draw.</summary>
-        public static int DrawnNodes() => Count(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Drawn>());
+        public static int DrawnNodes() => World.DefaultGameObjectInjectionWorld
+            ?.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stats.DrawnNodes ?? 0;
 
         /// <summary>Entities that are converted clouds on disk.</summary>
         public static int CloudFiles() => Count(ComponentType.ReadOnly<PointCloudFile>());

@@ -12,6 +12,7 @@ namespace FastPoints.Benchmarks
             .Where(t => typeof(IWorkload).IsAssignableFrom(t) && !t.IsAbstract && IsMadeOfNothing(t))
             .Select(t => (IWorkload)Activator.CreateInstance(t))
             .Concat(ReadingWorkloads.All()).Concat(SelectWorkload.All()).Concat(ConvertWorkload.All())
+            .Concat(SceneNodesWorkload.All())
             .Concat(ScenePreviewWorkload.All()).Concat(StreamSourceWorkload.All()).Concat(BesideFramesWorkload.All())
             .OrderBy(w => w.Name, StringComparer.Ordinal).ToList();
 

@@ -3,7 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A node of a cloud's octree that is in flight or in memory: its entity lives as long. It comes with
+    /// <summary>A node of a cloud's octree that is in flight or in memory, if <see cref="PointCloudNodesWanted"/> asks for it:
+    /// its entity lives as long, or is some frames late. It comes with
     /// <see cref="PointCloudNodeBounds"/>; with <see cref="Requested"/>, <see cref="Resident"/> and <see cref="Drawn"/>, which
     /// show its state; and with <see cref="Hidden"/>, <see cref="Pinned"/> and <see cref="Tint"/>, which users may
     /// enable.</summary>

@@ -13,8 +13,11 @@ namespace FastPoints.Entities
         [ReadOnly] public NativeArray<CachedNode> Slots;
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
-        /// <summary>The most entities to make or destroy; the rest waits for the next frame.</summary>
+        /// <summary>The most entities to make, to destroy, and to update; the rest waits for the next frame.</summary>
         public int MostChanges;
+
+        /// <summary>The slot to begin with, so that each has its turn.</summary>
+        public NativeReference<int> First;
         public NativeList<TrackedNode> Tracked;
 
         /// <summary>Scratch: indexed by slot.</summary>
@@ -34,47 +37,60 @@ namespace FastPoints.Entities
             Gone.Clear();
             Come.Clear();
             Changed.Clear();
-            while (Tracked.Length < Slots.Length)
-                Tracked.Add(default);
+            if (Tracked.Length < Slots.Length)
+                Tracked.Resize(Slots.Length, NativeArrayOptions.ClearMemory);
             IsDrawn.ResizeUninitialized(Slots.Length);
             for (int slot = 0; slot < Slots.Length; slot++)
                 IsDrawn[slot] = false;
             for (int i = 0; i < Drawn.Length; i++)
                 IsDrawn[Drawn[i].Slot] = true;
-            for (int slot = 0; slot < Slots.Length; slot++)
-                Compare(slot);
+            int first = First.Value < Tracked.Length ? First.Value : 0, next = -1;
+            for (int i = 0; i < Tracked.Length; i++)
+            {
+                int slot = first + i < Tracked.Length ? first + i : first + i - Tracked.Length;
+                if (!Compare(slot) && next < 0)
+                    next = slot;
+            }
+            First.Value = next < 0 ? 0 : next;
         }
 
-        void Compare(int slot)
+        /// <returns>Whether its entity is as it should be then.</returns>
+        bool Compare(int slot)
         {
-            var cached = Slots[slot];
+            var cached = slot < Slots.Length ? Slots[slot] : default;
             ref var tracked = ref Tracked.ElementAt(slot);
             bool isThere = cached.Phase != CachePhase.Free;
             bool isSame = isThere && tracked.Version == cached.Version;
             if (tracked.Entity != Entity.Null && !isSame)
             {
                 if (Gone.Length == MostChanges)
-                    return;
+                    return false;
                 Gone.Add(tracked.Entity);
                 tracked.Entity = Entity.Null;
             }
             if (!isThere)
-                return;
+                return true;
             byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedNode.IsResident : 0) |
                 (IsDrawn[slot] ? TrackedNode.IsDrawn : 0));
             if (tracked.Entity == Entity.Null)
             {
                 if (Come.Length == MostChanges)
-                    return;
+                    return false;
                 Come.Add(slot);
                 tracked.Version = cached.Version;
                 tracked.State = state;
+                // As a copy of the prefab is.
+                tracked.Changes = state;
             }
             else if (tracked.State != state)
             {
+                if (Changed.Length == MostChanges)
+                    return false;
+                tracked.Changes = (byte)(tracked.State ^ state);
                 tracked.State = state;
                 Changed.Add(slot);
             }
+            return true;
         }
     }
 
@@ -90,5 +106,8 @@ namespace FastPoints.Entities
 
         /// <summary>The state that the entity shows.</summary>
         public byte State;
+
+        /// <summary>What this frame changes in it.</summary>
+        public byte Changes;
     }
 }

@@ -6,16 +6,20 @@ using Unity.Jobs;
 namespace FastPoints.Entities
 {
     /// <summary>Makes and destroys the entities of nodes, some in each frame, and updates their nodes' state. It does nothing at
-    /// rest.</summary>
+    /// rest, and nothing at all unless entities are wanted (<see cref="PointCloudNodesWanted"/>).</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     internal unsafe partial class TrackNodesSystem : StreamSystem
     {
-        /// <summary>The most structural changes of each kind in one frame.</summary>
-        const int MostChanges = 512;
+        /// <summary>The most entities that one frame makes, destroys, and updates.</summary>
+        internal const int MostChanges = 512;
 
-        EntityArchetype m_archetype;
+        /// <summary>A node that was just requested: copies need little more than its place.</summary>
+        Entity m_prefab;
+        int m_count;
+        EntityQuery m_wanted;
         EntityQuery m_clouds;
+        NativeReference<int> m_first;
         NativeList<TrackedNode> m_tracked;
         NativeList<bool> m_isDrawn;
         NativeList<Entity> m_gone;
@@ -27,10 +31,8 @@ namespace FastPoints.Entities
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_archetype = EntityManager.CreateArchetype(ComponentType.ReadWrite<PointCloudNode>(),
-                ComponentType.ReadWrite<PointCloudNodeBounds>(), ComponentType.ReadWrite<Requested>(),
-                ComponentType.ReadWrite<Resident>(), ComponentType.ReadWrite<Drawn>(), ComponentType.ReadWrite<Hidden>(),
-                ComponentType.ReadWrite<Pinned>(), ComponentType.ReadWrite<Tint>());
+            m_wanted = GetEntityQuery(ComponentType.ReadOnly<PointCloudNodesWanted>());
+            m_first = new NativeReference<int>(Allocator.Persistent);
             m_clouds = GetEntityQuery(ComponentType.ReadOnly<StreamedPointCloud>());
             m_tracked = new NativeList<TrackedNode>(1024, Allocator.Persistent);
             m_isDrawn = new NativeList<bool>(1024, Allocator.Persistent);
@@ -43,11 +45,17 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
+            bool isWanted = !m_wanted.IsEmpty;
+            if (!isWanted && m_count == 0)
+                return;
+            var slots = Group.Stream.Cache.Slots;
+            var drawn = Group.Stream.Drawn.AsArray();
             new CompareNodesJob
             {
-                Slots = Group.Stream.Cache.Slots,
-                Drawn = Group.Stream.Drawn.AsArray(),
+                Slots = isWanted ? slots : slots.GetSubArray(0, 0),
+                Drawn = isWanted ? drawn : drawn.GetSubArray(0, 0),
                 MostChanges = MostChanges,
+                First = m_first,
                 Tracked = m_tracked,
                 IsDrawn = m_isDrawn,
                 Gone = m_gone,
@@ -58,6 +66,7 @@ namespace FastPoints.Entities
                 EntityManager.DestroyEntity(m_gone.AsArray());
             if (m_come.Length > 0)
                 Make();
+            m_count += m_come.Length - m_gone.Length;
             for (int i = 0; i < m_changed.Length; i++)
                 UpdateEntity(m_tracked[m_changed[i]]);
         }
@@ -65,6 +74,7 @@ namespace FastPoints.Entities
         protected override void OnDestroy()
         {
             m_tracked.Dispose();
+            m_first.Dispose();
             m_isDrawn.Dispose();
             m_gone.Dispose();
             m_come.Dispose();
@@ -77,8 +87,10 @@ namespace FastPoints.Entities
         void Make()
         {
             FindClouds();
+            if (!EntityManager.Exists(m_prefab))
+                MakePrefab();
             m_made.ResizeUninitialized(m_come.Length);
-            EntityManager.CreateEntity(m_archetype, m_made.AsArray());
+            EntityManager.Instantiate(m_prefab, m_made.AsArray());
             for (int i = 0; i < m_come.Length; i++)
             {
                 int slot = m_come[i];
@@ -86,11 +98,22 @@ namespace FastPoints.Entities
                 ref var tracked = ref m_tracked.ElementAt(slot);
                 tracked.Entity = entity;
                 Describe(entity, slot, Group.Stream.Cache[slot]);
-                EntityManager.SetComponentEnabled<Hidden>(entity, false);
-                EntityManager.SetComponentEnabled<Pinned>(entity, false);
-                EntityManager.SetComponentEnabled<Tint>(entity, false);
                 UpdateEntity(tracked);
             }
+        }
+
+        void MakePrefab()
+        {
+            m_prefab = EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudNode>(),
+                ComponentType.ReadWrite<PointCloudNodeBounds>(), ComponentType.ReadWrite<Requested>(),
+                ComponentType.ReadWrite<Resident>(), ComponentType.ReadWrite<Drawn>(), ComponentType.ReadWrite<Hidden>(),
+                ComponentType.ReadWrite<Pinned>(), ComponentType.ReadWrite<Tint>(), ComponentType.ReadWrite<Prefab>());
+            EntityManager.SetComponentData(m_prefab, new Tint { Rgba = CachedNode.White });
+            EntityManager.SetComponentEnabled<Resident>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Drawn>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Hidden>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Pinned>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Tint>(m_prefab, false);
         }
 
         void Describe(Entity entity, int slot, CachedNode cached)
@@ -106,15 +129,18 @@ namespace FastPoints.Entities
                 SlotVersion = cached.Version,
             });
             EntityManager.SetComponentData(entity, new PointCloudNodeBounds { Center = node.Center, Half = node.Half });
-            EntityManager.SetComponentData(entity, new Tint { Rgba = CachedNode.White });
         }
 
         void UpdateEntity(TrackedNode tracked)
         {
-            bool isResident = (tracked.State & TrackedNode.IsResident) != 0;
-            EntityManager.SetComponentEnabled<Requested>(tracked.Entity, !isResident);
-            EntityManager.SetComponentEnabled<Resident>(tracked.Entity, isResident);
-            EntityManager.SetComponentEnabled<Drawn>(tracked.Entity, (tracked.State & TrackedNode.IsDrawn) != 0);
+            if ((tracked.Changes & TrackedNode.IsResident) != 0)
+            {
+                bool isResident = (tracked.State & TrackedNode.IsResident) != 0;
+                EntityManager.SetComponentEnabled<Requested>(tracked.Entity, !isResident);
+                EntityManager.SetComponentEnabled<Resident>(tracked.Entity, isResident);
+            }
+            if ((tracked.Changes & TrackedNode.IsDrawn) != 0)
+                EntityManager.SetComponentEnabled<Drawn>(tracked.Entity, (tracked.State & TrackedNode.IsDrawn) != 0);
         }
 
         void FindClouds()

@@ -22,6 +22,7 @@ namespace FastPoints.Tests.Entities
         StreamedTestCloud m_cloud;
         World m_world;
         PointCloudSystemGroup m_group;
+        Entity m_asking;
 
         EntityManager Entities => m_world.EntityManager;
 
@@ -52,6 +53,7 @@ namespace FastPoints.Tests.Entities
 
         void Begin(long limitBytes = 64 << 20)
         {
+            m_asking = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
             m_group.Begin(new MemoryNodePool(limitBytes, 1 << 17));
             m_group.Stream.Settings.Selection = StreamedTestCloud.Selection;
         }
@@ -117,6 +119,38 @@ namespace FastPoints.Tests.Entities
                 points += node.PointCount;
             }
             Assert.That(points, Is.EqualTo(stats.DrawnPoints));
+        }
+
+        /// <summary>Frames until it is shown, without waiting for entities.</summary>
+        void SettleStream()
+        {
+            while (!Frame(StreamedTestCloud.Overview()).IsSettled)
+                Thread.Yield();
+        }
+
+        [Test]
+        public void Update_NobodyWantsNodes_TheyComeAndGoWithTheWish()
+        {
+            Begin();
+            Entities.DestroyEntity(m_asking);
+            Add();
+            SettleStream();
+            Assert.That(Count<PointCloudNode>() + Count<Prefab>(), Is.Zero);
+            var tint = new Tint { Rgba = CachedNode.White };
+            for (int turn = 0; turn < 3; turn++)
+            {
+                m_asking = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
+                var stats = Settle(StreamedTestCloud.Overview());
+                Assert.That(Count<PointCloudNode>(), Is.EqualTo(stats.CachedNodes).And.GreaterThan(20));
+                Assert.That(Count<Resident>(), Is.EqualTo(stats.CachedNodes));
+                Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
+                Assert.That(Count<Requested>() + Count<Hidden>() + Count<Pinned>() + Count<Tint>(), Is.Zero);
+                Assert.That(All<PointCloudNode>().ToArray().All(e => Entities.GetComponentData<Tint>(e).Equals(tint)));
+                Entities.DestroyEntity(m_asking);
+                Frame(StreamedTestCloud.Overview());
+                Assert.That(Count<PointCloudNode>(), Is.Zero);
+                Assert.That(Frame(StreamedTestCloud.Overview()).DrawnNodes, Is.EqualTo(stats.DrawnNodes));
+            }
         }
 
         [Test]

@@ -44,8 +44,18 @@ namespace FastPoints.Benchmarks
         public StreamSettings Settings => m_group.Stream.Settings;
 
         /// <summary>Whether all of the cloud that the camera needs is drawn, and nothing newer is expected.</summary>
-        public bool IsAtRest => m_group.Stats.IsSettled && !m_group.IsOpening &&
-            m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
+        public bool IsAtRest => m_group.Stats.IsSettled && !m_group.IsOpening && IsOpen;
+
+        public bool IsOpen => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
+
+        /// <summary>The pool's limit.</summary>
+        public long PoolBytes
+        {
+            set => m_group.Stream.Pool.LimitBytes = value;
+        }
+
+        /// <summary>Asks for entities of nodes.</summary>
+        public void WantNodes() => m_world.EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
 
         /// <summary>Puts a cloud into the scene.</summary>
         public void Show(string path)
