@@ -120,6 +120,16 @@ public sealed class SourceFacts(PointReader reader)
             writer.WriteLine();
             levels.Write(writer, "  ");
         }
+        foreach (var (name, counts) in Counted())
+        {
+            writer.WriteLine();
+            var table = new TextTable(name, "points", "%");
+            for (int i = 0; i < counts.Length; i++)
+                if (counts[i] > 0)
+                    table.Add(Human.Count(i), Human.Count(counts[i]),
+                        Human.Value(Math.Round(100.0 * counts[i] / Found!.Points, 2)));
+            table.Write(writer, "  ");
+        }
         if (Info.Warnings.Count > 0)
             writer.WriteLine();
         foreach (var warning in Info.Warnings)
@@ -152,6 +162,15 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteNumber(key, code);
         else
             json.WriteNull(key);
+    }
+
+    /// <summary>What the scan counted by value: classes and return numbers, as far as there are any.</summary>
+    IEnumerable<(string Name, long[] Counts)> Counted()
+    {
+        if (Found?.ClassCounts is { } classes)
+            yield return ("class", classes);
+        if (Found?.ReturnCounts is { } returns)
+            yield return ("return", returns);
     }
 
     void WriteTree(Utf8JsonWriter json)
@@ -225,6 +244,14 @@ public sealed class SourceFacts(PointReader reader)
         }
         json.WriteEndArray();
         WriteTree(json);
+        foreach (var (name, counts) in Counted())
+        {
+            json.WriteStartObject(name == "class" ? "classes" : "returns");
+            for (int i = 0; i < counts.Length; i++)
+                if (counts[i] > 0)
+                    json.WriteInteger(i.ToString(CultureInfo.InvariantCulture), counts[i]);
+            json.WriteEndObject();
+        }
         if (Found == null)
         {
             json.WriteNull("columnSums");

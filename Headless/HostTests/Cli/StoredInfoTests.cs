@@ -81,6 +81,32 @@ public sealed class StoredInfoTests
                 .And.Contain(fact.GetProperty("value").GetString()));
     }
 
+    /// <summary>Against the bytes of the records themselves: LAS 1.4, point format 7.</summary>
+    [Test]
+    public void Scan_OfAFile_CountsClassesAndReturns()
+    {
+        byte[] las = File.ReadAllBytes(m_demo);
+        int first = BitConverter.ToInt32(las, 96), record = BitConverter.ToUInt16(las, 105);
+        var records = Enumerable.Range(0, 20_000).Select(i => first + i * record).ToArray();
+        foreach (string threads in new[] { "1", "2" })
+        {
+            var call = CliCall.Of("info", "--scan", m_demo, "--json", m_scratch["scan.json"], "--threads", threads);
+            var json = JsonDocument.Parse(File.ReadAllBytes(m_scratch["scan.json"])).RootElement;
+            HasCounts(json.GetProperty("classes"), records.Select(at => (int)las[at + 16]));
+            HasCounts(json.GetProperty("returns"), records.Select(at => las[at + 14] & 15));
+            Assert.That(call.Output, Does.Match(@"class +points").And.Match(@"return +points"));
+        }
+        var unscanned = CliCall.Of("info", m_demo, "--json", "-").Json;
+        Assert.That(unscanned.TryGetProperty("classes", out _), Is.False, "nothing was counted");
+    }
+
+    static void HasCounts(JsonElement json, IEnumerable<int> values)
+    {
+        var wanted = values.GroupBy(v => v).ToDictionary(g => g.Key.ToString(), g => g.LongCount());
+        Assert.That(wanted, Has.Count.GreaterThan(1), "something to tell apart");
+        Assert.That(json.EnumerateObject().ToDictionary(p => p.Name, p => p.Value.GetInt64()), Is.EquivalentTo(wanted));
+    }
+
     [Test]
     public void MainJob_OfCopc_CountsItsNodes()
     {

@@ -21,7 +21,13 @@ namespace FastPoints.Evaluation
             public NativeArray<PointColumn> Columns;
             public NativeArray<ColumnSummary> SummaryOfColumn;
             public NativeReference<PositionBounds> Bounds;
+
+            /// <summary>Points of each class, then of each return number, of all blocks of the slot.</summary>
+            public NativeArray<long> Counts;
         }
+
+        /// <summary>Values of a byte.</summary>
+        const int ByteValues = SummariseBlockJob.ByteValues;
 
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
@@ -64,6 +70,8 @@ namespace FastPoints.Evaluation
                 yield return Work.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
                 if (m_areRangesBounds && Summary.Points > 0)
                     TakeRanges();
+                Summary.ClassCounts = TakeCounts(AttributeNames.Classification, 0);
+                Summary.ReturnCounts = TakeCounts(AttributeNames.ReturnNumber, ByteValues);
             }
             finally
             {
@@ -74,6 +82,7 @@ namespace FastPoints.Evaluation
                     state.Columns.Dispose();
                     state.SummaryOfColumn.Dispose();
                     state.Bounds.Dispose();
+                    state.Counts.Dispose();
                 }
             }
             progress?.End();
@@ -94,7 +103,28 @@ namespace FastPoints.Evaluation
                 Positions = m_hasPositions ? PositionColumns.Of(read.Points) : default,
                 SummaryOfColumn = state.SummaryOfColumn,
                 Bounds = state.Bounds,
+                Counts = state.Counts,
+                ClassColumn = IndexOfBytes(AttributeNames.Classification),
+                ReturnColumn = IndexOfBytes(AttributeNames.ReturnNumber),
             }.Schedule(decoded);
+        }
+
+        /// <summary>Index of a column of bytes; -1 for none, or one of another type.</summary>
+        int IndexOfBytes(string name)
+        {
+            int index = m_schema.IndexOf(name);
+            return index >= 0 && m_schema[index].Type == AttributeType.UInt8 ? index : -1;
+        }
+
+        long[] TakeCounts(string name, int first)
+        {
+            if (IndexOfBytes(name) < 0)
+                return null;
+            var counts = new long[ByteValues];
+            foreach (var state in m_slots)
+                for (int i = 0; state.Counts.IsCreated && i < ByteValues; i++)
+                    counts[i] += state.Counts[first + i];
+            return counts;
         }
 
         public void Completed(BlockRead read, int slot)
@@ -137,6 +167,7 @@ namespace FastPoints.Evaluation
                 Columns = new NativeArray<PointColumn>(batch.Schema.Count, Allocator.Persistent),
                 SummaryOfColumn = new NativeArray<ColumnSummary>(batch.Schema.Count, Allocator.Persistent),
                 Bounds = new NativeReference<PositionBounds>(Allocator.Persistent),
+                Counts = new NativeArray<long>(2 * ByteValues, Allocator.Persistent),
             };
             for (int i = 0; i < state.Columns.Length; i++)
                 state.Columns[i] = batch.Column(i);
@@ -159,6 +190,10 @@ namespace FastPoints.Evaluation
 
         /// <summary>One for each attribute of <see cref="Schema"/>.</summary>
         public ColumnSummary[] Columns { get; internal set; }
+
+        /// <summary>Points by class and by return number; null where there are none.</summary>
+        public long[] ClassCounts { get; internal set; }
+        public long[] ReturnCounts { get; internal set; }
     }
 
     /// <summary>Finds range and sum of each column of a decoded block, and the bounds of its positions.</summary>
@@ -177,6 +212,13 @@ namespace FastPoints.Evaluation
         public NativeArray<ColumnSummary> SummaryOfColumn;
         public NativeReference<PositionBounds> Bounds;
 
+        public const int ByteValues = 256;
+
+        /// <summary>Columns of bytes to count the values of, -1 for none; what is counted is added.</summary>
+        public int ClassColumn;
+        public int ReturnColumn;
+        public NativeArray<long> Counts;
+
         public unsafe void Execute()
         {
             byte* bytes = (byte*)Block.GetUnsafeReadOnlyPtr();
@@ -187,7 +229,18 @@ namespace FastPoints.Evaluation
                 summary.IncludeColumn(bytes + Columns[column].OffsetBytes, count);
                 SummaryOfColumn[column] = summary;
             }
+            long* counts = (long*)Counts.GetUnsafePtr();
+            if (ClassColumn >= 0)
+                Count(bytes + Columns[ClassColumn].OffsetBytes, count, counts);
+            if (ReturnColumn >= 0)
+                Count(bytes + Columns[ReturnColumn].OffsetBytes, count, counts + ByteValues);
             Bounds.Value = HasPositions ? PositionBounds.Measure(bytes, Positions, Transform, 0, count) : PositionBounds.Empty;
+        }
+
+        static unsafe void Count(byte* values, int count, long* counts)
+        {
+            for (int i = 0; i < count; i++)
+                counts[values[i]]++;
         }
     }
 }
