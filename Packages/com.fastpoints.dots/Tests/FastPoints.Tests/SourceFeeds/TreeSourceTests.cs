@@ -376,7 +376,12 @@ namespace FastPoints.Tests.SourceFeeds
                     frame();
                 return GC.GetAllocatedBytesForCurrentThread() - before;
             }
-            Action select = () => stream.Selector.Choose(settable, stream.Settings.Selection);
+            using var wanted = new NativeList<SelectedNode>(64, Allocator.Persistent);
+            Action select = () =>
+            {
+                stream.Selector.Choose(settable, stream.Settings.Selection);
+                StreamedTestCloud.RunJobsOfAFrame(stream, wanted);
+            };
             Action run = () => FrameStep.Run(stream, settable);
             Garbage(select);
             Garbage(run);

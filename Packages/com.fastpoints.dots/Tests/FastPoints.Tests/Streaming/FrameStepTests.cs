@@ -206,38 +206,6 @@ namespace FastPoints.Tests.Streaming
             Assert.That(m_stream.Drawn.Length, Is.EqualTo(all));
         }
 
-        /// <summary>What a frame runs after its choice, by itself.</summary>
-        void RunJobsOfAFrame(NativeList<SelectedNode> wanted)
-        {
-            var selector = m_stream.Selector;
-            new UseNodesJob
-            {
-                Clouds = m_stream.CloudPages,
-                Selected = selector.Selected,
-                Forecasted = selector.Forecasted,
-                Pinned = m_stream.Cache.Pinned,
-                Frame = selector.Frame,
-                Order = m_stream.Cache.Order,
-            }.Run();
-            for (int i = 0; i < 2; i++)
-                new ListWantedJob
-                {
-                    Clouds = m_stream.CloudPages,
-                    Nodes = i == 0 ? selector.Selected : selector.Forecasted,
-                    Frame = selector.Frame,
-                    Wanted = wanted,
-                }.Run();
-            new ListDrawnJob
-            {
-                Clouds = m_stream.CloudPages,
-                Selected = selector.Selected,
-                Slots = m_stream.Cache.Slots,
-                Drawn = m_stream.Drawn,
-                DrawnOfSelected = m_stream.DrawnOfSelected,
-                Totals = m_stream.DrawnTotals,
-            }.Run();
-        }
-
         [Test]
         public void Run_AtRestAndAmongWhatIsThere_MakesNoGarbage()
         {
@@ -252,7 +220,7 @@ namespace FastPoints.Tests.Streaming
                 for (int i = 0; i < 50; i++)
                 {
                     m_stream.Selector.Choose(settable, m_stream.Settings.Selection);
-                    RunJobsOfAFrame(wanted);
+                    StreamedTestCloud.RunJobsOfAFrame(m_stream, wanted);
                 }
                 return GC.GetAllocatedBytesForCurrentThread() - before;
             }

@@ -12,6 +12,7 @@ using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
@@ -134,5 +135,37 @@ namespace FastPoints.Tests.Streaming
         }
 
         public void Dispose() => m_scratch.Dispose();
+
+        /// <summary>What a frame runs after its choice, by itself.</summary>
+        internal static void RunJobsOfAFrame(StreamContext stream, NativeList<SelectedNode> wanted)
+        {
+            var selector = stream.Selector;
+            new UseNodesJob
+            {
+                Clouds = stream.CloudPages,
+                Selected = selector.Selected,
+                Forecasted = selector.Forecasted,
+                Pinned = stream.Cache.Pinned,
+                Frame = selector.Frame,
+                Order = stream.Cache.Order,
+            }.Run();
+            for (int i = 0; i < 2; i++)
+                new ListWantedJob
+                {
+                    Clouds = stream.CloudPages,
+                    Nodes = i == 0 ? selector.Selected : selector.Forecasted,
+                    Frame = selector.Frame,
+                    Wanted = wanted,
+                }.Run();
+            new ListDrawnJob
+            {
+                Clouds = stream.CloudPages,
+                Selected = selector.Selected,
+                Slots = stream.Cache.Slots,
+                Drawn = stream.Drawn,
+                DrawnOfSelected = stream.DrawnOfSelected,
+                Totals = stream.DrawnTotals,
+            }.Run();
+        }
     }
 }
