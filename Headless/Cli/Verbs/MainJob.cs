@@ -215,7 +215,8 @@ public sealed class MainJob : Verb
             run.Progress.Group = null;
             if (gpu != null)
                 OutputFile.Write(Path.Combine(folder, "gpu.png"), gpu.Png);
-            run.Out.WriteLine("  gpu      " + (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
+            run.Out.WriteLine("  gpu      " +
+                (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
             run.Out.WriteLine();
 
             run.Progress.Group = "page";

@@ -141,7 +141,8 @@ public sealed class StoredInfoTests
         foreach (var (line, wanted) in new[] { ("conv", "convert"), ("info --sc", "--scan"), ("picture --bud", "--budget") })
         {
             using var bash = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("bash",
-                [m_scratch["ask.sh"], program + " " + line]) { RedirectStandardOutput = true });
+                [m_scratch["ask.sh"], program + " " + line])
+            { RedirectStandardOutput = true });
             Assert.That(bash.StandardOutput.ReadToEnd().Trim(), Is.EqualTo(wanted), line);
             bash.WaitForExit();
         }

@@ -53,12 +53,12 @@ namespace FastPoints.Editor
         {
             if (clouds.Entries.Count > 0 && (target == BuildTarget.Android || target == BuildTarget.WebGL))
                 throw new BuildFailedException("FastPoints: players for " + target + " cannot open point clouds in their " +
-                    "streaming assets, " + clouds.Entries[0].PlayerPath + " for one: take them out of the scenes, and see Limits " +
-                    "in the manual");
+                    "streaming assets, " + clouds.Entries[0].PlayerPath + " for one: take them out of the scenes, and see " +
+                    "Limits in the manual");
             int limitMiB = FastPointsSettings.instance.PlayerMiB;
             if (limitMiB > 0 && clouds.Bytes >= (long)limitMiB << 20)
-                Debug.LogWarning("FastPoints: the player's point clouds have " + (clouds.Bytes >> 20) + " MiB. Project Settings " +
-                    "> FastPoints says from where on this is told");
+                Debug.LogWarning("FastPoints: the player's point clouds have " + (clouds.Bytes >> 20) + " MiB. Project " +
+                    "Settings > FastPoints says from where on this is told");
         }
     }
 

@@ -6,8 +6,9 @@ using UnityEngine;
 
 namespace FastPoints.Samples.EntitiesOnly
 {
-    /// <summary>Makes the entities of a cloud and of its budget by hand, asks for nodes, and runs a system of our own on the cloud's nodes. It is
-    /// the scene's only GameObject besides the camera: in a game, the bootstrap does this.</summary>
+    /// <summary>Makes the entities of a cloud and of its budget by hand, asks for nodes, and runs a system of our
+    /// own on the cloud's nodes. It is the scene's only GameObject besides the camera: in a game, the bootstrap does
+    /// this.</summary>
     [AddComponentMenu("FastPoints/Samples/Entities Only Start")]
     public sealed class EntitiesOnlyStart : MonoBehaviour
     {

@@ -58,7 +58,7 @@ namespace FastPoints.Tests.Files
             { "no_vertex.ply", new Outcome(FailureCode.BadInput, "vertex") },
             { "empty.ply", new Outcome(FailureCode.Truncated, "0 bytes") },
             { "diamond_with_bool.ply", new Outcome(FailureCode.Unsupported, "bool") },
-            { "utm17_space.pcd", new Outcome(FailureCode.Unsupported, "PCD") },
+            { "utm17_space.pcd", new Outcome(10, null) },
             { "A4.e57", new Outcome(4, null) },
         };
 

@@ -8,7 +8,6 @@ using FastPoints.Streaming;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Streaming

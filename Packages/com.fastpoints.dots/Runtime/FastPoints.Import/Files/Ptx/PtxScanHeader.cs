@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Text;
+using FastPoints.Base;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -55,8 +56,7 @@ namespace FastPoints.Files
                     out line == 0 ? ref header.Columns : ref header.Rows);
             for (int i = 0; i < words.Length; i++)
             {
-                if (!double.TryParse(words[i], NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
-                    || double.IsNaN(value) || double.IsInfinity(value))
+                if (!NumberText.TryRead(words[i], out double value) || double.IsNaN(value) || double.IsInfinity(value))
                     return false;
                 if (line >= 6)
                     rows[line - 6][i] = value;
