@@ -55,6 +55,7 @@ namespace FastPoints.Tests.Streaming
         {
             var random = new Unity.Mathematics.Random(seed);
             var gone = new List<string>();
+            string[] files = m_cloud.ChunkFiles.OrderBy(f => f, StringComparer.Ordinal).ToArray();
             bool hasLost = false;
             var camera = StreamedTestCloud.Overview();
             var step = new double3(0, 0, 0);
@@ -86,8 +87,9 @@ namespace FastPoints.Tests.Streaming
                         stream.Remove(random.NextInt(stream.Clouds.Count));
                         break;
                     case 8:
-                        string file = m_cloud.ChunkFiles[random.NextInt(m_cloud.ChunkFiles.Length)];
-                        if (gone.Count < 3)
+                        // Folders list their files in any order.
+                        string file = files[random.NextInt(files.Length)];
+                        if (gone.Count < 3 && !gone.Contains(file))
                         {
                             File.Move(file, file + ".gone");
                             gone.Add(file);
