@@ -26,6 +26,9 @@ public sealed class SampleSceneTests
         .SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.NonPublic))
         .Where(m => m.GetCustomAttribute<MenuItem>() != null).ToArray();
 
+    internal static MethodInfo Command(string name) =>
+        Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem == name);
+
     static string[] Names() => Commands().Select(m => m.GetCustomAttribute<MenuItem>().menuItem).ToArray();
 
     string Street => m_project.Paths.Absolute("PointClouds/street.las");
