@@ -17,7 +17,9 @@ namespace FastPoints.Files
         const int LinearUnitSizeKey = 3077;
         const int VerticalTypeKey = 4096;
 
+        const int ProjectedModel = 1;
         const int GeographicModel = 2;
+        const int GeocentricModel = 3;
         const int UserDefined = 32767;
         const int EntryBytes = 8;
 
@@ -75,6 +77,7 @@ namespace FastPoints.Files
             int m_model;
             int m_geographic;
             int m_projected;
+            bool m_isProjected;
             int m_unit;
             double m_unitSize;
             string m_name;
@@ -100,6 +103,7 @@ namespace FastPoints.Files
                         break;
                     case ProjectedTypeKey:
                         m_projected = Code(location, value, key, at, info);
+                        m_isProjected = location == 0 && value != 0;
                         break;
                     case VerticalTypeKey:
                         VerticalEpsg = Code(location, value, key, at, info);
@@ -125,16 +129,18 @@ namespace FastPoints.Files
 
             public void Fill(CoordinateSystem crs)
             {
-                crs.Epsg = m_projected != 0 ? m_projected : m_geographic;
+                // In projected and geocentric systems the geographic key names what they are derived from.
+                bool isDerived = m_model == ProjectedModel || m_model == GeocentricModel || m_model == 0 && m_isProjected;
+                crs.Epsg = isDerived ? m_projected : m_geographic;
                 crs.VerticalEpsg = VerticalEpsg;
                 crs.Name = m_name ?? m_citation;
-                if (m_model == GeographicModel || m_projected == 0 && m_geographic != 0 && m_unit == 0 && m_unitSize == 0)
+                if (m_model == GeographicModel || !isDerived && m_geographic != 0 && m_unit == 0 && m_unitSize == 0)
                     crs.MetresPerUnit = double.NaN;
                 else if (m_unit != 0 && s_metresOfUnit.TryGetValue(m_unit, out double metres))
                     crs.MetresPerUnit = metres;
                 else if (m_unitSize > 0 && !double.IsInfinity(m_unitSize))
                     crs.MetresPerUnit = m_unitSize;
-                else if (IsUtm(m_projected))
+                else if (m_model == GeocentricModel || IsUtm(m_projected))
                     crs.MetresPerUnit = 1;
             }
         }

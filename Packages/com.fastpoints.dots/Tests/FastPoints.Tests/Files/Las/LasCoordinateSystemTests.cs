@@ -92,6 +92,18 @@ namespace FastPoints.Tests.Files
             Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 1, 3072, 0, 1, 2994)).MetresPerUnit, Is.Zero);
         }
 
+        /// <summary>The geographic key then names what the system is derived from; its own unit is a length.</summary>
+        [TestCase(1, 32767, 9001, 0, 1), TestCase(1, 32767, 9003, 0, 1200.0 / 3937), TestCase(1, 32767, 0, 0, 0)]
+        [TestCase(1, 0, 9001, 0, 1), TestCase(0, 32767, 0, 0, 0), TestCase(3, 0, 0, 0, 1), TestCase(3, 0, 9002, 0, 0.3048)]
+        [TestCase(2, 0, 0, 4326, double.NaN), TestCase(2, 32767, 0, 4326, double.NaN), TestCase(0, 0, 0, 4326, double.NaN)]
+        public void GeoKeys_DerivedFromAGeographicSystem_HaveNotItsCodeOrUnit(int model, int projected, int unit, int epsg,
+            double metresPerUnit)
+        {
+            var crs = Read(Keys("", new double[0], 1024, 0, 1, model, 2048, 0, 1, 4326, 3072, 0, 1, projected, 3076, 0, 1, unit));
+            Assert.That(crs.Epsg, Is.EqualTo(epsg));
+            Assert.That(crs.MetresPerUnit, Is.EqualTo(metresPerUnit));
+        }
+
         [Test]
         public void GeoKeys_Invalid_WarnAndPointsLoad()
         {
