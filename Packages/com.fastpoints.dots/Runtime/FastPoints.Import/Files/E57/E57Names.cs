@@ -30,6 +30,7 @@ namespace FastPoints.Files
         };
 
         /// <summary>The attribute's usual name, or the field's own.</summary>
-        public static string AttributeOf(string field) => s_attributes.TryGetValue(field, out string name) ? name : field;
+        public static string AttributeOf(string field) =>
+            s_attributes.TryGetValue(field, out string name) ? name : UsualNames.Of(field) ?? field;
     }
 }

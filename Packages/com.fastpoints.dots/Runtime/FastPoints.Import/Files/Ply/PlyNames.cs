@@ -48,6 +48,9 @@ namespace FastPoints.Files
             {
                 if (names[i] != null || properties[i].IsList)
                     continue;
+                names[i] = UsualNames.Of(properties[i].Name);
+                if (names[i] != null && taken.Add(names[i]))
+                    continue;
                 string name = properties[i].Name;
                 for (int n = 2; !taken.Add(name); n++)
                     name = properties[i].Name + "_" + n;

@@ -14,6 +14,9 @@ namespace FastPoints.Files
         /// <summary>Whether all values are whole numbers, without an exponent or a point.</summary>
         public bool IsInteger;
 
+        /// <summary>Whether all values are whole numbers, however they are printed: some write colours as 117.0.</summary>
+        public bool IsWhole => Decimals == 0;
+
         /// <summary>The most digits behind the point: as printed, and without zeros at the end.</summary>
         public int DecimalsPrinted;
         public int Decimals;
@@ -54,7 +57,7 @@ namespace FastPoints.Files
         {
             bool isColor = attribute == AttributeNames.Red || attribute == AttributeNames.Green ||
                 attribute == AttributeNames.Blue || attribute == AttributeNames.Alpha || attribute == AttributeNames.NearInfrared;
-            if (!IsInteger)
+            if (!IsInteger && !(isColor && IsWhole && MaxMagnitude > 1))
                 return Digits <= 7 ? AttributeType.Float32 : AttributeType.Float64;
             bool isByte = isColor || attribute == AttributeNames.Classification || attribute == AttributeNames.ReturnNumber ||
                 attribute == AttributeNames.NumberOfReturns || attribute == AttributeNames.UserData;

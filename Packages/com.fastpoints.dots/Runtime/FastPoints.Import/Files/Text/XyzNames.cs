@@ -23,14 +23,6 @@ namespace FastPoints.Files
             { "normal_x", AttributeNames.NormalX }, { "normal_y", AttributeNames.NormalY },
             { "normal_z", AttributeNames.NormalZ }, { "normalx", AttributeNames.NormalX },
             { "normaly", AttributeNames.NormalY }, { "normalz", AttributeNames.NormalZ },
-            { "classification", AttributeNames.Classification }, { "class", AttributeNames.Classification },
-            { "scalar_classification", AttributeNames.Classification },
-            { "returnnumber", AttributeNames.ReturnNumber }, { "return_number", AttributeNames.ReturnNumber },
-            { "numberofreturns", AttributeNames.NumberOfReturns }, { "number_of_returns", AttributeNames.NumberOfReturns },
-            { "gpstime", AttributeNames.GpsTime }, { "gps_time", AttributeNames.GpsTime },
-            { "userdata", AttributeNames.UserData }, { "user_data", AttributeNames.UserData },
-            { "pointsourceid", AttributeNames.PointSourceId }, { "point_source_id", AttributeNames.PointSourceId },
-            { "nir", AttributeNames.NearInfrared },
         };
 
         static readonly string[] s_rgb = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
@@ -50,7 +42,8 @@ namespace FastPoints.Files
                 int color = hasRgb ? "rgb".IndexOf(name, StringComparison.OrdinalIgnoreCase) : -1;
                 if (color >= 0)
                     name = s_rgb[color];
-                else if (s_names.TryGetValue(name, out string usual) && !taken.Contains(usual))
+                else if ((s_names.TryGetValue(name, out string usual) || (usual = UsualNames.Of(name)) != null) &&
+                    !taken.Contains(usual))
                     name = usual;
                 string free = name;
                 for (int n = 2; !taken.Add(free); n++)
@@ -80,8 +73,9 @@ namespace FastPoints.Files
                 int left = count - i;
                 bool isNormal = !hasNormal && IsNormal(columns, unitLength, i);
                 bool isColor = !hasColor && IsColor(columns, i);
-                // Of four columns the intensity comes first (PTS), if the other three then fit.
-                bool intensityFirst = !hasIntensity && left % 3 == 1 &&
+                // Of four columns the intensity comes first (PTS), if the other three then fit, and the last is no opacity.
+                bool hasAlpha = left == 4 && isColor && columns[i + 3].IsWithin(byte.MaxValue, byte.MaxValue);
+                bool intensityFirst = !hasIntensity && left % 3 == 1 && !hasAlpha &&
                     (!hasColor && IsColor(columns, i + 1) || !hasNormal && IsNormal(columns, unitLength, i + 1));
                 if (!intensityFirst && (isNormal || isColor))
                 {
@@ -89,6 +83,8 @@ namespace FastPoints.Files
                     hasNormal |= isNormal;
                     hasColor |= !isNormal;
                     i += 3;
+                    if (hasAlpha)
+                        names[i++] = AttributeNames.Alpha;
                     continue;
                 }
                 names[i] = hasIntensity ? "Column" + (i + 1) : AttributeNames.Intensity;
@@ -117,7 +113,7 @@ namespace FastPoints.Files
             bool areInteger = true, areShares = true;
             for (int i = at; i < at + 3; i++)
             {
-                areInteger &= columns[i].IsInteger && columns[i].IsWithin(0, ushort.MaxValue);
+                areInteger &= columns[i].IsWhole && columns[i].IsWithin(0, ushort.MaxValue);
                 areShares &= !columns[i].IsInteger && columns[i].IsWithin(0, 1);
             }
             return areInteger || areShares;

@@ -150,6 +150,16 @@ namespace FastPoints.Tests.Files
         }
 
         [Test]
+        public void Read_FieldsOfLas_HaveTheirUsualNames()
+        {
+            var scan = Floats(100);
+            scan.Fields.Add(E57TestField.Integer("las:pointSourceId", 0, 7, Enumerable.Repeat(7L, 100).ToArray()));
+            scan.Fields.Add(E57TestField.Integer("classification", 0, 31, Enumerable.Repeat(2L, 100).ToArray()));
+            Assert.That(FileContents.OfE57(File(scan)).Info.Schema.Select(a => a.Name), Is.EqualTo(new[]
+                { "X", "Y", "Z", "PointSourceId", "Classification" }));
+        }
+
+        [Test]
         public void Read_SphericalScan_IsMadeCartesian()
         {
             var scan = new E57TestScan(

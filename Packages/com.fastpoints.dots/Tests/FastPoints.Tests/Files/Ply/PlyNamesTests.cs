@@ -26,7 +26,11 @@ namespace FastPoints.Tests.Files
         [TestCase("reflectance", "Intensity")]
         [TestCase("intensity scalar_Intensity", "Intensity scalar_Intensity")]
         [TestCase("red green blue r g b", "Red Green Blue r g b")]
-        [TestCase("confidence scalar_GPS_time f_dc_0", "confidence scalar_GPS_time f_dc_0")]
+        [TestCase("confidence scalar_GPS f_dc_0", "confidence scalar_GPS f_dc_0")]
+        [TestCase("scalar_Classification scalar_GPS_time return_number", "Classification GpsTime ReturnNumber")]
+        [TestCase("numberofreturns ScanAngleRank scalar_Point_Source_ID", "NumberOfReturns ScanAngle PointSourceId")]
+        [TestCase("classification scalar_Classification", "Classification scalar_Classification")]
+        [TestCase("las:gpsTime las: class_ scalar", "GpsTime las: Classification scalar")]
         [TestCase("p p p", "p p_2 p_3")]
         [TestCase("x Intensity X", "X Intensity X_2")]
         public void Of_Properties_GivesTheUsualNames(string given, string wanted) =>

@@ -107,6 +107,10 @@ namespace FastPoints.Tests.Files
         [TestCase("1 2 3 0.5 0.25 1.0\n4 5 6 0.1 0.2 0.3\n", "X Y Z Red Green Blue", "Float32 Float32 Float32")]
         [TestCase("1 2 3 0.6 0 0.8\n4 5 6 0 -1 0.0\n", "X Y Z NormalX NormalY NormalZ", "Float32 Int32 Float32")]
         [TestCase("1 2 3 -40 10 20 30\n4 5 6 7 255 0 0\n", "X Y Z Intensity Red Green Blue", "Int16 UInt8 UInt8 UInt8")]
+        [TestCase("1 2 3 117.0 73.0 49.0\n4 5 6 0.0 255.0 0.0\n", "X Y Z Red Green Blue", "UInt8 UInt8 UInt8")]
+        [TestCase("1 2 3 117.0 73.0 49.0 255.0\n4 5 6 0.0 12.0 9.0 255.0\n", "X Y Z Red Green Blue Alpha",
+            "UInt8 UInt8 UInt8 UInt8")]
+        [TestCase("1 2 3 10 20 30 255\n4 5 6 255 0 0 254\n", "X Y Z Intensity Red Green Blue", "UInt16 UInt8 UInt8 UInt8")]
         [TestCase("1 2 3 10 20 30 -40\n4 5 6 255 0 0 7\n", "X Y Z Red Green Blue Intensity", "UInt8 UInt8 UInt8 Int16")]
         [TestCase("1 2 3 10 20 30 0.6 0.1 0.79\n4 5 6 255 0 0 0.0 1.0 0.0\n",
             "X Y Z Red Green Blue NormalX NormalY NormalZ", "UInt8 UInt8 UInt8 Float32 Float32 Float32")]
