@@ -8,6 +8,8 @@ namespace FastPoints.Files
     /// binary_compressed ones by <see cref="PcdLzfReader"/>. Packed colours become Red, Green and Blue.</summary>
     static class PcdReader
     {
+        const int PageBytes = 4096;
+
         /// <summary>Opens a PCD file. Only its header is read.</summary>
         /// <exception cref="PointCloudException">The header is invalid, or has no x, y and z.</exception>
         public static PointReader Open(FileSource source)
@@ -50,6 +52,13 @@ namespace FastPoints.Files
                     throw new PointCloudException(FailureCode.BadInput, source.Path, -1,
                         "the points have no field " + axis.ToLowerInvariant());
             Describe(pcd, info);
+            int padding = pcd.Data == "binary" ? PaddingOf(source, vertex.EndOfFixed(pcd.DataOffset, source.Length)) : 0;
+            if (padding > 0)
+            {
+                var page = new PlyElement { Name = "padding", Count = (ulong)padding };
+                page.Properties.Add(new PlyProperty { Type = AttributeType.UInt8 });
+                header.Elements.Add(page);
+            }
             return pcd.Data switch
             {
                 "ascii" => new PlyAsciiReader(ply),
@@ -58,6 +67,16 @@ namespace FastPoints.Files
                 _ => throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, pcd.DataOffset, "DATA",
                     "ascii, binary or binary_compressed", PlyHeaderParser.Quote(pcd.Data)),
             };
+        }
+
+        /// <summary>Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is
+        /// there.</summary>
+        static int PaddingOf(FileSource source, long offset)
+        {
+            if (offset >= source.Length || source.Length - offset >= PageBytes)
+                return 0;
+            byte[] bytes = source.ReadAtMost(offset, PageBytes).Bytes;
+            return Array.TrueForAll(bytes, b => b == 0) ? bytes.Length : 0;
         }
 
         static void Describe(PcdHeader pcd, SourceInfo info)

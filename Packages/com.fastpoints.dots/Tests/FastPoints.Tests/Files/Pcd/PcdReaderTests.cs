@@ -52,6 +52,17 @@ namespace FastPoints.Tests.Files
                 CheckPoints(reader, points);
         }
 
+        /// <summary>The library writes whole pages: their zeros are nothing to warn of, anything else is.</summary>
+        [TestCase(3922, 0, 0), TestCase(1, 0, 0), TestCase(4096, 0, 1), TestCase(3922, 1, 1)]
+        public void Open_BinaryWithBytesBehind_WarnsUnlessTheyPadAPage(int behind, byte last, int warnings)
+        {
+            var padding = new byte[behind];
+            padding[behind - 1] = last;
+            using var reader = ReadPoints.Open(Write(PcdTestFile.Make("binary", 300).Concat(padding).ToArray()));
+            CheckPoints(reader, 300);
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));
+        }
+
         /// <summary>Ranges within blocks, backwards and several at once, have the points that their numbers say.</summary>
         [Test]
         public void Compressed_RangesInAnyOrder_AreThosePoints()
@@ -103,6 +114,17 @@ namespace FastPoints.Tests.Files
                 Assert.That(ReadPoints.Column<byte>(reader, "Blue"), Is.EqualTo(new byte[] { 0x30 }), data);
                 Assert.That(ReadPoints.Column<float>(reader, "Z")[0], Is.NaN);
             }
+        }
+
+        /// <summary>Not all writers begin with a comment, or with the version.</summary>
+        [TestCase("# .PCD v.5 - Point Cloud Data file format\nVERSION .5\n"), TestCase("VERSION 0.6\n"), TestCase("")]
+        public void Open_EachBeginning_IsPcd(string head)
+        {
+            string text = head + "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3\n";
+            using var reader = ReadPoints.Open(Write(Encoding.ASCII.GetBytes(text)));
+            Assert.That(reader.Info.Format, Is.EqualTo("PCD"));
+            Assert.That(reader.PointCount, Is.EqualTo(1));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [TestCase("FIELDS x y z", "FIELDS x y", "SIZE: wanted 2 words, got 3")]
