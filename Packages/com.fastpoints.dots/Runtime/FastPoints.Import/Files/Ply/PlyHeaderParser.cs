@@ -21,7 +21,7 @@ namespace FastPoints.Files
         static readonly Dictionary<string, AttributeType> s_typeOfName = new Dictionary<string, AttributeType>
         {
             { "char", AttributeType.Int8 }, { "int8", AttributeType.Int8 },
-            { "uchar", AttributeType.UInt8 }, { "uint8", AttributeType.UInt8 },
+            { "uchar", AttributeType.UInt8 }, { "uint8", AttributeType.UInt8 }, { "bool", AttributeType.UInt8 },
             { "short", AttributeType.Int16 }, { "int16", AttributeType.Int16 },
             { "ushort", AttributeType.UInt16 }, { "uint16", AttributeType.UInt16 },
             { "int", AttributeType.Int32 }, { "int32", AttributeType.Int32 },

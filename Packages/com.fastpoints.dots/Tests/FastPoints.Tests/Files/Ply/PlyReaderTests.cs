@@ -23,6 +23,7 @@ namespace FastPoints.Tests.Files
             new object[] { "int8", AttributeType.Int8, (sbyte)-1, (sbyte)1 },
             new object[] { "uchar", AttributeType.UInt8, (byte)0, byte.MaxValue },
             new object[] { "uint8", AttributeType.UInt8, (byte)1, (byte)254 },
+            new object[] { "bool", AttributeType.UInt8, (byte)0, (byte)1 },
             new object[] { "short", AttributeType.Int16, short.MinValue, short.MaxValue },
             new object[] { "int16", AttributeType.Int16, (short)-2, (short)258 },
             new object[] { "ushort", AttributeType.UInt16, (ushort)0, ushort.MaxValue },
