@@ -37,8 +37,8 @@ public sealed class Failure
                 return new Failure { Code = "Cancelled", Message = message, Status = ExitStatus.Cancelled };
             case PointCloudException p:
                 bool isAbsent = p.Code is FailureCode.NotFound or FailureCode.AccessDenied;
-                bool isMissingPart = p.Code == FailureCode.NotFound && inputs.Any(i => Directory.Exists(i)
-                    && p.Path.StartsWith(Path.TrimEndingDirectorySeparator(i) + Path.DirectorySeparatorChar,
+                bool isMissingPart = p.Code == FailureCode.NotFound && inputs.Any(i => FolderOf(i) is { } folder
+                    && p.Path.StartsWith(Path.TrimEndingDirectorySeparator(folder) + Path.DirectorySeparatorChar,
                         StringComparison.Ordinal));
                 bool isInput = p.IsBadInput || isMissingPart || (isAbsent && inputs.Contains(p.Path));
                 return new Failure
@@ -56,4 +56,8 @@ public sealed class Failure
                 return new Failure { Code = "Internal", Message = "internal error: " + e, Status = ExitStatus.Failed };
         }
     }
+
+    /// <summary>The folder that is the input, or whose index is; null for a file of its own.</summary>
+    static string? FolderOf(string input) => Directory.Exists(input) ? input
+        : Path.GetFileName(input) is "ept.json" or "metadata.json" or "cloud.js" ? Path.GetDirectoryName(input) : null;
 }

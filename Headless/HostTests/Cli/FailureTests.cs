@@ -46,6 +46,21 @@ public sealed class FailureTests
         Assert.That(call.Error, Does.Contain(hint));
     }
 
+    [TestCase("")]
+    [TestCase("/ept.json")]
+    public void Info_OfATreeWithoutItsPoints_IsBadInput(string index)
+    {
+        Directory.CreateDirectory(m_scratch["tree/ept-hierarchy"]);
+        File.WriteAllText(m_scratch["tree/ept-hierarchy/0-0-0-0.json"], "{\"0-0-0-0\":1}");
+        string axes = string.Join(",", "XYZ".Select(c =>
+            $"{{\"name\":\"{c}\",\"type\":\"signed\",\"size\":4,\"scale\":0.01,\"offset\":0}}"));
+        File.WriteAllText(m_scratch["tree/ept.json"], "{\"bounds\":[0,0,0,1,1,1],\"boundsConforming\":[0,0,0,1,1,1],"
+            + "\"dataType\":\"laszip\",\"hierarchyType\":\"json\",\"points\":1,\"span\":128,\"version\":\"1.0.0\","
+            + "\"schema\":[" + axes + "]}");
+        FailsInOneLine(CliCall.Of("info", m_scratch["tree" + index]), ExitStatus.BadInput,
+            m_scratch["tree/ept-data/0-0-0-0.laz"]);
+    }
+
     [Test]
     public void Info_OfAnAddressOrAFolderOfFolders_SaysWhatHelps()
     {
