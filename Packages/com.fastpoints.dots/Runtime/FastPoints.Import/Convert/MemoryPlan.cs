@@ -56,8 +56,9 @@ namespace FastPoints.Convert
         /// each.</summary>
         public long PointsPerPartition { get; private set; }
 
-        /// <summary>Bytes that a point takes while its chunk is indexed: keys twice, order, node, what ranges offer, cube,
-        /// priority and number, its record in both orders, and what is written of it.</summary>
+        /// <summary>Bytes that a point takes while its chunk is indexed: number, node, what ranges offer, cube, priority, its
+        /// record in both orders, and what is written of it; or before that, if all points are in one bucket, keys twice and its
+        /// record once more.</summary>
         public long IndexBytesPerPoint { get; private set; }
 
         /// <summary>Points of the sample that represents what is not built yet.</summary>

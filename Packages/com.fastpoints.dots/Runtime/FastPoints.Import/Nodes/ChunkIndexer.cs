@@ -8,7 +8,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Turns one chunk at a time into nodes: orders, gathers and samples its points, and writes them into memory. It
+    /// <summary>Turns one chunk at a time into nodes: orders and samples its points, and writes them into memory. It
     /// owns what comes of a chunk; what the jobs need meanwhile is the lane's.</summary>
     internal sealed class ChunkIndexer : IDisposable
     {
@@ -82,8 +82,8 @@ namespace FastPoints.Nodes
             Number = number;
             m_lane = lane;
             int count = checked((int)pages.Count);
-            var gathered = Gather(count, Order(count, pages, cube, lane.Begin(count, ready)), cube);
-            var sampled = Sample(count, cube, m_records, lane.Sorted, m_tops, gathered);
+            var ordered = Order(count, pages, cube, lane.Begin(count, ready));
+            var sampled = Sample(count, cube, m_records, lane.Sorted, m_tops, ordered);
             Job = Write(count, m_records, cube.Corner, true, true, lane.Sorted, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
@@ -151,7 +151,7 @@ namespace FastPoints.Nodes
             NodeOfDraft.Dispose();
         }
 
-        JobHandle Order(int count, RecordPages pages, GridCube cube, JobHandle done)
+        JobHandle Order(int count, RecordPages pages, GridCube cube, JobHandle inputDeps)
         {
             var job = new OrderChunkJob
             {
@@ -160,38 +160,18 @@ namespace FastPoints.Nodes
                 Layout = m_records,
                 Cube = cube,
                 Scratch = m_lane.Ordering,
-                Order = m_lane.Order,
-                PointsPerSlice = OrderChunkJob.PointsOfSlice,
-            };
-            for (long looked = 0; looked < (long)count * OrderChunkJob.Looks; looked += job.PointsPerSlice)
-                done = job.Schedule(done);
-            // Slices end at pages and buckets: what they leave.
-            job.PointsPerSlice = int.MaxValue;
-            return job.Schedule(done);
-        }
-
-        JobHandle Gather(int count, JobHandle inputDeps, GridCube cube)
-        {
-            var job = new GatherRecordsJob
-            {
-                Slices = m_slices,
-                PageTable = m_lane.Ordering.PageTable,
-                Layout = m_records,
-                Cube = cube,
-                Order = m_lane.Order,
+                BucketOfPoint = m_lane.Numbers,
                 Records = m_lane.Sorted,
                 CommonCubeLog2 = m_lane.Common,
                 Priority = m_lane.Priority,
                 Checksum = m_checksum,
+                CostPerSlice = OrderChunkJob.CostOfSlice,
             };
-            do
-            {
-                job.First = job.End;
-                job.End = Math.Min(count, job.First + GatherRecordsJob.PointsOfSlice);
+            for (long done = 0; done < (long)count * OrderChunkJob.CostOfPoint; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            }
-            while (job.End < count);
-            return inputDeps;
+            // Slices end at pages and buckets: what they leave.
+            job.CostPerSlice = int.MaxValue;
+            return job.Schedule(inputDeps);
         }
 
         JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<ChunkTop> tops,
@@ -251,7 +231,7 @@ namespace FastPoints.Nodes
                 AverageOf = m_store.AverageOf,
                 Averaged = Averaged,
                 BytesOfPlane = m_bytesOfPlane,
-                Points = m_lane.Order,
+                Points = m_lane.Numbers,
                 Scratch = m_lane.Writing,
                 PointsPerSlice = WriteNodesJob.PointsOfSlice,
             };

@@ -16,7 +16,7 @@ namespace FastPoints.Nodes
         int m_capacity;
 
         internal OrderScratch Ordering;
-        internal NativeArray<uint> Order;
+        internal NativeArray<uint> Numbers;
         internal NativeArray<byte> Sorted;
         internal NativeArray<byte> Common;
         internal NativeArray<uint> Priority;
@@ -30,6 +30,7 @@ namespace FastPoints.Nodes
         {
             m_strideBytes = records.StrideBytes;
             m_hasAverages = store.HasAverages;
+            Ordering = new OrderScratch(Allocator.Persistent);
             Sampling = new SampleScratch(Allocator.Persistent);
             Writing = new WriteScratch(Allocator.Persistent);
             Averages = new NativeList<PointAverage>(16, Allocator.Persistent);
@@ -45,14 +46,13 @@ namespace FastPoints.Nodes
         /// comes first.</summary>
         public void Reserve(int count)
         {
-            if (count <= m_capacity && Ordering.IsCreated)
+            if (count <= m_capacity && Numbers.IsCreated)
                 return;
             Last.Complete();
             FreePoints();
             m_capacity = Math.Max(1, count);
             const NativeArrayOptions raw = NativeArrayOptions.UninitializedMemory;
-            Ordering = new OrderScratch(m_capacity, Allocator.Persistent);
-            Order = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
+            Numbers = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
             Sorted = new NativeArray<byte>(checked(m_capacity * m_strideBytes), Allocator.Persistent, raw);
             Common = new NativeArray<byte>(m_capacity, Allocator.Persistent, raw);
             Priority = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
@@ -78,6 +78,7 @@ namespace FastPoints.Nodes
             if (!Averages.IsCreated)
                 return;
             FreePoints();
+            Ordering.Dispose();
             Averages.Dispose();
             Writing.Dispose();
             Sampling.Dispose();
@@ -85,10 +86,9 @@ namespace FastPoints.Nodes
 
         void FreePoints()
         {
-            if (!Ordering.IsCreated)
+            if (!Numbers.IsCreated)
                 return;
-            Ordering.Dispose();
-            Order.Dispose();
+            Numbers.Dispose();
             Sorted.Dispose();
             Common.Dispose();
             Priority.Dispose();

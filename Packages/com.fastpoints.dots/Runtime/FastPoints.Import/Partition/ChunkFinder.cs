@@ -33,11 +33,12 @@ namespace FastPoints.Partition
             uint px = (uint)((x - m_cells.Corner.X) >> m_partLog2) & mask;
             uint py = (uint)((y - m_cells.Corner.Y) >> m_partLog2) & mask;
             uint pz = (uint)((z - m_cells.Corner.Z) >> m_partLog2) & mask;
-            return chunkOfCell[~chunk + (int)Morton.Encode(px, py, pz)];
+            return chunkOfCell[~chunk + Morton.EncodeFew(px, py, pz)];
         }
     }
 
-    /// <summary>Maps a position to its cell in a cube of 8^n cells. Blittable.</summary>
+    /// <summary>Maps a position to its cell in a cube of 8^n cells, n at most <see cref="Morton.FewBits"/>.
+    /// Blittable.</summary>
     internal struct CellFinder
     {
         public Grid3 Corner;
@@ -58,7 +59,7 @@ namespace FastPoints.Partition
             ulong dx = (ulong)(x - Corner.X), dy = (ulong)(y - Corner.Y), dz = (ulong)(z - Corner.Z);
             if ((dx | dy | dz) >> SideLog2 != 0)
                 return -1;
-            return (int)Morton.Encode((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
+            return Morton.EncodeFew((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
         }
     }
 }

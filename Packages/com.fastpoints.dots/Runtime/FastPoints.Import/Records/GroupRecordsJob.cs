@@ -62,26 +62,29 @@ namespace FastPoints.Records
             int kept = Order(count, chunkOfPoint, first);
             statistics.Count += kept;
 
-            // From here on a point's entry is the place of its record, or -1.
-            WritePlaces(bytes, count, chunkOfPoint, records);
-            byte* attributes = records + Layout.PositionBytes;
-            // The padding of the last word is zero.
-            byte* lastWord = attributes + Layout.AttributeBytes - sizeof(uint);
-            for (int i = 0; i < kept && Fields.Length > 0; i++)
-                *(uint*)(lastWord + (long)i * stride) = 0;
-            for (int f = 0; f < Fields.Length; f++)
-            {
-                var field = Fields[f];
-                var found = Attributes[field.Attribute];
-                CopyColumn(bytes + field.Column.OffsetBytes, field.Column.Type, count, chunkOfPoint, attributes +
-                    field.RecordOffset,
-                    stride, ref found);
-                Attributes[field.Attribute] = found;
-            }
-
+            // From here on a point's entry is the place of its record, or -1. A run's records stay in the cache until they are
+            // hashed.
+            int padding = Layout.PositionBytes + Layout.AttributeBytes - sizeof(uint);
+            var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
             ulong sum = 0;
-            for (int i = 0; i < kept; i++)
-                sum += Layout.HashOf(records + (long)i * stride, Store.RecordHash.ChecksumSeed);
+            for (int done = 0; done < count; done += RunPoints)
+            {
+                int run = math.min(RunPoints, count - done);
+                int* placeOfPoint = chunkOfPoint + done;
+                WritePlaces(bytes, done, run, placeOfPoint, records);
+                for (int i = 0; i < run && Fields.Length > 0; i++)
+                    if (placeOfPoint[i] >= 0)
+                        *(uint*)(records + (long)placeOfPoint[i] * stride + padding) = 0;
+                for (int f = 0; f < Fields.Length; f++)
+                {
+                    var field = Fields[f];
+                    CopyColumn(bytes + field.Column.OffsetBytes + (long)done * field.Column.Type.SizeOf(), field.Column.Type, run,
+                        placeOfPoint, records + Layout.PositionBytes + field.RecordOffset, stride, ref found[field.Attribute]);
+                }
+                for (int i = 0; i < run; i++)
+                    if (placeOfPoint[i] >= 0)
+                        sum += Layout.HashOf(records + (long)placeOfPoint[i] * stride, Store.RecordHash.ChecksumSeed);
+            }
             statistics.Checksum += sum;
             Statistics.Value = statistics;
         }
@@ -142,21 +145,17 @@ namespace FastPoints.Records
             return sum;
         }
 
-        void WritePlaces(byte* bytes, int count, int* placeOfPoint, byte* records)
+        void WritePlaces(byte* bytes, int first, int count, int* placeOfPoint, byte* records)
         {
             long* x = stackalloc long[RunPoints];
             long* y = stackalloc long[RunPoints];
             long* z = stackalloc long[RunPoints];
             double ignored = 0;
             long stride = Layout.StrideBytes;
-            for (int done = 0; done < count; done += RunPoints)
-            {
-                int run = math.min(RunPoints, count - done);
-                LoadRun(bytes, done, run, x, y, z, ref ignored);
-                for (int i = 0; i < run; i++)
-                    if (placeOfPoint[done + i] >= 0)
-                        Layout.SetPlace(records + placeOfPoint[done + i] * stride, x[i], y[i], z[i]);
-            }
+            LoadRun(bytes, first, count, x, y, z, ref ignored);
+            for (int i = 0; i < count; i++)
+                if (placeOfPoint[i] >= 0)
+                    Layout.SetPlace(records + placeOfPoint[i] * stride, x[i], y[i], z[i]);
         }
 
         void LoadRun(byte* bytes, int first, int count, long* x, long* y, long* z, ref double worstLoss)

@@ -9,30 +9,46 @@ using Stage = FastPoints.Records.OrderScratch.Stage;
 
 namespace FastPoints.Records
 {
-    /// <summary>Orders a chunk's records along the Morton curve, those at one place by their content, so that the order is the
-    /// same however they came.</summary>
+    /// <summary>Copies a chunk's records in order along the Morton curve, those at one place by their content, so that the order
+    /// is the same however they came; and prepares the sampling: where cubes end in the order, and each record's
+    /// priority.</summary>
     /// <remarks>
-    /// The first digit takes the top three octree levels; its buckets fit a core's cache and are sorted least significant digit
-    /// first, as one number each:
+    /// Whole records are distributed by the top octree levels; each bucket fits a core's cache and is sorted there, as one number
+    /// a record:
     /// <code>
     /// bit 63 ........ n      n - 1 ........ 0
-    ///     Morton bits left   record number
+    ///     Morton bits left   record of the bucket
     /// </code>
-    /// Where a chunk has more Morton bits than that leaves room for (a few points in a vast cube), and at equal places, the
-    /// runs that are equal so far are sorted by comparing records. One run of the job is a slice: it is run until it is done.
+    /// Its top differing bits are sorted by digits, which leaves few records out of place. Where a chunk has more Morton bits
+    /// than there is room for (a few points in a vast cube), and at equal places, the runs that are equal so far are sorted by
+    /// comparing records. One run of the job is a slice: it is run until it is done.
     /// </remarks>
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
     {
-        /// <summary>A slice takes about 4 ms at most, unless a bucket has more points.</summary>
-        public const int PointsOfSlice = 60000;
+        /// <summary>A slice takes about 4 ms at most, unless a bucket has more points. Costs are about nanoseconds.</summary>
+        public const int CostOfSlice = 2500000;
+        public const int CostOfPoint = CostOfCount + CostOfMove + CostOfSort + CostOfEmit;
 
-        /// <summary>How often each point is visited: its key is made, distributed, and sorted in its bucket.</summary>
-        public const int Looks = 3;
+        const int CostOfCount = 8;
+        const int CostOfMove = 10;
+        const int CostOfSort = 20;
+        const int CostOfEmit = 20;
 
-        public const int Buckets = 1 << FirstDigitBits;
-        const int FirstDigitBits = 9;
-        const int FewRecords = 4096;
+        public const int MostBuckets = 1 << 3 * MostLevels;
+        const int MostLevels = 4;
+
+        // Points to a bucket, in a surface: a level has four times the buckets.
+        const int PointsOfBucket = 2048;
+
+        // Below this, digits are shorter: their counts take as long as the points.
+        const int FewPoints = 2048;
+        const int LongDigitBits = 11;
+        const int ShortDigitBits = 8;
+        const int InsertedPoints = 48;
+
+        // This many records are copied, then examined while they are in the cache.
+        const int PointsOfRun = 256;
 
         public RecordPages Pages;
         public RecordLayout Layout;
@@ -41,14 +57,28 @@ namespace FastPoints.Records
         /// <summary>Its <see cref="OrderScratch.Now"/> is reset before the first slice.</summary>
         public OrderScratch Scratch;
 
-        /// <summary>About this many points are visited in one run.</summary>
-        public int PointsPerSlice;
+        /// <summary>Scratch: the bucket of each record, as they came.</summary>
+        public NativeArray<uint> BucketOfPoint;
 
-        /// <summary>Out: numbers of the records in order.</summary>
-        public NativeArray<uint> Order;
+        /// <summary>About this much is done in one run.</summary>
+        public int CostPerSlice;
+
+        /// <summary>Out: the records in order.</summary>
+        public NativeArray<byte> Records;
+
+        /// <summary>Out: for each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first
+        /// one.</summary>
+        public NativeArray<byte> CommonCubeLog2;
+
+        /// <summary>Out: for each point, the upper half of its hash.</summary>
+        public NativeArray<uint> Priority;
+
+        /// <summary>Out: the sum of the hashes.</summary>
+        public NativeReference<ulong> Checksum;
 
         public SliceTimes Slices;
 
+        [NativeDisableUnsafePtrRestriction] byte* m_records;
         OrderScratch.State m_now;
         long m_budget;
 
@@ -62,133 +92,160 @@ namespace FastPoints.Records
         }
 
         int Count => (int)Pages.Count;
-        int Levels => math.min(Cube.SideLog2, Morton.BitsPerAxis);
-        int KeyBits => 3 * Levels;
-        int NumberBits => 64 - math.lzcnt((ulong)Pages.PageCount * RecordPages.RecordsPerPage - 1);
 
-        // Bits of the key in the first digit and below it, and those of the latter that fit above the number.
-        int FirstBits => Count < FewRecords ? 0 : math.min(KeyBits, FirstDigitBits);
-        int RestBits => KeyBits - FirstBits;
-        int KeptBits => math.min(RestBits, 64 - NumberBits);
+        // Levels of the octree above the buckets, and those whose bits a key has.
+        int BucketLevels
+        {
+            get
+            {
+                int levels = 0;
+                while (levels < MostLevels && levels < Cube.SideLog2 && Count >> 2 * levels > PointsOfBucket)
+                    levels++;
+                return levels;
+            }
+        }
+
+        int Levels => math.min(Cube.SideLog2, Morton.BitsPerAxis);
 
         void Run()
         {
             m_now = Scratch.Now.Value;
-            m_budget = PointsPerSlice;
+            m_budget = CostPerSlice;
+            m_records = (byte*)Records.GetUnsafePtr();
             if (m_now.Stage == Stage.Start)
                 Start();
-            var table = new RecordTable
-            {
-                Pages = (RecordPages.Page**)Scratch.PageTable.GetUnsafePtr(),
-                Layout = Layout,
-                Corner = Cube.Corner,
-            };
-            if (m_now.Stage == Stage.MakeKeys)
-                MakeKeys(table);
+            if (m_now.Stage == Stage.Count)
+                CountBuckets();
             if (m_now.Stage == Stage.Distribute)
-                Distribute(table);
-            if (m_now.Stage == Stage.Sort)
-                Sort(table);
+                Distribute();
+            while (m_budget > 0 && m_now.Stage < Stage.Done)
+            {
+                if (m_now.Stage == Stage.Sort)
+                    SortBucket();
+                else
+                    Emit();
+            }
             Scratch.Now.Value = m_now;
         }
 
         void Start()
         {
-            Scratch.PageTable.Clear();
-            for (var page = Pages.First; page != null; page = page->Next)
-                Scratch.PageTable.Add((ulong)page);
-            UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (Buckets + 1) * sizeof(int));
-            m_now = new OrderScratch.State { Stage = Stage.MakeKeys };
+            UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (MostBuckets + 1) * sizeof(int));
+            Checksum.Value = 0;
+            m_now = new OrderScratch.State { Stage = Stage.Count, Page = Pages.First };
         }
 
-        /// <summary>Makes keys and counts them by their first digit.</summary>
-        void MakeKeys(in RecordTable table)
+        /// <summary>Finds and counts the records' buckets.</summary>
+        void CountBuckets()
         {
-            int shift = Cube.SideLog2 - Levels, restBits = RestBits, stride = Layout.StrideBytes;
+            int shift = Cube.SideLog2 - BucketLevels, stride = Layout.StrideBytes;
             var countOfBucket = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            var keys = (ulong*)Scratch.Keys.GetUnsafePtr() + m_now.Record;
-            for (; m_now.At < Pages.PageCount; m_now.At++)
+            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
+            for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
             {
                 if (m_budget <= 0)
                     return;
-                byte* record = RecordPages.RecordsOf(table.Pages[m_now.At]);
-                int count = table.Pages[m_now.At]->Count;
+                byte* record = RecordPages.RecordsOf(m_now.Page);
+                int count = m_now.Page->Count;
                 for (int i = 0; i < count; i++, record += stride)
                 {
                     var place = Layout.PlaceOf(record) - Cube.Corner;
-                    ulong key = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
-                    keys[i] = key;
-                    countOfBucket[key >> restBits]++;
+                    int bucket = Morton.EncodeFew((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+                    bucketOf[i] = (uint)bucket;
+                    countOfBucket[bucket]++;
                 }
-                keys += count;
-                m_now.Record += count;
-                m_budget -= count;
+                bucketOf += count;
+                m_now.Point += count;
+                m_budget -= (long)count * CostOfCount;
             }
             int sum = 0;
-            for (int b = 0; b <= Buckets; b++)
+            for (int b = 0; b <= MostBuckets; b++)
             {
                 int with = countOfBucket[b];
                 countOfBucket[b] = sum;
                 sum += with;
             }
-            m_now = new OrderScratch.State { Stage = Stage.Distribute };
+            m_now = new OrderScratch.State { Stage = Stage.Distribute, Page = Pages.First };
         }
 
-        /// <summary>Distributes by the first digit; the rest of the key goes above the record's number.</summary>
-        void Distribute(in RecordTable table)
+        void Distribute()
         {
-            int restBits = RestBits, keptBits = KeptBits, numberBits = NumberBits, dropped = restBits - keptBits;
-            ulong mask = keptBits == 64 ? ulong.MaxValue : (1UL << keptBits) - 1;
+            int stride = Layout.StrideBytes, words = stride >> 2;
             var next = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            var keys = (ulong*)Scratch.Keys.GetUnsafePtr() + m_now.Record;
-            var to = (ulong*)Scratch.Sorted.GetUnsafePtr();
-            for (; m_now.At < Pages.PageCount; m_now.At++)
+            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
+            for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
             {
                 if (m_budget <= 0)
                     return;
-                ulong number = (ulong)m_now.At << RecordPages.RecordsPerPageLog2;
-                int count = table.Pages[m_now.At]->Count;
-                for (int i = 0; i < count; i++)
-                    to[next[keys[i] >> restBits]++] = keptBits == 0 ? number + (ulong)i
-                        : (keys[i] >> dropped & mask) << numberBits | number + (ulong)i;
-                keys += count;
-                m_now.Record += count;
-                m_budget -= count;
+                byte* record = RecordPages.RecordsOf(m_now.Page);
+                int count = m_now.Page->Count;
+                for (int i = 0; i < count; i++, record += stride)
+                    Copy(record, m_records + (long)next[bucketOf[i]]++ * stride, words);
+                bucketOf += count;
+                m_now.Point += count;
+                m_budget -= (long)count * CostOfMove;
             }
             // Each start has moved to its end, which is the start of the next one.
-            for (int b = Buckets; b > 0; b--)
+            for (int b = MostBuckets; b > 0; b--)
                 next[b] = next[b - 1];
             next[0] = 0;
             m_now = new OrderScratch.State { Stage = Stage.Sort };
         }
 
-        void Sort(in RecordTable table)
+        static void Copy(byte* from, byte* to, int words)
         {
-            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            var keys = (ulong*)Scratch.Sorted.GetUnsafePtr();
-            var scratch = (ulong*)Scratch.Keys.GetUnsafePtr();
-            var order = (uint*)Order.GetUnsafePtr();
-            for (; m_now.At < Buckets; m_now.At++)
-            {
-                if (m_budget <= 0)
-                    return;
-                int first = start[m_now.At], count = start[m_now.At + 1] - first;
-                if (count > 0)
-                    SortBucket(table, keys + first, scratch + first, order + first, count, NumberBits, KeptBits);
-                m_budget -= count;
-            }
-            m_now.Stage = Stage.Done;
+            int w = 0;
+            for (; w + 2 <= words; w += 2)
+                *(ulong*)(to + 4 * w) = *(ulong*)(from + 4 * w);
+            if (w < words)
+                *(uint*)(to + 4 * w) = *(uint*)(from + 4 * w);
         }
 
-        static void SortBucket(in RecordTable table, ulong* keys, ulong* scratch, uint* order, int count, int numberBits,
-            int keptBits)
+        /// <summary>Finds the order of the next bucket that has records.</summary>
+        void SortBucket()
         {
-            ulong* sorted = count <= 48
-                ? InsertionSort(keys, count)
-                : RadixSort(keys, scratch, count, numberBits, keptBits, count < 8192 ? 8 : 11);
-            ulong numberMask = (1UL << numberBits) - 1;
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            while (m_now.Bucket < MostBuckets && start[m_now.Bucket] == start[m_now.Bucket + 1])
+                m_now.Bucket++;
+            if (m_now.Bucket == MostBuckets)
+            {
+                Scratch.Trim();
+                m_now.Stage = Stage.Done;
+                return;
+            }
+            int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first, stride = Layout.StrideBytes;
+            Scratch.Reserve(count, stride);
+            byte* records = Scratch.Bucket.GetUnsafePtr();
+            UnsafeUtility.MemCpy(records, m_records + (long)first * stride, (long)count * stride);
+            var table = new RecordTable { Records = records, Layout = Layout, Corner = Cube.Corner };
+            ulong* keys = Scratch.Keys.GetUnsafePtr();
+            m_now.IsSwapped = Sort(table, keys, keys + count, count);
+            m_now.Point = 0;
+            m_now.Stage = Stage.Emit;
+            m_budget -= (long)count * CostOfSort;
+        }
+
+        /// <returns>Whether the sorted keys are in the scratch.</returns>
+        bool Sort(in RecordTable table, ulong* keys, ulong* scratch, int count)
+        {
+            int numberBits = NumberBitsOf(count), shift = Cube.SideLog2 - Levels, restBits = 3 * (Levels - BucketLevels);
+            int dropped = math.max(0, restBits + numberBits - 64);
+            ulong mask = (1UL << restBits) - 1, numberMask = (1UL << numberBits) - 1, or = 0, and = ulong.MaxValue;
             for (int i = 0; i < count; i++)
-                order[i] = (uint)(sorted[i] & numberMask);
+            {
+                var place = Layout.PlaceOf(table.At((uint)i)) - Cube.Corner;
+                ulong key = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift)) & mask;
+                key = key >> dropped << numberBits | (uint)i;
+                or |= key;
+                and &= key;
+                keys[i] = key;
+            }
+            int top = 64 - math.lzcnt((or ^ and) & ~numberMask), digit = count < FewPoints ? ShortDigitBits : LongDigitBits;
+            // Two long digits, or three short ones, leave few records of one prefix.
+            int prefix = count <= InsertedPoints ? top : math.max(numberBits, top - (count < FewPoints ? 3 : 2) * digit);
+            ulong* sorted = RadixSort(keys, scratch, count, prefix, top, digit);
+            if (!InsertionSort(sorted, count))
+                sorted = RadixSort(sorted, sorted == keys ? scratch : keys, count, numberBits, top, digit);
             for (int i = 1; i < count; i++)
             {
                 if ((sorted[i - 1] ^ sorted[i]) > numberMask)
@@ -196,40 +253,69 @@ namespace FastPoints.Records
                 int first = i - 1;
                 while (i < count && (sorted[first] ^ sorted[i]) <= numberMask)
                     i++;
-                table.Sort(order + first, i - first);
+                table.Sort(sorted + first, i - first, numberMask);
             }
+            return sorted != keys;
         }
 
-        static ulong* InsertionSort(ulong* keys, int count)
+        static int NumberBitsOf(int count) => 32 - math.lzcnt((uint)count);
+
+        /// <summary>Copies some of the current bucket's records in order.</summary>
+        void Emit()
         {
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first;
+            int stride = Layout.StrideBytes, words = stride >> 2;
+            ulong numberMask = (1UL << NumberBitsOf(count)) - 1;
+            ulong* sorted = Scratch.Keys.GetUnsafePtr() + (m_now.IsSwapped ? count : 0);
+            byte* records = Scratch.Bucket.GetUnsafePtr(), common = (byte*)CommonCubeLog2.GetUnsafePtr();
+            var priority = (uint*)Priority.GetUnsafePtr();
+            ulong sum = Checksum.Value;
+            for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
+            {
+                int end = math.min(count, m_now.Point + PointsOfRun);
+                byte* to = m_records + (long)(first + m_now.Point) * stride;
+                for (int i = m_now.Point; i < end; i++, to += stride)
+                    Copy(records + (long)(sorted[i] & numberMask) * stride, to, words);
+                sum += Sampling.Prepare(m_records, first + m_now.Point, first + end, Layout, Cube.Corner, common, priority);
+                m_budget -= PointsOfRun * CostOfEmit;
+            }
+            Checksum.Value = sum;
+            if (m_now.Point < count)
+                return;
+            m_now.Bucket++;
+            m_now.Stage = Stage.Sort;
+        }
+
+        /// <returns>Whether it was done: it gives up where many are far from their place.</returns>
+        static bool InsertionSort(ulong* keys, int count)
+        {
+            long budget = 8L * count + InsertedPoints * InsertedPoints;
             for (int i = 1; i < count; i++)
             {
                 ulong moved = keys[i];
+                if (keys[i - 1] <= moved)
+                    continue;
                 int at = i;
                 for (; at > 0 && keys[at - 1] > moved; at--)
                     keys[at] = keys[at - 1];
                 keys[at] = moved;
+                budget -= i - at;
+                if (budget < 0)
+                    return false;
             }
-            return keys;
+            return true;
         }
 
+        /// <summary>Sorts by some of the keys' bits.</summary>
         /// <returns>The array with the sorted keys: one of the two.</returns>
-        static ulong* RadixSort(ulong* keys, ulong* scratch, int count, int firstBit, int bits, int digitBits)
+        static ulong* RadixSort(ulong* keys, ulong* scratch, int count, int firstBit, int endBit, int digitBits)
         {
-            ulong or = 0, and = ulong.MaxValue;
-            for (int i = 0; i < count; i++)
-            {
-                or |= keys[i];
-                and &= keys[i];
-            }
-            ulong differs = or ^ and;
             int values = 1 << digitBits;
             ulong mask = (ulong)values - 1;
-            int* start = stackalloc int[2048];
-            for (int bit = firstBit; bit < firstBit + bits; bit += digitBits)
+            int* start = stackalloc int[1 << LongDigitBits];
+            for (int bit = firstBit; bit < endBit; bit += digitBits)
             {
-                if ((differs >> bit & mask) == 0)
-                    continue;
                 UnsafeUtility.MemClear(start, values * sizeof(int));
                 for (int i = 0; i < count; i++)
                     start[keys[i] >> bit & mask]++;
@@ -250,6 +336,34 @@ namespace FastPoints.Records
                 scratch = swap;
             }
             return keys;
+        }
+    }
+
+    /// <summary>The common basis of all samplers.</summary>
+    internal static unsafe class Sampling
+    {
+        /// <summary>Finds, from records in order, where cubes end, and priorities.</summary>
+        /// <param name="first">First point to process; the one before it is read.</param>
+        /// <returns>The sum of the records' hashes.</returns>
+        public static ulong Prepare(byte* records, int first, int end, in RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
+            uint* priority)
+        {
+            ulong sum = 0;
+            long stride = layout.StrideBytes;
+            var before = first > 0 ? layout.PlaceOf(records + (first - 1) * stride) - corner : default;
+            for (int i = first; i < end; i++)
+            {
+                byte* record = records + i * stride;
+                var place = layout.PlaceOf(record);
+                ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
+                    Store.RecordHash.ChecksumSeed);
+                sum += hash;
+                priority[i] = (uint)(hash >> 32);
+                place -= corner;
+                commonCubeLog2[i] = i == 0 ? byte.MaxValue : (byte)MortonOrder.CommonCubeLog2(before, place);
+                before = place;
+            }
+            return sum;
         }
     }
 }

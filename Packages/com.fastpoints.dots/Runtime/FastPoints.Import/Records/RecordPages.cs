@@ -8,9 +8,8 @@ namespace FastPoints.Records
     /// time may change a list.</summary>
     internal unsafe struct RecordPages
     {
-        /// <summary>Records of one page; a power of two, so that a record's number splits into page and place.</summary>
-        public const int RecordsPerPage = 1 << RecordsPerPageLog2;
-        public const int RecordsPerPageLog2 = 11;
+        /// <summary>Records of one page.</summary>
+        public const int RecordsPerPage = 1 << 11;
 
         /// <summary>The header of a page; its records follow it in memory.</summary>
         public struct Page

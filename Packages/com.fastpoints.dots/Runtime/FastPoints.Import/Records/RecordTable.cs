@@ -4,23 +4,21 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Records
 {
-    /// <summary>A chunk's records by number: page * <see cref="RecordPages.RecordsPerPage"/> + place in the page.</summary>
+    /// <summary>Records by number, and their order.</summary>
     internal unsafe struct RecordTable
     {
-        [NativeDisableUnsafePtrRestriction] public RecordPages.Page** Pages;
+        [NativeDisableUnsafePtrRestriction] public byte* Records;
         public RecordLayout Layout;
 
         /// <summary>Corner of the chunk: positions are ordered relative to it.</summary>
         public Grid3 Corner;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public byte* At(uint number) =>
-            RecordPages.RecordsOf(Pages[number >> RecordPages.RecordsPerPageLog2]) +
-            (long)(number & (RecordPages.RecordsPerPage - 1)) * Layout.StrideBytes;
+        public byte* At(uint number) => Records + (long)number * Layout.StrideBytes;
 
         /// <summary>Compares records independently of when they came: along the Morton curve, and at equal positions by their
         /// attributes' bytes. 0 for equal records.</summary>
-        public int Compare(uint a, uint b)
+        int Compare(uint a, uint b)
         {
             byte* first = At(a), second = At(b);
             int order = MortonOrder.Compare(Layout.PlaceOf(first) - Corner, Layout.PlaceOf(second) - Corner);
@@ -34,63 +32,66 @@ namespace FastPoints.Records
             return 0;
         }
 
-        /// <summary>Sorts a run of numbers in place.</summary>
-        public void Sort(uint* numbers, int count)
+        /// <summary>Sorts a run of keys in place.</summary>
+        /// <param name="mask">The bits of a key that are the record's number.</param>
+        public void Sort(ulong* keys, int count, ulong mask)
         {
-            if (IsSorted(numbers, count))
+            if (IsSorted(keys, count, mask))
                 return;
             if (count <= 24)
-                InsertionSort(numbers, count);
+                InsertionSort(keys, count, mask);
             else
-                HeapSort(numbers, count);
+                HeapSort(keys, count, mask);
         }
 
-        /// <summary>Whether numbers are sorted already, which is worth checking for millions of equal points.</summary>
-        bool IsSorted(uint* numbers, int count)
+        int Compare(ulong a, ulong b, ulong mask) => Compare((uint)(a & mask), (uint)(b & mask));
+
+        /// <summary>Whether keys are sorted already, which is worth checking for millions of equal points.</summary>
+        bool IsSorted(ulong* keys, int count, ulong mask)
         {
             for (int i = 1; i < count; i++)
-                if (Compare(numbers[i - 1], numbers[i]) > 0)
+                if (Compare(keys[i - 1], keys[i], mask) > 0)
                     return false;
             return true;
         }
 
-        void InsertionSort(uint* numbers, int count)
+        void InsertionSort(ulong* keys, int count, ulong mask)
         {
             for (int i = 1; i < count; i++)
             {
-                uint moved = numbers[i];
+                ulong moved = keys[i];
                 int at = i;
-                for (; at > 0 && Compare(numbers[at - 1], moved) > 0; at--)
-                    numbers[at] = numbers[at - 1];
-                numbers[at] = moved;
+                for (; at > 0 && Compare(keys[at - 1], moved, mask) > 0; at--)
+                    keys[at] = keys[at - 1];
+                keys[at] = moved;
             }
         }
 
-        void HeapSort(uint* numbers, int count)
+        void HeapSort(ulong* keys, int count, ulong mask)
         {
             for (int root = count / 2 - 1; root >= 0; root--)
-                SiftDown(numbers, root, count);
+                SiftDown(keys, root, count, mask);
             for (int end = count - 1; end > 0; end--)
             {
-                uint largest = numbers[0];
-                numbers[0] = numbers[end];
-                numbers[end] = largest;
-                SiftDown(numbers, 0, end);
+                ulong largest = keys[0];
+                keys[0] = keys[end];
+                keys[end] = largest;
+                SiftDown(keys, 0, end, mask);
             }
         }
 
-        void SiftDown(uint* numbers, int root, int count)
+        void SiftDown(ulong* keys, int root, int count, ulong mask)
         {
-            uint moved = numbers[root];
+            ulong moved = keys[root];
             for (int child; (child = 2 * root + 1) < count; root = child)
             {
-                if (child + 1 < count && Compare(numbers[child], numbers[child + 1]) < 0)
+                if (child + 1 < count && Compare(keys[child], keys[child + 1], mask) < 0)
                     child++;
-                if (Compare(moved, numbers[child]) >= 0)
+                if (Compare(moved, keys[child], mask) >= 0)
                     break;
-                numbers[root] = numbers[child];
+                keys[root] = keys[child];
             }
-            numbers[root] = moved;
+            keys[root] = moved;
         }
     }
 }

@@ -17,12 +17,29 @@ namespace FastPoints.Points
         /// <summary>Bits of one coordinate.</summary>
         public const int BitsPerAxis = 21;
 
+        /// <summary>Bits of one coordinate that <see cref="EncodeFew"/> takes.</summary>
+        public const int FewBits = 7;
+
+        // One bit for each of three numbers of 21 bits.
+        const ulong Lanes = 1 | 1UL << 21 | 1UL << 42;
+
         /// <summary>The largest coordinate.</summary>
         public const uint MaxCoordinate = (1u << BitsPerAxis) - 1;
 
         /// <summary>Interleaves the coordinates; bits above <see cref="MaxCoordinate"/> are ignored.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
+
+        /// <summary>Interleaves coordinates of at most <see cref="FewBits"/> bits: three of them fit one number.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int EncodeFew(uint x, uint y, uint z)
+        {
+            ulong v = x | (ulong)y << 21 | (ulong)z << 42;
+            v = (v | v << 8) & 0x700FUL * Lanes;
+            v = (v | v << 4) & 0x430C3UL * Lanes;
+            v = (v | v << 2) & 0x49249UL * Lanes;
+            return (int)(v | v >> 20 | v >> 40) & (1 << 3 * FewBits) - 1;
+        }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Decode(ulong code, out uint x, out uint y, out uint z)

@@ -28,6 +28,16 @@ namespace FastPoints.Tests.Points
         }
 
         [Test]
+        public void EncodeFew_EachBit_GoesWhereEncodePutsIt()
+        {
+            for (uint value = 0; value < 1 << Morton.FewBits; value++)
+            {
+                uint y = value * 37 & (1 << Morton.FewBits) - 1, z = value * 91 & (1 << Morton.FewBits) - 1;
+                Assert.That((ulong)Morton.EncodeFew(value, y, z), Is.EqualTo(Morton.Encode(value, y, z)));
+            }
+        }
+
+        [Test]
         public void Decode_OfEncoded_GivesTheCoordinatesBack()
         {
             var random = new Unity.Mathematics.Random(7);
