@@ -184,6 +184,36 @@ public sealed class AuthoringTests
     }
 
     [Test]
+    public void Components_EntitiesOrTheWorldWereEndedByOthers_MakeTheirOwnAgain()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        scene.AddComponent<PointCloudSettings>().MillionPoints = 3;
+        scene.AddComponent<PointCloudClipBox>();
+        Frames(() => IsStreamed(cloud.Entity));
+        Entity budget = Only<PointCloudBudget>(), clip = Only<PointCloudClip>();
+        foreach (var entity in new[] { cloud.Entity, budget, clip })
+            m_world.EntityManager.DestroyEntity(entity);
+        Frames(() => IsStreamed(cloud.Entity));
+
+        m_world.Dispose();
+        SceneLoop.Update();
+        MakeWorld();
+        Frames(() => IsStreamed(cloud.Entity));
+        budget = Only<PointCloudBudget>();
+        Assert.That(m_world.EntityManager.GetComponentData<PointCloudBudget>(budget).Points, Is.EqualTo(3_000_000));
+        Assert.That(Only<PointCloudClip>(), Is.Not.EqualTo(budget));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
+    Entity Only<T>()
+    {
+        using var query = m_world.EntityManager.CreateEntityQuery(ComponentType.ReadOnly<T>());
+        return query.ToEntityArray(Unity.Collections.Allocator.Temp).ToArray().Single();
+    }
+
+    [Test]
     public void Baker_OfAnAuthoringComponent_MakesWhatStreams()
     {
         var scene = new GameObject("scan");

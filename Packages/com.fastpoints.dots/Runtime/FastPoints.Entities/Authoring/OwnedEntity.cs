@@ -3,7 +3,7 @@ using Unity.Entities;
 namespace FastPoints.Entities
 {
     /// <summary>The entity that belongs to a GameObject's component in the default world, in edit mode too. It is destroyed with
-    /// the component or with the world.</summary>
+    /// the component; if others destroy it, or its world, its component makes it again.</summary>
     struct OwnedEntity
     {
         World m_world;
@@ -18,6 +18,7 @@ namespace FastPoints.Entities
             // In edit mode, the world may not have been made yet.
             DefaultWorldInitialization.DefaultLazyEditModeInitialize();
             m_world = World.DefaultGameObjectInjectionWorld;
+            Value = Entity.Null;
             if (m_world == null)
             {
                 entities = default;
@@ -28,10 +29,10 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <returns>Whether there is an entity in a world that still exists.</returns>
+        /// <returns>Whether the entity and its world still exist.</returns>
         public readonly bool TryGet(out EntityManager entities)
         {
-            bool isThere = Value != Entity.Null && m_world.IsCreated;
+            bool isThere = Value != Entity.Null && m_world.IsCreated && m_world.EntityManager.Exists(Value);
             entities = isThere ? m_world.EntityManager : default;
             return isThere;
         }

@@ -161,8 +161,8 @@ namespace FastPoints.Entities
 
         void Update()
         {
-            // Undo, prefabs and animations change fields and parents without notice.
-            if (FindOrigin() || !IsAsOpened)
+            // Undo, prefabs and animations change fields and parents without notice; others may end the entity or its world.
+            if (FindOrigin() || !IsAsOpened || HasCloud && !m_entity.TryGet(out _))
                 Reopen();
             if (Origin != null && m_cloud != null && !ReferenceEquals(m_comparedCrs, m_cloud.Crs))
                 Origin.Compare(this, m_comparedCrs = m_cloud.Crs);
@@ -231,9 +231,11 @@ namespace FastPoints.Entities
             return true;
         }
 
-        bool IsAsOpened => ReferenceEquals(m_openedCloud, m_cloud) && m_openedPath == (m_path ?? "") &&
+        bool IsAsOpened => m_openedCloud == m_cloud && m_openedPath == (m_path ?? "") &&
             m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses)) &&
             (m_cloud == null || m_openedUp == m_cloud.Up && m_openedUnitMetres == m_cloud.UnitMetres);
+
+        bool HasCloud => m_cloud != null || !string.IsNullOrEmpty(m_path);
 
         void Set<T>(ref T field, T value)
         {
@@ -249,7 +251,7 @@ namespace FastPoints.Entities
             m_openedClasses = ClassMask.Of(m_hiddenClasses);
             if (m_cloud != null)
                 (m_openedUp, m_openedUnitMetres) = (m_cloud.Up, m_cloud.UnitMetres);
-            if ((m_cloud == null && string.IsNullOrEmpty(m_path)) || !m_entity.TryCreate(out var entities))
+            if (!HasCloud || !m_entity.TryCreate(out var entities))
                 return;
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));
             entities.AddComponentData(Entity, Layer);

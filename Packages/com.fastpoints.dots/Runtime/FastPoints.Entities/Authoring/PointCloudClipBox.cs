@@ -18,21 +18,19 @@ namespace FastPoints.Entities
         /// <summary>The box along the world's axes around this one at its current place.</summary>
         public Bounds WorldBounds => CloudBounds.Under(transform.localToWorldMatrix, new Bounds(Vector3.zero, Vector3.one));
 
-        void OnEnable()
-        {
-            if (!m_entity.TryCreate(out var entities))
-                return;
-            entities.AddComponentData(m_entity.Value, new PointCloudClip());
-            entities.AddComponentData(m_entity.Value, new LocalToWorld());
-            Update();
-        }
+        void OnEnable() => Update();
 
         void OnDisable() => m_entity.Destroy();
 
         void Update()
         {
             if (!m_entity.TryGet(out var entities))
-                return;
+            {
+                if (!m_entity.TryCreate(out entities))
+                    return;
+                entities.AddComponentData(m_entity.Value, new PointCloudClip());
+                entities.AddComponentData(m_entity.Value, new LocalToWorld());
+            }
             entities.SetComponentData(m_entity.Value, new PointCloudClip { Cuts = Cuts });
             entities.SetComponentData(m_entity.Value, TransformMatrix.Of(transform));
         }

@@ -65,21 +65,19 @@ namespace FastPoints.Entities
         /// <summary>Starts a new component with the project's graphics memory.</summary>
         void Reset() => MemoryMebibytes = (int)(PointCloudSystemGroup.DefaultPoolBytes >> 20);
 
-        void OnEnable()
-        {
-            if (!m_entity.TryCreate(out var entities))
-                return;
-            entities.AddComponentData(m_entity.Value, new PointCloudBudget());
-            entities.AddComponentData(m_entity.Value, new PointCloudStyle());
-            Update();
-        }
+        void OnEnable() => Update();
 
         void OnDisable() => m_entity.Destroy();
 
         void Update()
         {
             if (!m_entity.TryGet(out var entities))
-                return;
+            {
+                if (!m_entity.TryCreate(out entities))
+                    return;
+                entities.AddComponentData(m_entity.Value, new PointCloudBudget());
+                entities.AddComponentData(m_entity.Value, new PointCloudStyle());
+            }
             entities.SetComponentData(m_entity.Value, new PointCloudBudget
             {
                 Points = (long)math.round(MillionPoints * 1e6),

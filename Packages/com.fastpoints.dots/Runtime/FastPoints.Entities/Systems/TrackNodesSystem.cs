@@ -133,6 +133,9 @@ namespace FastPoints.Entities
 
         void UpdateEntity(TrackedNode tracked)
         {
+            // Whoever empties the world of entities takes those of nodes along.
+            if (!EntityManager.Exists(tracked.Entity))
+                return;
             if ((tracked.Changes & TrackedNode.IsResident) != 0)
             {
                 bool isResident = (tracked.State & TrackedNode.IsResident) != 0;

@@ -166,6 +166,17 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
+        public void Update_SomebodyDestroysEntitiesOfNodes_GoesOn()
+        {
+            Begin();
+            Add();
+            Settle(StreamedTestCloud.Overview());
+            Entities.DestroyEntity(All<PointCloudNode>());
+            Settle(StreamedTestCloud.Near(30, 160, 1));
+            Assert.That(Settle(StreamedTestCloud.Overview()).DrawnNodes, Is.GreaterThan(20));
+        }
+
+        [Test]
         public void Update_CameraElsewhere_EntitiesFollow()
         {
             // Room for a part of the cloud, so that nodes are given up.
