@@ -210,6 +210,10 @@ public sealed class PipelinePassTests : PipelineFixture
         Shows(false, "its entity is disabled");
         Entities.RemoveComponent<Disabled>(Cloud);
         Shows(true, "its entity is enabled again");
+        camera.gameObject.AddComponent<PointCloudCamera>().DrawsClouds = false;
+        var none = Render(camera);
+        Assert.That(Enumerable.Range(0, WidthPx * HeightPx).All(i => none[i % WidthPx, i / WidthPx] == none[0, 0]), Is.True,
+            "the camera draws no clouds any more");
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
     }

@@ -40,12 +40,16 @@ namespace FastPoints.Rendering.BuiltIn
         static void Draw(Camera camera)
         {
             // Scriptable pipelines have passes of their own.
-            if (GraphicsSettings.currentRenderPipeline != null || !PointScene.IsDrawn(camera))
+            if (GraphicsSettings.currentRenderPipeline != null)
+                return;
+            bool isDrawn = PointScene.IsDrawn(camera);
+            // A camera that draws clouds no more would go on with its last commands.
+            if (!isDrawn && !s_cameras.Contains(camera))
                 return;
             var commands = CommandsFor(camera);
             commands.Clear();
             var scene = PointScene.Current;
-            if (scene == null)
+            if (scene == null || !isDrawn)
                 return;
             scene.Announce(camera);
             scene.Record(commands, camera,
