@@ -39,6 +39,26 @@ public sealed class SelfStartTests : GraphicsFixture
     }
 
     [Test]
+    public void PointCloud_WithoutGraphics_NeitherStreamsNorAsksForFrames()
+    {
+        SystemInfo.IsServer = true;
+        try
+        {
+            var scene = new GameObject("scan");
+            scene.AddComponent<FastPoints.Entities.PointCloud>().Path = m_scratch.Converted(points: 1000);
+            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            SceneLoop.Update();
+            Assert.That(() => m_world.Update(), Throws.Nothing);
+            Assert.That((group.Stream, group.WantsFrame), Is.EqualTo(((StreamContext)null, false)));
+            UnityEngine.Object.DestroyImmediate(scene);
+        }
+        finally
+        {
+            SystemInfo.IsServer = false;
+        }
+    }
+
+    [Test]
     public void PointCloud_InFrontOfACamera_IsDrawn()
     {
         string path = m_scratch.Converted(points: 20_000);

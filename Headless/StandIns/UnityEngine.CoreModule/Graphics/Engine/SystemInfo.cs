@@ -15,7 +15,8 @@ public sealed class SystemInfo
     public static bool graphicsUVStartsAtTop => true;
 
     /// <summary>In bytes: what one shader may see of a buffer.</summary>
-    public static long maxGraphicsBufferSize => GpuDevice.TryGet(out _)?.Limits.maxStorageBufferRange ?? 0;
+    public static long maxGraphicsBufferSize =>
+        HasDevice && GpuDevice.TryGet(out _) is { } device ? device.Limits.maxStorageBufferRange : 0;
 
     public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) => usage switch
     {
@@ -23,5 +24,8 @@ public sealed class SystemInfo
         _ => throw new System.NotSupportedException("GraphicsFormatUsage." + usage),
     };
 
-    static bool HasDevice => GpuDevice.TryGet(out _) != null;
+    static bool HasDevice => !IsServer && GpuDevice.TryGet(out _) != null;
+
+    /// <summary>Whether this process has no graphics, whatever the machine has.</summary>
+    internal static bool IsServer { get; set; }
 }

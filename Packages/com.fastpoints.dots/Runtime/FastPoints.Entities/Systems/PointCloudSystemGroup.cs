@@ -5,6 +5,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace FastPoints.Entities
 {
@@ -44,7 +45,7 @@ namespace FastPoints.Entities
         NativeList<StreamView> m_lastViews;
         int m_quietFrames;
         EntityQuery m_files;
-        bool m_isWarned;
+        bool m_cannotDraw;
         FrameStats m_stats;
 
         /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are
@@ -70,7 +71,7 @@ namespace FastPoints.Entities
             get
             {
                 if (Stream == null)
-                    return !m_isWarned && !m_files.IsEmpty;
+                    return !m_cannotDraw && !m_files.IsEmpty;
                 return m_quietFrames < FramesToRest || Scene != null && HasMoved(Scene.NextViews);
             }
         }
@@ -129,12 +130,16 @@ namespace FastPoints.Entities
         /// <summary>Begins with the first cloud: a world without clouds takes no memory.</summary>
         bool TryBegin()
         {
-            if (m_files.IsEmpty || m_isWarned)
+            if (m_files.IsEmpty || m_cannotDraw)
+                return false;
+            // A server, or an editor without graphics.
+            m_cannotDraw = SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null;
+            if (m_cannotDraw)
                 return false;
             var resources = PointCloudResources.Load();
             if (resources == null)
             {
-                m_isWarned = true;
+                m_cannotDraw = true;
                 Debug.LogWarning("Point clouds are not drawn: the package's " + PointCloudResources.Path + " is not there");
                 return false;
             }
