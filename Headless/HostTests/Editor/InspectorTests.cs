@@ -191,6 +191,26 @@ public sealed class InspectorTests
     }
 
     [Test]
+    public void Menu_OfGameObjectsInAPrefabStage_AddsToThePrefab()
+    {
+        ObjectFactory.s_stage = new GameObject("prefab");
+        try
+        {
+            typeof(SceneMenu).GetMethod("AddClipBox", BindingFlags.Static | BindingFlags.NonPublic)
+                .Invoke(null, new object[] { new MenuCommand(null) });
+            var made = (GameObject)Selection.activeObject;
+            Assert.That(made.GetComponentsInChildren<PointCloudClipBox>(true), Has.Length.EqualTo(1));
+            Assert.That(made.transform.parent, Is.SameAs(ObjectFactory.s_stage.transform));
+        }
+        finally
+        {
+            Object.DestroyImmediate(ObjectFactory.s_stage);
+            ObjectFactory.s_stage = null;
+            Undo.Clear();
+        }
+    }
+
+    [Test]
     public void FindProperty_OfWhatUnityDoesNotKeep_IsNull()
     {
         var asset = new SerializedObject(ScriptableObject.CreateInstance<FastPoints.Entities.PointCloudAsset>());

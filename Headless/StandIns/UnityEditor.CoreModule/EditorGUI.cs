@@ -72,16 +72,6 @@ public class EditorUtility
     public static void SetDirty(Object target) { }
 }
 
-public sealed class GameObjectUtility
-{
-    /// <summary>Nothing happens without a parent.</summary>
-    public static void SetParentAndAlign(GameObject child, GameObject parent)
-    {
-        if (parent != null)
-            child.transform.SetParent(parent.transform, false);
-    }
-}
-
 /// <summary>Undo takes away what it makes.</summary>
 public static class ObjectFactory
 {
@@ -90,6 +80,18 @@ public static class ObjectFactory
         var made = new GameObject(name);
         Undo.Add(() => Object.DestroyImmediate(made));
         return made;
+    }
+
+    /// <summary>The content's root of the prefab that is open; null for none.</summary>
+    internal static GameObject s_stage;
+
+    /// <summary>Beneath the parent; without one in the stage that is open, where <see cref="CreateGameObject"/> leaves it in the
+    /// active scene. It is selected.</summary>
+    public static void PlaceGameObject(GameObject go, GameObject parent = null)
+    {
+        if ((parent ?? s_stage) is { } above)
+            go.transform.SetParent(above.transform, false);
+        Selection.activeObject = go;
     }
 
     public static T AddComponent<T>(GameObject gameObject) where T : Component => gameObject.AddComponent<T>();

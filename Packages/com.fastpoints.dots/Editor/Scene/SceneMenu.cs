@@ -26,9 +26,9 @@ namespace FastPoints.Editor
             where T : Component
         {
             var made = ObjectFactory.CreateGameObject(name);
-            GameObjectUtility.SetParentAndAlign(made, command.context as GameObject);
             ObjectFactory.AddComponent<T>(made);
-            Selection.activeObject = made;
+            // In a prefab stage it belongs into the prefab, and with a default parent beneath that.
+            ObjectFactory.PlaceGameObject(made, command.context as GameObject);
         }
     }
 }
