@@ -203,6 +203,26 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
+    public void Inspector_TypedPlace_IsOneAndATypedCoordinateSystemIsNone()
+    {
+        var origin = Origin();
+        var editor = UnityEditor.Editor.Of<PointCloudOriginEditor>(origin);
+        void Type(string field, object value)
+        {
+            SerializedObject.s_typed = o => SerializedFields.Of(o.GetType()).Single(f => f.Name == field).SetValue(o, value);
+            editor.Draw();
+            SerializedObject.s_typed = null;
+        }
+        Type("m_crs", "EPSG:25832");
+        Assert.That(origin.HasPlace, Is.False);
+        Type("m_place", new double3(7, 8, 9));
+        Assert.That((origin.HasPlace, origin.Place), Is.EqualTo((true, new double3(7, 8, 9))));
+        Undo.PerformUndo();
+        Assert.That(origin.HasPlace, Is.False, "a prefab's instance keeps what Undo has recorded");
+        Object.DestroyImmediate(editor);
+    }
+
+    [Test]
     public void AlignTo_CloudThatOnlyAPathNames_IsTheMiddleOfItsFloor()
     {
         var origin = Origin();

@@ -55,7 +55,15 @@ public class SerializedObject(Object obj)
     readonly Object m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
 
     public void Update() { }
-    public bool ApplyModifiedProperties() => false;
+
+    /// <summary>What somebody has typed: it changes the fields, past properties.</summary>
+    internal static Action<Object> s_typed;
+
+    public bool ApplyModifiedProperties()
+    {
+        s_typed?.Invoke(m_target);
+        return s_typed != null;
+    }
 
     /// <returns>Null where Unity keeps no such field.</returns>
     public SerializedProperty FindProperty(string propertyPath) => propertyPath == "m_Script" ||

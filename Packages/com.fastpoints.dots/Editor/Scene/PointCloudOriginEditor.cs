@@ -11,11 +11,12 @@ namespace FastPoints.Editor
         public override void OnInspectorGUI()
         {
             var origin = (PointCloudOrigin)target;
+            var before = origin.Place;
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script");
-            // A place that was typed is one.
-            if (serializedObject.ApplyModifiedProperties())
-                origin.Place = origin.Place;
+            // A place that was typed is one; a coordinate system alone is none.
+            if (serializedObject.ApplyModifiedProperties() && !origin.Place.Equals(before))
+                Change(origin, "Set origin", () => origin.Place = origin.Place);
             if (!origin.HasPlace)
                 EditorGUILayout.HelpBox("The first cloud beneath this GameObject will decide on the place.", MessageType.Info);
             var cloud = (PointCloud)EditorGUILayout.ObjectField("Align to", null, typeof(PointCloud), true);
