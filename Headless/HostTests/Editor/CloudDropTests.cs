@@ -216,6 +216,17 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
+    public void Show_OriginIsDeletedBetweenTwoClouds_ShowsTheOthersAllTheSame()
+    {
+        var place = new DropPlace();
+        place.Share();
+        place.Show(Known("a", new double3(690_000, 5_330_000, 500)));
+        UnityEngine.Object.DestroyImmediate(SceneLoop.Find<PointCloudOrigin>().Single().gameObject);
+        var cloud = place.Show(Known("b", new double3(690_100, 5_330_000, 500)));
+        Assert.That(Selection.activeObject, Is.SameAs(cloud.gameObject));
+    }
+
+    [Test]
     public void OnHierarchy_WhereItFalls_IsParentSiblingAndScene()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);

@@ -89,6 +89,14 @@ public sealed class DropTests
     }
 
     [Test]
+    public void OnProject_FolderOfAPackageThatIsNotInTheProject_IsLeftToUnity()
+    {
+        DragAndDrop.paths = new[] { Made("scan.e57") };
+        Assert.That(PointCloudDrops.OnProject("Packages/com.unity.entities", true), Is.EqualTo(DragAndDropVisualMode.None));
+        Assert.That(PointCloudDrops.OnProject("Assets", false), Is.EqualTo(DragAndDropVisualMode.Link));
+    }
+
+    [Test]
     public void OnScene_Drop_IsTakenBackByUndo()
     {
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();

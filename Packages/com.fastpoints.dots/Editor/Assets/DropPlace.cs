@@ -58,7 +58,8 @@ namespace FastPoints.Editor
             cloud.Cloud = asset;
             if (m_origin != null && !m_origin.HasPlace)
                 m_origin.AlignTo(asset);
-            Selection.activeObject = m_isShared ? m_origin.gameObject : made;
+            // The user may have deleted it since the last one.
+            Selection.activeObject = m_isShared && m_origin != null ? m_origin.gameObject : made;
             Undo.CollapseUndoOperations(m_undoGroup);
             return cloud;
         }

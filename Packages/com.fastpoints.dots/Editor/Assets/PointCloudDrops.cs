@@ -39,7 +39,9 @@ namespace FastPoints.Editor
         public static DragAndDropVisualMode OnProject(string path, bool perform)
         {
             var imports = PointCloudImports.Current;
-            if (CloudSources.Of(DragAndDrop.paths, imports.Paths, imports.MostCopiedBytes) != DropKind.Handle)
+            // Folders of packages that are not in the project are nowhere in it.
+            if (CloudSources.Of(DragAndDrop.paths, imports.Paths, imports.MostCopiedBytes) != DropKind.Handle ||
+                !Directory.Exists(imports.Paths.Absolute(FolderOf(path))))
                 return DragAndDropVisualMode.None;
             if (perform)
             {

@@ -8,7 +8,7 @@ namespace FastPoints.Editor
     {
         [MenuItem("Assets/Import point cloud...", false, 20)]
         static void ImportFile() => Take(EditorUtility.OpenFilePanelWithFilters("Import point cloud", "",
-            new[] { "Point clouds", "las,laz,ply,e57,txt,xyz,csv,pts", "All files", "*" }));
+            new[] { "Point clouds", "las,laz,ply,e57,pcd,ptx,txt,xyz,csv,pts", "All files", "*" }));
 
         [MenuItem("Assets/Import point cloud folder...", false, 20)]
         static void ImportFolder() =>
