@@ -145,6 +145,18 @@ public sealed class DropTests
         Assert.That(m_project.Asset("Assets/a.las"), Is.Not.Null, "it is imported with it at once");
     }
 
+    /// <summary>A file that is moved to another folder is not imported again, and caches do not know where it lies.</summary>
+    [Test]
+    public void PointFile_InAssets_IsKnownByItsNumberAndFoundWhereItLies()
+    {
+        File.Copy(m_project.Scratch.Demo("scan.las", 1000), "Assets/scan.las");
+        AssetDatabase.Refresh();
+        var asset = m_project.Asset("Assets/scan.las");
+        Assert.That(asset.ProjectSources,
+            Is.EqualTo(new[] { PointCloudFile.OfAsset + AssetDatabase.AssetPathToGUID("Assets/scan.las") }));
+        Assert.That(asset.File().FullSources(), Is.EqualTo(new[] { Path.GetFullPath("Assets/scan.las") }));
+    }
+
     /// <summary>Other packages claim the same extensions; who claims one too loses it for both.</summary>
     [Test]
     public void PointFileImporter_ExtensionThatAnotherClaims_StaysTheOthers()

@@ -43,11 +43,17 @@ static class ScriptedImports
         string difference = SerializedFields.FindDifference(made, Run(importer, path).mainObject);
         if (difference != null)
             throw new InvalidOperationException(importer.Name + " makes another " + difference + " of " + path + " each time");
+        // Moving an asset does not import it again, and caches know none of the folders that it lies in elsewhere.
+        if (SerializedFields.Of(made.GetType()).FirstOrDefault(f => Names(f.GetValue(made), path)) is { } field)
+            throw new InvalidOperationException(importer.Name + " keeps the asset's path in " + field.Name);
         if (before == null || before.GetType() != made.GetType())
             AssetDatabase.Assets[path] = made;
         else
             SerializedFields.Copy(made, before);
     }
+
+    static bool Names(object value, string path) => value is string text ? text == path
+        : value is string[] texts && texts.Contains(path);
 
     static AssetImportContext Run(Type importer, string path)
     {

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
     internal abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised when the imported asset changes.</summary>
-        protected const int Version = 4;
+        protected const int Version = 5;
 
         [Tooltip("The axis of the file that points up.")]
         public UpAxis UpAxis = UpAxis.Z;
@@ -35,7 +35,7 @@ namespace FastPoints.Editor
             try
             {
                 string guid = AssetDatabase.AssetPathToGUID(ctx.assetPath);
-                Fill(asset, Describe(ctx, guid), guid);
+                Fill(asset, Describe(ctx, guid), guid, ctx.assetPath);
             }
             catch (Base.PointCloudException e)
             {
@@ -46,11 +46,11 @@ namespace FastPoints.Editor
             ctx.SetMainObject(asset);
         }
 
-        void Fill(PointCloudAsset asset, CloudHandle handle, string guid)
+        void Fill(PointCloudAsset asset, CloudHandle handle, string guid, string assetPath)
         {
             asset.ProjectPath = handle.CloudPath;
             asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
-            asset.ProjectSources = handle.Sources.ToArray();
+            asset.ProjectSources = handle.Sources.ConvertAll(s => s == assetPath ? PointCloudFile.OfAsset + guid : s).ToArray();
             asset.PlayerSource = handle.IsOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
             var origin = OriginOf(handle);
             asset.HasOrigin = origin.HasValue;

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using FastPoints.Entities;
 using FastPoints.SourceFeeds;
 using UnityEditor;
 using UnityEngine;
@@ -17,6 +18,7 @@ namespace FastPoints.Editor
             // Import workers load scripts as well, but the only queue is the editor's.
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
+            PointCloudFile.PathOfAsset = AssetDatabase.GUIDToAssetPath;
             FastPointsSettings.instance.Apply();
             PointFileReaders.Register();
             EditorApplication.update += Update;

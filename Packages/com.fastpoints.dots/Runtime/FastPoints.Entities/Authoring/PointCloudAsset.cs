@@ -16,8 +16,8 @@ namespace FastPoints.Entities
         /// <summary>The folder below a player's streaming assets.</summary>
         public string PlayerPath;
 
-        /// <summary>Files and folders that the cloud is made of, in an editor: relative to the project with '/', or absolute.
-        /// They are shown until there is a converted folder.</summary>
+        /// <summary>Files and folders that the cloud is made of, in an editor: relative to the project with '/', absolute, or
+        /// <see cref="PointCloudFile.OfAsset"/>. They are shown until there is a converted folder.</summary>
         public string[] ProjectSources = new string[0];
 
         /// <summary>The source below a player's streaming assets if the cloud can be streamed without conversion; otherwise

@@ -17,6 +17,13 @@ namespace FastPoints.Entities
         /// because they run in a process without the settings, and perhaps on another machine.</summary>
         public const string InPlace = "<place>/";
 
+        /// <summary>Prefix of the number of an asset that is a cloud itself. Moving that to another folder does not import it
+        /// again.</summary>
+        public const string OfAsset = "<asset>/";
+
+        /// <summary>The path of an asset by its number, where there is an editor.</summary>
+        internal static System.Func<string, string> PathOfAsset { get; set; }
+
         /// <summary>Where an editor keeps converted clouds: absolute, or relative to the project.</summary>
         public static string Place { get; set; } = "PointClouds";
 
@@ -28,8 +35,8 @@ namespace FastPoints.Entities
         /// <see cref="InPlace"/>. If null, <see cref="Path"/> applies.</summary>
         public string ProjectPath;
 
-        /// <summary>Files and folders that the cloud is made of, in an editor: absolute, or relative to the project. May be
-        /// null.</summary>
+        /// <summary>Files and folders that the cloud is made of, in an editor: absolute, relative to the project, or
+        /// <see cref="OfAsset"/>. May be null.</summary>
         public string[] ProjectSources;
 
         /// <summary>The file or folder that a player streams directly if <see cref="Path"/> does not exist: absolute, or below
@@ -89,6 +96,8 @@ namespace FastPoints.Entities
         {
             if (path.StartsWith(InPlace, System.StringComparison.Ordinal))
                 path = System.IO.Path.Combine(Place, path.Substring(InPlace.Length));
+            else if (path.StartsWith(OfAsset, System.StringComparison.Ordinal))
+                path = PathOfAsset(path.Substring(OfAsset.Length));
             return System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), path);
         }
     }
