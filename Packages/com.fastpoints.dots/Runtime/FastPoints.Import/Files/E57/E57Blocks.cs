@@ -77,8 +77,12 @@ namespace FastPoints.Files
                 m_maxPoints = (int)Math.Max(m_maxPoints, Math.Min(section.BlockPoints, section.Records));
             }
             if (points == 0)
-                throw PointCloudException.Wanted(FailureCode.Truncated, Info.Path, -1, "points",
-                    NumberText.Of(Info.PointsClaimed), 0);
+            {
+                // The last walk's warning says what is wrong, and where.
+                var why = Info.Warnings.Count > 0 ? Info.Warnings[Info.Warnings.Count - 1] : new CloudWarning(null, -1, "");
+                throw PointCloudException.Wanted(FailureCode.Truncated, Info.Path, why.ByteOffset, "points",
+                    NumberText.Of(Info.PointsClaimed), "0: " + why.Text);
+            }
             Info.PointsReadable = points;
             AreKnown = true;
         }

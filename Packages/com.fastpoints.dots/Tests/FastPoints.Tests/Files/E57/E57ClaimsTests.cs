@@ -197,7 +197,7 @@ namespace FastPoints.Tests.Files
             if (length == ulong.MaxValue)
                 Assert.That(FileContents.OfE57(file).HasWarning("the file ends before its binary section"));
             else
-                Assert.That(Failure(file).Message, Does.Contain("points: wanted 20000, got 0"));
+                Assert.That(Failure(file).Message, Does.Contain("points: wanted 20000, got 0: scan ").And.Contain("at byte "));
         }
 
         [TestCase(48, new byte[] { 2 }, "section id")]
