@@ -336,7 +336,8 @@ namespace FastPoints.Files
             {
                 Info.FileBytes += node.Bytes;
                 points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
-                if (points != node.Claimed || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
+                // The converters wrote 0 for nodes that they had put on disk before.
+                if (points != node.Claimed && node.Claimed > 0 || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
                     Warnings.Add("its file does not hold what the hierarchy says", name,
                         "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (m_layout == null ? ""
                             : " and " + NumberText.Of(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);

@@ -172,6 +172,23 @@ namespace FastPoints.Tests.Files
             Assert.That(texts.Count, Is.EqualTo(2));
         }
 
+        /// <summary>The converters wrote 0 for nodes that they had written to disk before: nothing is odd then.</summary>
+        [Test]
+        public void Read_HierarchyWithoutCounts_HasAllPointsAndNoWarning()
+        {
+            new Potree1Writer().Write(Folder, s_cloud);
+            foreach (string path in Directory.GetFiles(Folder.File("data"), "*.hrc", SearchOption.AllDirectories))
+            {
+                byte[] bytes = File.ReadAllBytes(path);
+                for (int entry = 5; entry < bytes.Length; entry += 5)
+                    Array.Clear(bytes, entry + 1, 4);
+                File.WriteAllBytes(path, bytes);
+            }
+            using var reader = Open();
+            Assert.That(ReadAll(reader).OrderBy(i => i), Is.EqualTo(Enumerable.Range(0, Points)));
+            Assert.That(reader.Info.Warnings, Is.Empty);
+        }
+
         [Test]
         public void Read_MissingHierarchyFile_LosesWhatLiesBelow()
         {
