@@ -9,7 +9,7 @@ public sealed class DrawStep
     public int? Nodes { get; init; }
     public required double Seconds { get; init; }
     public required RgbaImage Image { get; init; }
-    public required byte[] Png { get; init; }
+    public required Legend Legend { get; init; }
     public required IReadOnlyList<string> Assumptions { get; init; }
 
     /// <summary>What drew it.</summary>
@@ -30,7 +30,7 @@ public sealed class DrawStep
             Points = draw.PointsDrawn,
             Seconds = run.Seconds - begin,
             Image = draw.Image,
-            Png = FastPoints.Picture.Png.Encode(draw.Image),
+            Legend = Legend.Of(draw.Plan, options, reader.Info.Crs.MetresPerUnit),
             Assumptions = draw.Plan.Assumptions,
         };
     }
@@ -49,7 +49,7 @@ public sealed class DrawStep
             Nodes = draw.NodesDrawn,
             Seconds = run.Seconds - begin,
             Image = draw.Image,
-            Png = FastPoints.Picture.Png.Encode(draw.Image),
+            Legend = Legend.Of(draw.Plan, options, folder.Manifest.MetresPerUnit),
             Assumptions = draw.Plan.Assumptions,
         };
     }
@@ -69,9 +69,11 @@ public sealed class DrawStep
         using var picture = new GpuPicture(shaders, stream, options);
         var assumptions = new List<string>();
         Camera? camera = options.Camera;
+        Legend? legend = null;
         foreach (string path in paths)
         {
-            var plan = FlightCloud.Add(path, stream, options, run.Cancellation, out _, out int number);
+            var plan = FlightCloud.Add(path, stream, options, run.Cancellation, out _, out int number, out double unit);
+            legend ??= Legend.Of(plan, options, unit);
             picture.Add(number, plan);
             assumptions.AddRange(plan.Assumptions);
             camera ??= plan.Camera;
@@ -88,7 +90,7 @@ public sealed class DrawStep
             Nodes = stats.DrawnNodes,
             Seconds = run.Seconds - begin,
             Image = image,
-            Png = FastPoints.Picture.Png.Encode(image),
+            Legend = legend!,
             Assumptions = assumptions,
             Device = "gpu, " + UnityEngine.SystemInfo.graphicsDeviceName,
         };
@@ -112,6 +114,8 @@ public sealed class DrawStep
             Thread.Yield();
         }
     }
+
+    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.On(Image);
 
     public string Describe() => Human.Count(Points) + " points"
         + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "") + " in " + Human.Seconds(Seconds);

@@ -12,9 +12,14 @@ public static class FlightCloud
     /// <summary>Adds a cloud to a stream.</summary>
     /// <returns>What it looks like.</returns>
     internal static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-        out DisplayRanges ranges, out int number) => CloudFolder.IsCloud(path) || !Path.Exists(path)
-            ? AddFolder(path, stream, options, cancellation, out ranges, out number)
-            : AddSource(PointReaders.Open(path), stream, options, cancellation, out ranges, out number);
+        out DisplayRanges ranges, out int number, out double metresPerUnit)
+    {
+        if (CloudFolder.IsCloud(path) || !Path.Exists(path))
+            return AddFolder(path, stream, options, cancellation, out ranges, out number, out metresPerUnit);
+        var reader = PointReaders.Open(path);
+        metresPerUnit = reader.Info.Crs.MetresPerUnit;
+        return AddSource(reader, stream, options, cancellation, out ranges, out number);
+    }
 
     /// <param name="reader">Becomes the stream's.</param>
     internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options,
@@ -65,9 +70,10 @@ public static class FlightCloud
     }
 
     static PicturePlan AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-        out DisplayRanges ranges, out int number)
+        out DisplayRanges ranges, out int number, out double metresPerUnit)
     {
         var folder = CloudFolder.Open(path);
+        metresPerUnit = folder.Manifest.MetresPerUnit;
         try
         {
             var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));

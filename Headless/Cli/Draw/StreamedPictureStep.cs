@@ -20,14 +20,18 @@ public static class StreamedPictureStep
         using var picture = new StreamedPicture(options);
         run.Progress.Begin("select");
         var bounds = BoundsGeo.Empty;
-        var outline = new List<double3>();
+        (PicturePlan Plan, DisplayRanges Ranges, double Unit)? legend = null;
+        List<double3> outline = [], rim = [];
         var assumptions = new List<string>();
         foreach (string cloud in clouds)
         {
-            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
+            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number,
+                out double unit);
+            legend ??= (plan, ranges, unit);
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
             outline.AddRange(ranges.Outline);
+            rim.AddRange(ranges.Rim);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust
                     : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
@@ -36,8 +40,7 @@ public static class StreamedPictureStep
         }
         if (bounds.IsEmpty)
             throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to draw");
-        var camera = options.Camera ?? CameraFraming.Frame(options.View, bounds, outline.ToArray(),
-            options.WidthPx, options.HeightPx, options.UpAxis, options.FovDegrees, new double3(1, 1, 1));
+        var camera = options.Camera ?? CameraFraming.Frame(options, bounds, outline.ToArray(), rim.ToArray(), new double3(1, 1, 1));
 
         run.Progress.Begin("stream");
         var stats = Rest(stream, camera, options, run);
@@ -52,7 +55,7 @@ public static class StreamedPictureStep
             Nodes = stats.DrawnNodes,
             Seconds = run.Seconds - begin,
             Image = image,
-            Png = Png.Encode(image),
+            Legend = new Legend(legend!.Value.Plan.Mode, legend.Value.Ranges, camera, options, legend.Value.Unit),
             Assumptions = assumptions,
         };
     }

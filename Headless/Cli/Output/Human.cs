@@ -56,5 +56,11 @@ public static class Human
                 .ToString(CultureInfo.InvariantCulture)
             : value.ToString("0.###e0", CultureInfo.InvariantCulture);
 
+    /// <summary>What lengths are in.</summary>
+    /// <param name="metresPerUnit">NaN for degrees, whose lengths are metres; 0 where it is not known.</param>
+    public static string Unit(double metresPerUnit) => double.IsNaN(metresPerUnit) || metresPerUnit == 1 ? "m"
+        : metresPerUnit == 0 ? "units" : Math.Abs(metresPerUnit - 0.3048) < 1e-5 ? "ft"
+        : "units of " + Value(metresPerUnit) + " m";
+
     public static string Value(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 }

@@ -35,9 +35,10 @@ sealed class CloudPage
             : "<ul class=\"odd\" aria-label=\"What is odd\">"
                 + string.Concat(odd.Select(o => $"<li>{ReportPage.Escape(o)}</li>")) + "</ul>");
         var pictures = Pictures().ToList();
-        int others = pictures.Sum(p => p.Length) + 4 * Preview.Png.Length / 3 + 200_000;
+        byte[] preview = Preview.ToPng(isPlain: true);
+        int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
         string json = View.ToJson(Math.Max(MostBytes - others, MostBytes / 8), out int shown);
-        page.View(json, Preview.Png, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown));
+        page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown));
         page.Heading("Facts");
         page.Html("<div class=\"row two\"><div>");
         page.Facts(Facts.Lines());

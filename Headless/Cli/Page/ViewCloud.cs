@@ -22,10 +22,8 @@ sealed class ViewCloud
     ViewCloud(PictureOptions options, CoordinateSystem crs, DisplayRanges? ranges = null)
     {
         m_options = options;
-        double unit = crs.MetresPerUnit;
-        Ranges = ranges ?? new DisplayRanges { IsInDegrees = double.IsNaN(unit) };
-        Unit = double.IsNaN(unit) || unit == 1 ? "m" : unit == 0 ? "units" : Math.Abs(unit - 0.3048) < 1e-5 ? "ft"
-            : "units of " + Human.Value(unit) + " m";
+        Ranges = ranges ?? new DisplayRanges { IsInDegrees = double.IsNaN(crs.MetresPerUnit) };
+        Unit = Human.Unit(crs.MetresPerUnit);
     }
 
     public DisplayRanges Ranges { get; }

@@ -1,3 +1,5 @@
+using FastPoints.Cli.Draw;
+
 namespace FastPoints.Cli.Preview;
 
 /// <summary>A preview that was taken, and what is to be said of it.</summary>
@@ -18,7 +20,7 @@ public sealed class PreviewStep
     public required double Seconds { get; init; }
 
     public required RgbaImage Image { get; init; }
-    public required byte[] Png { get; init; }
+    public required Legend Legend { get; init; }
     public required Camera Camera { get; init; }
     public required ColorMode Mode { get; init; }
     public required IReadOnlyList<string> Assumptions { get; init; }
@@ -42,12 +44,14 @@ public sealed class PreviewStep
             Slices = slices,
             Seconds = run.Seconds - begin,
             Image = preview.Image,
-            Png = FastPoints.Picture.Png.Encode(preview.Image),
+            Legend = Legend.Of(preview.Plan, options.Picture, reader.Info.Crs.MetresPerUnit),
             Camera = preview.Plan.Camera,
             Mode = preview.Plan.Mode,
             Assumptions = preview.Plan.Assumptions,
         };
     }
+
+    public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.On(Image));
 
     public string Describe() => Human.Count(Points) + " points, " + Human.Value(100 * Share) + "% of the cloud, from "
         + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";

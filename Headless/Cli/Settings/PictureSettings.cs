@@ -26,12 +26,6 @@ public sealed class PictureSettings
         HelpName = "VIEW",
         Description = "top, front or iso in place of a camera (default: what shows most).",
     };
-    readonly Option<string?> m_style = new("--style")
-    {
-        HelpName = "k=v,...",
-        Description = PictureOptions.StyleHelp + ".",
-    };
-
     readonly Option<string[]> m_clip = new("--clip")
     {
         HelpName = "x,y,z,X,Y,Z",
@@ -45,6 +39,7 @@ public sealed class PictureSettings
     };
 
     readonly bool m_canFilter;
+    readonly LookSettings m_look;
 
     /// <param name="canFilter">Whether the verb streams clouds, which can be clipped, and shown by class.</param>
     public PictureSettings(Command command, bool canFilter)
@@ -60,18 +55,19 @@ public sealed class PictureSettings
         command.Add(m_target);
         command.Add(m_fov);
         command.Add(m_view);
-        command.Add(m_style);
+        m_look = new LookSettings(command);
     }
+
+    public bool IsPlain(ParseResult parsed) => m_look.IsPlain(parsed);
 
     /// <exception cref="UsageException">A value cannot be read, or two of them exclude each other.</exception>
     public PictureOptions Read(ParseResult parsed)
     {
-        var options = new PictureOptions();
+        var options = m_look.Read(parsed);
         (options.WidthPx, options.HeightPx) = Size(parsed.GetRequiredValue(m_size));
         options.FovDegrees = parsed.GetValue(m_fov);
         if (!(options.FovDegrees > 0 && options.FovDegrees < 180))
             throw new UsageException("--fov: wanted more than 0 and less than 180 degrees");
-        ReadStyle(parsed.GetValue(m_style), options);
         if (!m_canFilter && options.IsFiltered)
             throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");
         foreach (string box in m_canFilter ? parsed.GetValue(m_clip) ?? [] : [])
@@ -99,20 +95,6 @@ public sealed class PictureSettings
             _ => throw new UsageException("--view: wanted top, front or iso, got " + view),
         };
         return options;
-    }
-
-    static void ReadStyle(string? style, PictureOptions options)
-    {
-        if (style == null)
-            return;
-        foreach (string pair in style.Split(','))
-        {
-            int equals = pair.IndexOf('=');
-            if (equals < 1)
-                throw new UsageException("--style: wanted k=v, got " + pair);
-            if (!options.TrySetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim(), out string error))
-                throw new UsageException("--style: " + error);
-        }
     }
 
     static (int, int) Size(string text)

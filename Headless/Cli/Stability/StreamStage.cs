@@ -11,7 +11,7 @@ static class StreamStage
     {
         using var stream = new StreamContext(new MemoryNodePool(256 << 20));
         using var picture = new StreamedPicture(options);
-        var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud);
+        var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud, out _);
         picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
         stream.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
         long points = ((FolderSource)stream.Clouds[cloud].Source).Folder.Manifest.Points;

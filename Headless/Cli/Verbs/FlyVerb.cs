@@ -97,7 +97,7 @@ public sealed class FlyVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
+            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number, out _);
             picture.Add(number, plan);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust

@@ -31,6 +31,7 @@ public sealed class MainJob : Verb
     {
         Description = "Do not go on with an octree that was stopped, and keep nothing of this one when it is.",
     };
+    readonly LookSettings m_look;
     readonly SourceSettings m_source;
 
     public MainJob() : base(new RootCommand(
@@ -43,6 +44,7 @@ public sealed class MainJob : Verb
         Command.Add(m_points);
         Command.Add(m_seed);
         Command.Add(m_discard);
+        m_look = new LookSettings(Command);
         m_source = new SourceSettings(Command);
     }
 
@@ -59,6 +61,11 @@ public sealed class MainJob : Verb
         string? outFolder = parsed.GetValue(m_out);
         long points = parsed.GetValue(m_points);
         var source = m_source.Read(parsed);
+        bool isPlain = m_look.IsPlain(parsed);
+        // Each cloud has its own camera, and its own idea of what is up.
+        PictureOptions Look() => m_look.Read(parsed);
+        if (Look().IsFiltered)
+            throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");
         run.IsDiscarding = parsed.GetValue(m_discard);
         run.Begin(files);
         string demo = Path.Combine(outFolder ?? "demo-report", "demo.las");
@@ -86,7 +93,7 @@ public sealed class MainJob : Verb
             string folder = folders[i];
             all.Take(run, () =>
             {
-                var report = Report.Make(cloud, source, folder, command, run);
+                var report = Report.Make(cloud, source, (Look(), isPlain), folder, command, run);
                 report.WriteSummary(folder);
                 pages.Add(report.Page);
                 return (report.WriteKeys, report.Account);
@@ -176,7 +183,8 @@ public sealed class MainJob : Verb
             Account.WriteKeys(json);
         });
 
-        public static Report Make(string[] files, ReadOptions source, string folder, string command, CliRun run)
+        public static Report Make(string[] files, ReadOptions source, (PictureOptions Options, bool IsPlain) look,
+            string folder, string command, CliRun run)
         {
             int firstStage = run.Progress.Finished.Count;
             using var reader = PointReaders.Open(files, source);
@@ -191,10 +199,10 @@ public sealed class MainJob : Verb
             Mark(folder, file);
 
             string previewPath = Path.Combine(folder, "preview.png"), picturePath = Path.Combine(folder, "picture.png");
-            var picture = new PictureOptions();
+            var picture = look.Options;
             run.Progress.Group = "preview";
             var preview = PreviewStep.Run(reader, new PreviewOptions { Points = PreviewPoints, Picture = picture }, run);
-            OutputFile.Write(previewPath, preview.Png);
+            OutputFile.Write(previewPath, preview.ToPng(look.IsPlain));
             run.Out.WriteLine("  preview  " + preview.Describe());
             run.Out.Flush();
             // The same view, so that the two can be laid over each other.
@@ -205,8 +213,11 @@ public sealed class MainJob : Verb
             run.Out.WriteLine("  octree   " + convert.Describe());
             run.Out.Flush();
             run.Progress.Group = "picture";
-            var drawn = DrawStep.RunStored(cloudPath, picture, 0, run);
-            OutputFile.Write(picturePath, drawn.Png);
+            // As a game draws it, which the card's picture is compared with.
+            if (picture.PointSizePx < 1)
+                picture.SizeInWorld ??= FastPoints.Gpu.PointSize.Adaptive();
+            var drawn = StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
+            OutputFile.Write(picturePath, Png.Encode(drawn.ToImage(look.IsPlain)));
             run.Out.WriteLine("  picture  " + drawn.Describe());
             foreach (string assumption in drawn.Assumptions)
                 run.Out.WriteLine("           " + assumption);
@@ -214,7 +225,7 @@ public sealed class MainJob : Verb
             var gpu = HeadlessGraphics.IsAvailable ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
             run.Progress.Group = null;
             if (gpu != null)
-                OutputFile.Write(Path.Combine(folder, "gpu.png"), gpu.Png);
+                OutputFile.Write(Path.Combine(folder, "gpu.png"), Png.Encode(gpu.ToImage(look.IsPlain)));
             run.Out.WriteLine("  gpu      " +
                 (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
             run.Out.WriteLine();

@@ -63,6 +63,9 @@ public sealed class PictureVerb : Verb
             throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
                 options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
 
+        // As a game draws them, on the processor as on a card.
+        if (options.PointSizePx < 1 && clouds.Any(CloudFolder.IsCloud))
+            options.SizeInWorld ??= FastPoints.Gpu.PointSize.Adaptive();
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
             : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
             ? DrawStep.RunStored(clouds[0], options, budget, run)
@@ -71,10 +74,11 @@ public sealed class PictureVerb : Verb
             : options.IsFiltered
             ? throw new UsageException("--clip, --cut and classes want clouds that are converted, or bring octrees along")
             : Draw(clouds, m_source.Read(parsed), options, budget, run);
+        var image = result.ToImage(m_picture.IsPlain(parsed));
         if (reference != null)
-            result.Error = ImageError.Compare(result.Image, reference, options.Background);
+            result.Error = ImageError.Compare(image, reference, options.Background);
         run.WriteKeys = result.WriteKeys;
-        OutputFile.Write(output, result.Png);
+        OutputFile.Write(output, Png.Encode(image));
 
         run.Out.WriteLine(output + ": " + result.Describe());
         foreach (string assumption in result.Assumptions)

@@ -80,7 +80,7 @@ public sealed class PreviewVerb : Verb
         run.Warn(reader.Info);
         var result = PreviewStep.Run(reader, options, run);
         run.Points.Add(reader.Info, reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable);
-        OutputFile.Write(output, result.Png);
+        OutputFile.Write(output, result.ToPng(m_picture.IsPlain(parsed)));
         run.WriteKeys = json => result.WriteKeys(json);
         if (parsed.GetValue(m_report))
         {

@@ -33,6 +33,17 @@ public sealed class GpuVerbsTests : GraphicsFixture
         Assert.That(call.Json.GetProperty("psnr").GetDouble(), Is.GreaterThan(25));
     }
 
+    /// <summary>Both by the distances between points, and with a legend.</summary>
+    [Test]
+    public void Picture_OnTheGpuWithNoStyle_IsThatOfTheCpu()
+    {
+        string cpu = m_scratch["c.png"], gpu = m_scratch["g.png"];
+        Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "640x360").Status, Is.EqualTo(ExitStatus.Done));
+        var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "640x360", "--against", cpu, "--json", "-");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        Assert.That(call.Json.GetProperty("psnr").GetDouble(), Is.GreaterThan(38));
+    }
+
     [Test]
     public void Fly_OnTheGpu_DrawsWhatTheCpuDraws()
     {

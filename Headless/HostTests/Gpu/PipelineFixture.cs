@@ -65,7 +65,7 @@ public abstract class PipelineFixture : GraphicsFixture
     /// <summary>A cloud of the world's, around its origin.</summary>
     internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
     {
-        var plan = FlightCloud.Add(m_cloud, reference, options, default, out var ranges, out int number);
+        var plan = FlightCloud.Add(m_cloud, reference, options, default, out var ranges, out int number, out _);
         placement = reference.Clouds[number].Placement;
         placement.OriginWorld -= math.round(ranges.Robust.Center);
         reference.Clouds[number].Placement = placement;

@@ -14,7 +14,7 @@ namespace FastPoints.Scenes
         public const float LowestElevation = -1.08f;
         public const float HighestElevation = 0.96f;
 
-        const float Reach = 170;
+        const float Reach = 90;
         const double GpsTimeOfStart = 3.2e8, SecondsPerPulse = 2e-6, SecondsPerStation = 600;
 
         [ReadOnly] public NativeArray<SceneObject> Objects;

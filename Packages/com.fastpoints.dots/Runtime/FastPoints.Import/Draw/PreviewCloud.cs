@@ -110,7 +110,15 @@ namespace FastPoints.Draw
         public IEnumerator<Work> PlanPicture()
         {
             yield return Work.Of(MeasureSample());
+            string why = null;
+            if (m_options.Picture.GuessesUp && UpGuess.IsWanted(m_reader.Info.Format))
+            {
+                m_options.Picture.UpAxis = UpGuess.Of(Ranges.Outline, out why);
+                Ranges = Ranges.Along(m_options.Picture.UpAxis);
+            }
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
+            if (why != null)
+                Plan.Assumptions.Add(why);
             int most = PreviewSample.MaxPoints(Sample.Points.Schema);
             if (m_options.Points > most && Sample.PointsInSource > most)
                 Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " +

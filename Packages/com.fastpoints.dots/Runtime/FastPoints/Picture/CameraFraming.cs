@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -7,17 +8,20 @@ namespace FastPoints.Picture
     /// <summary>Makes cameras that show the whole of a cloud, as large as the picture allows.</summary>
     internal static class CameraFraming
     {
-        /// <summary>Share of the picture's width and height that stays free on each side.</summary>
+        /// <summary>Share of the picture's width and height that stays free on each side, if points are not larger.</summary>
         const double Margin = 0.03;
 
-        /// <summary>This share of the outline on each side may lie outside ...</summary>
+        /// <summary>Points are never so large that the cloud gets less than half of the picture.</summary>
+        const double MostMargin = 0.25;
+
+        /// <summary>This share of the outline on each side may lie outside of a first picture ...</summary>
         const double StrayShare = 0.005;
 
-        /// <summary>... if the rest is then nearer than this share of the distance that shows everything.</summary>
-        const double WorthTrimming = 0.9;
+        /// <summary>... and whatever would make it this many times as large stays outside in the end.</summary>
+        const double MostWider = 3;
 
         /// <summary>Shifts towards the middle: each leaves half the error or less.</summary>
-        const int Rounds = 10;
+        const int Rounds = 10, RoundsOfAll = 4;
 
         public const double DefaultFovDegrees = 45;
 
@@ -26,22 +30,26 @@ namespace FastPoints.Picture
         /// <param name="outline">Positions in the box that the camera frames; if null or fewer than eight, it frames the box's
         /// corners.</param>
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
-            UpAxis upAxis, double fovDegrees = DefaultFovDegrees) =>
-            Frame(view, bounds, outline, widthPx, heightPx, upAxis, fovDegrees, new double3(1, 1, 1));
+            UpAxis upAxis) => Frame(new PictureOptions
+            {
+                View = view,
+                WidthPx = widthPx,
+                HeightPx = heightPx,
+                UpAxis = upAxis,
+            }, bounds, outline, null, new double3(1, 1, 1));
 
+        /// <param name="rim">Positions at the cloud's surface, in the box or not, which are framed as well unless they are
+        /// strays; or null.</param>
         /// <param name="lengthsPerUnit">Length of a CRS unit along each axis: for a cloud in degrees, the horizontal and
         /// vertical ones differ.</param>
-        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
-            UpAxis upAxis, double fovDegrees, double3 lengthsPerUnit)
+        public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim,
+            double3 lengthsPerUnit)
         {
             if (lengthsPerUnit.Equals(new double3(1, 1, 1)))
-                return FrameLengths(view, bounds, outline, widthPx, heightPx, upAxis, fovDegrees);
-            var stretched = new double3[outline?.Length ?? 0];
-            for (int i = 0; i < stretched.Length; i++)
-                stretched[i] = outline[i] * lengthsPerUnit;
+                return FrameLengths(options, bounds, outline, rim);
             if (!bounds.IsEmpty)
                 bounds = new BoundsGeo(bounds.Min * lengthsPerUnit, bounds.Max * lengthsPerUnit);
-            var camera = FrameLengths(view, bounds, stretched, widthPx, heightPx, upAxis, fovDegrees);
+            var camera = FrameLengths(options, bounds, Stretched(outline, lengthsPerUnit), Stretched(rim, lengthsPerUnit));
             camera.EyeGeo /= lengthsPerUnit;
             camera.Right *= lengthsPerUnit;
             camera.Up *= lengthsPerUnit;
@@ -49,115 +57,110 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        static Camera FrameLengths(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
-            UpAxis upAxis, double fovDegrees)
+        static double3[] Stretched(double3[] positions, double3 lengthsPerUnit)
+        {
+            var stretched = new double3[positions?.Length ?? 0];
+            for (int i = 0; i < stretched.Length; i++)
+                stretched[i] = positions[i] * lengthsPerUnit;
+            return stretched;
+        }
+
+        static Camera FrameLengths(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim)
         {
             bool isPoint = bounds.IsEmpty || !(math.cmax(bounds.Size) > 0);
             bounds = Solid(bounds);
             if (outline == null || outline.Length < 8 || isPoint)
                 outline = Corners(bounds);
-            upAxis.Directions(out var east, out var north, out var up);
+            options.UpAxis.Directions(out var east, out var north, out var up);
             double width = math.dot(bounds.Size, math.abs(east));
             double depth = math.dot(bounds.Size, math.abs(north));
             double height = math.dot(bounds.Size, math.abs(up));
 
             // A box much thinner from front to back than it is wide and high is a wall (or a single scan line).
+            var view = options.View;
             if (view == ViewDirection.Auto && depth < 0.02 * math.min(width, height))
                 view = ViewDirection.Front;
-            switch (view)
-            {
-                case ViewDirection.Top:
-                    return FrameOrthographic(bounds, outline, -up, north, widthPx, heightPx);
-                case ViewDirection.Front:
-                    return FrameOrthographic(bounds, outline, north, up, widthPx, heightPx);
-                case ViewDirection.Iso:
-                    return FramePerspective(bounds, outline, north - 0.55 * east - 0.75 * up, up, widthPx, heightPx, fovDegrees);
-                default:
-                    var across = depth > 1.2 * width ? -east : north;
-                    var aside = depth > 1.2 * width ? north : -east;
-                    double skew = math.max(width, depth) > 3 * math.min(width, depth) ? 0.25 : 0.55;
-                    return FramePerspective(bounds, outline, across + skew * aside - 0.75 * up, up, widthPx, heightPx,
-                        fovDegrees);
-            }
-        }
+            bool isFlat = view == ViewDirection.Top || view == ViewDirection.Front;
+            var across = view == ViewDirection.Auto && depth > 1.2 * width ? -east : north;
+            var aside = view == ViewDirection.Auto && depth > 1.2 * width ? north : -east;
+            bool isLong = view == ViewDirection.Auto && math.max(width, depth) > 3 * math.min(width, depth);
+            var forward = view == ViewDirection.Top ? -up : isFlat ? north
+                : across + (isLong ? 0.25 : 0.55) * aside - 0.75 * up;
+            up = view == ViewDirection.Top ? north : up;
+            var camera = isFlat ? Camera.Orthographic(bounds.Center, bounds.Center + forward, up, 1)
+                : Camera.Perspective(bounds.Center, bounds.Center + forward, up, options.FovDegrees);
 
-        /// <summary>As large as possible with all of the outline in view, or, if its few farthest points cost much of the
-        /// picture, all but those.</summary>
-        static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
-            int heightPx)
-        {
-            var all = FrameOrthographic(bounds, outline, 0, forward, up, widthPx, heightPx);
-            var most = FrameOrthographic(bounds, outline, Strays(outline), forward, up, widthPx, heightPx);
-            return most.HeightGeo < all.HeightGeo * WorthTrimming ? most : all;
-        }
-
-        static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, int strays, double3 forward, double3 up, int widthPx,
-            int heightPx)
-        {
-            var center = bounds.Center;
-            var camera = Camera.Orthographic(center, center + forward, up, 1);
-            Extent(camera, outline, strays, false, out var min, out var max);
-            var middle = (min + max) / 2;
-            var size = max - min;
-            camera.HeightGeo = math.max(size.y, size.x * heightPx / widthPx) / (1 - 2 * Margin);
-            if (!(camera.HeightGeo > 0))
-                camera.HeightGeo = math.cmax(bounds.Size);
-            double back = math.dot(bounds.Size, math.abs(camera.Forward));
-            camera.EyeGeo = center + camera.Right * middle.x + camera.Up * middle.y - camera.Forward * back;
+            double pointPx = options.PointSizePx >= 1 ? options.PointSizePx : PointSizing.MaxPx;
+            double perTangent = isFlat ? 2 : 1 / math.tan(math.radians(options.FovDegrees) / 2);
+            var perTan = perTangent * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
+                1 / ShareOf(options.HeightPx, pointPx));
+            var target = bounds.Center;
+            double most = Fit(ref camera, ref target, bounds, outline, (int)(outline.Length * StrayShare), perTan, Rounds);
+            Fit(ref camera, ref target, bounds, Near(camera, target, outline, rim, perTan, most * MostWider), 0, perTan, RoundsOfAll);
+            if (isFlat)
+                camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
             return camera;
         }
 
-        /// <summary>As near as possible with all of the outline in view, or, if its few farthest points cost much of the picture,
-        /// all but those.</summary>
-        static Camera FramePerspective(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
-            int heightPx,
-            double fovDegrees)
+        /// <summary>What is left of an edge between the margins.</summary>
+        static double ShareOf(int edgePx, double pointPx) =>
+            1 - 2 * math.min(MostMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
+
+        /// <summary>Those of both that a camera at this distance would show.</summary>
+        static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 perTan, double distance)
         {
-            double tanY = math.tan(math.radians(fovDegrees) / 2) * (1 - 2 * Margin);
-            double tanX = tanY * widthPx / heightPx;
-            var camera = Camera.Perspective(bounds.Center, bounds.Center + forward, up, fovDegrees);
-            double farther = FramePerspective(ref camera, bounds, outline, 0, tanX, tanY);
-            var trimmed = camera;
-            double nearer = FramePerspective(ref trimmed, bounds, outline, Strays(outline), tanX, tanY);
-            return nearer < farther * WorthTrimming ? trimmed : camera;
+            camera.EyeGeo = target;
+            var near = new List<double3>(outline.Length);
+            foreach (var part in new[] { outline, rim ?? Array.Empty<double3>() })
+                foreach (var position in part)
+                    if (NeededFor(camera, position, perTan) <= distance)
+                        near.Add(position);
+            return near.ToArray();
         }
 
-        /// <summary>Moves a camera to the closest place on its line of sight from which the outline, except some strays, is in
-        /// the picture, and shifts the line until the outline's extent is centred.</summary>
-        /// <returns>The distance to the middle of the outline.</returns>
-        static double FramePerspective(ref Camera camera, BoundsGeo bounds, double3[] outline, int strays, double tanX,
-            double tanY)
+        /// <summary>The distance from which a camera that looks from here shows a position; of an orthographic one, the
+        /// height of its picture.</summary>
+        static double NeededFor(in Camera camera, double3 position, double2 perTan)
         {
-            var needed = new double[outline.Length];
-            var target = bounds.Center;
+            var view = camera.ToView(position);
+            return math.max(math.abs(view.x) * perTan.x, math.abs(view.y) * perTan.y) - (camera.IsOrthographic ? 0 : view.z);
+        }
+
+        /// <summary>Moves a camera to the closest place on its line of sight from which the positions, except some strays, are in
+        /// the picture, and shifts the line until their extent is centred.</summary>
+        /// <returns>The distance to the target, or the height of an orthographic picture.</returns>
+        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int strays, double2 perTan,
+            int rounds)
+        {
+            var needed = new double[positions.Length];
             for (int round = 0; ; round++)
             {
                 camera.EyeGeo = target;
-                for (int i = 0; i < outline.Length; i++)
-                {
-                    var view = camera.ToView(outline[i]);
-                    needed[i] = math.max(math.abs(view.x) / tanX, math.abs(view.y) / tanY) - view.z;
-                }
+                for (int i = 0; i < positions.Length; i++)
+                    needed[i] = NeededFor(camera, positions[i], perTan);
                 double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestBut(strays, needed, 1));
-                camera.EyeGeo = target - camera.Forward * distance;
-                if (round == Rounds)
+                if (camera.IsOrthographic)
+                    camera.HeightGeo = distance;
+                else
+                    camera.EyeGeo = target - camera.Forward * distance;
+                if (round == rounds)
                     return distance;
-                Extent(camera, outline, strays, true, out var min, out var max);
-                var shift = (min + max) / 2 * distance;
+                Extent(camera, positions, strays, out var min, out var max);
+                var shift = (min + max) / 2 * (camera.IsOrthographic ? 1 : distance);
                 target += camera.Right * shift.x + camera.Up * shift.y;
             }
         }
 
-        /// <summary>Extent of the outline in the picture, without the given number of strays on each side: in units, or in
-        /// tangents of the angle from the axis.</summary>
-        static void Extent(in Camera camera, double3[] outline, int strays, bool divide, out double2 min, out double2 max)
+        /// <summary>Extent of the outline in the picture, without the given number of strays on each side: in units, or, of a
+        /// perspective camera, in tangents of the angle from the axis.</summary>
+        static void Extent(in Camera camera, double3[] outline, int strays, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
             var y = new double[outline.Length];
             for (int i = 0; i < outline.Length; i++)
             {
                 var view = camera.ToView(outline[i]);
-                double by = divide ? math.max(view.z, 1e-9 * math.length(view)) : 1;
+                double by = camera.IsOrthographic ? 1 : math.max(view.z, 1e-9 * math.length(view));
                 x[i] = view.x / by;
                 y[i] = view.y / by;
             }
@@ -186,8 +189,6 @@ namespace FastPoints.Picture
             }
             return kept[0];
         }
-
-        static int Strays(double3[] outline) => (int)(outline.Length * StrayShare);
 
         static double3[] Corners(BoundsGeo bounds)
         {

@@ -29,12 +29,14 @@ namespace FastPoints.Picture
             int across = PointSizing.TilesAlong(WidthPx), down = PointSizing.TilesAlong(HeightPx);
             var drawn = new NativeArray<int>(across * down, Allocator.Temp);
             var tilesByPixels = new NativeArray<int>(PointSizing.PixelsPerTile + 1, Allocator.Temp);
+            int pixelsDrawn = 0;
             for (int tile = 0; tile < drawn.Length; tile++)
             {
-                drawn[tile] = CountDrawn(tile % across, tile / across);
+                pixelsDrawn += drawn[tile] = CountDrawn(tile % across, tile / across);
                 tilesByPixels[drawn[tile]]++;
             }
-            float typical = PointSizing.SizeFor(PointSizing.DensityOf(MiddleOf(tilesByPixels)) * PointsPerPointDrawn);
+            float typical = PointSizing.TypicalFor(PointSizing.DensityOf(MiddleOf(tilesByPixels)) * PointsPerPointDrawn,
+                pixelsDrawn / (float)Pixels.Length);
             Typical.Value = typical;
             for (int tile = 0; tile < drawn.Length; tile++)
             {

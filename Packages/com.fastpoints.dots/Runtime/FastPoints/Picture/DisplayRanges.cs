@@ -73,6 +73,10 @@ namespace FastPoints.Picture
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
         public double3[] Outline = new double3[0];
 
+        /// <summary>The farthest positions in many directions, as far as they are not far outside of <see cref="Robust"/>: a
+        /// camera that shows them cuts nothing off. See <see cref="MeasureRimJob"/>.</summary>
+        public double3[] Rim = new double3[0];
+
         /// <summary>Points with a position that is not finite: in no range.</summary>
         public long NonFinite;
 
@@ -87,8 +91,15 @@ namespace FastPoints.Picture
 
         public bool HasIntensity;
 
+        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by it
+        /// shows something.</summary>
+        public bool IntensityTells;
+
         /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
         public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
+
+        /// <summary>Classes of some of the points, where they have any.</summary>
+        public readonly SortedSet<int> Classes = new SortedSet<int>();
 
         /// <summary>None where there is no colour or it is all black.</summary>
         public ColorDepth Color;
@@ -130,7 +141,7 @@ namespace FastPoints.Picture
                 ranges.HasIntensity = true;
                 ranges.IntensityLow = manifest.Ranges[intensity].Min;
                 ranges.IntensityHigh = manifest.Ranges[intensity].Max;
-                ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
+                ranges.IntensityTells = ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
                 if (manifest.Shown is ShownRanges of && ranges.IntensityVaries)
                 {
                     ranges.IntensityLow = of.Intensity.Min;
@@ -181,8 +192,14 @@ namespace FastPoints.Picture
                 Outline = OutlineOf(points, transform);
                 yield return default;
                 Frame();
+                yield return Work.Of(MeasureRim(points, transform));
+                FindClasses(points);
                 if (found[IntensityColumn].IsCreated)
+                {
                     SetIntensity(found[IntensityColumn].Value);
+                    yield return default;
+                    IntensityTells = IntensityVaries && IsSignal(points, transform);
+                }
                 if (points.Schema.HasColor)
                     SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
                         found[IntensityColumn + 2].Value, found[IntensityColumn + 3].Value);
@@ -220,6 +237,35 @@ namespace FastPoints.Picture
                         Found = found[i],
                     }.Schedule(inputDeps));
             return all;
+        }
+
+        IEnumerator<Work> MeasureRim(PointBatch points, PositionTransform transform)
+        {
+            if (Robust.IsEmpty)
+                yield break;
+            var farthest = new NativeArray<double4>(MeasureRimJob.Directions, Allocator.Persistent);
+            try
+            {
+                yield return Work.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) => new MeasureRimJob
+                {
+                    Bytes = points.Bytes,
+                    Columns = PositionColumns.Of(points),
+                    Transform = transform,
+                    First = first,
+                    Count = end - first,
+                    Around = Robust,
+                    Farthest = farthest,
+                }.Schedule(after)));
+                var rim = new List<double3>();
+                foreach (var position in farthest)
+                    if (position.w > 0)
+                        rim.Add(position.xyz);
+                Rim = rim.ToArray();
+            }
+            finally
+            {
+                farthest.Dispose();
+            }
         }
 
         static JobHandle MeasureColumns(PointBatch points, PositionTransform transform,
@@ -271,7 +317,7 @@ namespace FastPoints.Picture
                     return wanted;
                 default:
                     return Categories.Contains(wanted) ? wanted
-                        : Color != ColorDepth.None ? ColorMode.Rgb : IntensityVaries ? ColorMode.Intensity : ColorMode.Elevation;
+                        : Color != ColorDepth.None ? ColorMode.Rgb : IntensityTells ? ColorMode.Intensity : ColorMode.Elevation;
             }
         }
 
@@ -391,6 +437,41 @@ namespace FastPoints.Picture
                 IntensityLow = found.Range.Min;
                 IntensityHigh = found.Range.Max;
             }
+        }
+
+        unsafe void FindClasses(PointBatch points)
+        {
+            int at = points.Schema.IndexOf(AttributeNames.Classification);
+            int step = (points.Count + SpatialSignal.MostPoints - 1) / SpatialSignal.MostPoints;
+            if (at < 0)
+                return;
+            var column = points.Column(at);
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            for (long i = 0; i < points.Count; i += step)
+            {
+                double value;
+                ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, (int)i, 1, &value);
+                Classes.Add((int)value);
+            }
+        }
+
+        unsafe bool IsSignal(PointBatch points, PositionTransform transform)
+        {
+            var signal = new SpatialSignal(Robust);
+            var columns = PositionColumns.Of(points);
+            var intensity = points.Column(points.Schema.IndexOf(s_columns[IntensityColumn]));
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            int step = (points.Count + SpatialSignal.MostPoints - 1) / SpatialSignal.MostPoints;
+            for (long i = 0; i < points.Count; i += step)
+            {
+                double3 position;
+                double value;
+                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                ColumnValues.ToDoubles(bytes + intensity.OffsetBytes, intensity.Type, (int)i, 1, &value);
+                if (Robust.Contains(position) && value - value == 0)
+                    signal.Add(position, math.clamp(value, IntensityLow, IntensityHigh));
+            }
+            return signal.IsFound;
         }
 
         void SetColor(AttributeType type, ColumnQuantiles red, ColumnQuantiles green, ColumnQuantiles blue)

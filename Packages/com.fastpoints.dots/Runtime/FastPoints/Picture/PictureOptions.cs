@@ -30,6 +30,11 @@ namespace FastPoints.Picture
 
         public double FovDegrees = CameraFraming.DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
+
+        /// <summary>Whether a preview of a format that does not say what is up sets <see cref="UpAxis"/>: see
+        /// <see cref="UpGuess"/>.</summary>
+        internal bool GuessesUp;
+
         public ColorMode Color = ColorMode.Auto;
         public Gradient Gradient = Gradient.Auto;
 
@@ -95,6 +100,7 @@ namespace FastPoints.Picture
                 case "gradient":
                     return TryName(value, out Gradient, ref error);
                 case "up":
+                    GuessesUp = false;
                     return TryName(value, out UpAxis, ref error);
                 case "size":
                     if (!TrySize(value))

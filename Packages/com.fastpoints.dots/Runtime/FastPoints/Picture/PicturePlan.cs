@@ -21,9 +21,8 @@ namespace FastPoints.Picture
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
             SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
-            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust,
-                Thinned(ranges.Outline, options.OutlinePoints), options.WidthPx, options.HeightPx, options.UpAxis,
-                options.FovDegrees, ranges.LengthsPerUnit);
+            Camera = options.Camera ?? CameraFraming.Frame(options, ranges.Robust,
+                Thinned(ranges.Outline, options.OutlinePoints), ranges.Rim, ranges.LengthsPerUnit);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
                 Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());
@@ -37,6 +36,7 @@ namespace FastPoints.Picture
         /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
         public ColorMode Mode { get; }
 
+        public DisplayRanges Ranges => m_ranges;
         public float EdlStrength { get; }
         public bool FillsHoles => m_options.FillsHoles;
         public Gradient Gradient => m_options.Gradient;

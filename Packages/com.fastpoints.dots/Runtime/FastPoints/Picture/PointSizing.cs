@@ -9,7 +9,13 @@ namespace FastPoints.Picture
         public const int TileEdgePx = 8;
         public const int PixelsPerTile = TileEdgePx * TileEdgePx;
         public const float MinPx = 1;
-        public const float MaxPx = 6;
+
+        /// <summary>For pictures of few points, which would be lost otherwise; the others have half of that.</summary>
+        public const float MaxPx = 12;
+
+        /// <summary>With a smaller share of a picture's pixels drawn by points of one pixel, sizes may exceed half of <see
+        /// cref="MaxPx"/>.</summary>
+        const float FewPixels = 0.02f;
 
         /// <summary>How many points should cover a pixel on average: exp(-3.5) = 3 % of random pixels stay empty.</summary>
         const double PointsPerPixel = 3.5;
@@ -20,9 +26,14 @@ namespace FastPoints.Picture
 
         public static int TilesAlong(int edgePx) => (edgePx + TileEdgePx - 1) / TileEdgePx;
 
-        /// <summary>The size for a density, from 1 to 6 pixels: squares of size s, at a density of d points a pixel, cover each
+        /// <summary>The size for a density, from 1 to 12 pixels: squares of size s, at a density of d points a pixel, cover each
         /// pixel d * s^2 times.</summary>
         public static float SizeFor(double density) => (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
+
+        /// <summary>The size of the median tile, by its density and the share of the picture's pixels that were
+        /// drawn.</summary>
+        public static float TypicalFor(double density, float drawn) => math.min(SizeFor(density),
+            math.clamp(MaxPx / 2 * math.sqrt(FewPixels / math.max(1e-9f, drawn)), MaxPx / 2, MaxPx));
 
         /// <summary>Points a pixel, hidden ones included, in a tile with this many drawn pixels: random points with a density of
         /// d cover 1 - exp(-d) of them. A full tile counts as one with half a pixel missing.</summary>
@@ -34,6 +45,6 @@ namespace FastPoints.Picture
 
         /// <summary>A tile's size within its bounds.</summary>
         public static float Limit(float size, float typical) =>
-            math.clamp(size, MinPx, math.min(MaxPx, MostOfTypical * typical + 1));
+            math.clamp(size, MinPx, math.min(math.max(MaxPx / 2, typical), MostOfTypical * typical + 1));
     }
 }

@@ -93,10 +93,96 @@ namespace FastPoints.Tests.Picture
             Assert.That(ranges.IntensityHigh, Is.InRange(3900, 4000));
             Assert.That(ranges.Color, Is.EqualTo(ColorDepth.Bits16));
             ranges.Color = ColorDepth.None;
+            ranges.IntensityTells = true;
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Intensity));
-            ranges.IntensityVaries = false;
+            ranges.IntensityTells = false;
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Elevation));
             Assert.That(ranges.Resolve(ColorMode.Classification), Is.EqualTo(ColorMode.Classification));
+        }
+
+        [TestCase("stripes", ColorMode.Intensity), TestCase("noisy stripes", ColorMode.Intensity)]
+        [TestCase("noise", ColorMode.Elevation), TestCase("nearly flat", ColorMode.Elevation)]
+        [TestCase("flat", ColorMode.Elevation)]
+        public void Resolve_IntensityOf_IsUsedWhereItShowsAnything(string kind, ColorMode mode)
+        {
+            using var batch = TestBatches.Scan(20_000, 4);
+            var random = new Unity.Mathematics.Random(8);
+            for (int i = 0; i < batch.Count; i++)
+            {
+                double noise = random.NextDouble(0, 1000), x = random.NextDouble(0, 100_000);
+                double stripe = x % 25_000 < 12_500 ? 500 : 1500;
+                TestBatches.Set(batch, 0, i, x);
+                TestBatches.Set(batch, 3, i, kind == "noise" ? noise : kind == "stripes" ? stripe
+                    : kind == "noisy stripes" ? stripe + noise : kind == "nearly flat" && i % 10 == 0 ? stripe : 700);
+            }
+            var ranges = Measure(batch);
+            ranges.Color = ColorDepth.None;
+            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(mode));
+            Assert.That(ranges.Resolve(ColorMode.Intensity), Is.EqualTo(ColorMode.Intensity));
+        }
+
+        [Test]
+        public void Measure_Classes_AreThoseThatPointsHave()
+        {
+            using var batch = TestBatches.Scan(5000, 4);
+            for (int i = 0; i < batch.Count; i++)
+                TestBatches.Set(batch, 4, i, i % 3 == 0 ? 2 : 6);
+            Assert.That(Measure(batch).Classes, Is.EqualTo(new[] { 2, 6 }));
+        }
+
+        [TestCase(0), TestCase(1), TestCase(2)]
+        public void UpGuess_GroundAcrossAnAxis_IsThatAxis(int axis)
+        {
+            var random = new Unity.Mathematics.Random(3);
+            var positions = new double3[4000];
+            for (int i = 0; i < positions.Length; i++)
+            {
+                positions[i] = random.NextDouble3(new double3(0, 0, 0), new double3(100, 80, 60));
+                if (i % 3 == 0)
+                    positions[i][axis] = random.NextDouble(0, 1);
+            }
+            Assert.That(UpGuess.Of(positions, out string why), Is.EqualTo((UpAxis)axis));
+            Assert.That(why, Does.Match("^[XYZ] is taken for up: [34]. % of the points lie in one plane across it$"));
+        }
+
+        [Test]
+        public void UpGuess_NoPlane_IsZAndSaysSo()
+        {
+            var random = new Unity.Mathematics.Random(3);
+            var ball = new double3[4000];
+            for (int i = 0; i < ball.Length; i++)
+                ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)));
+            Assert.That(UpGuess.Of(ball, out string why), Is.EqualTo(UpAxis.Z));
+            Assert.That(why, Does.Contain("no plane"));
+            Assert.That(UpGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
+        }
+
+        /// <summary>Ground with a thin tower, and one point far away.</summary>
+        [Test]
+        public void Measure_FarthestPoints_AreInTheRimButForStrays()
+        {
+            var random = new Unity.Mathematics.Random(5);
+            var positions = new double3[30_000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = random.NextDouble3(new double3(0, 0, 0), new double3(100, 50, 1));
+            positions[777] = new double3(60, 20, 70);
+            positions[778] = new double3(1e5, 20, 0);
+            using var batch = TestBatches.OfPositions(positions);
+            var ranges = Measure(batch);
+            Assert.That(ranges.Robust.Contains(positions[777]), Is.False);
+            Assert.That(ranges.Rim, Has.Member(positions[777]).And.No.Member(positions[778]));
+            foreach (ViewDirection view in System.Enum.GetValues(typeof(ViewDirection)))
+            {
+                var options = new PictureOptions { View = view, WidthPx = 640, HeightPx = 360 };
+                var projection = new PointProjection(new PicturePlan(options, ranges, PositionTransform.Identity).Camera,
+                    PositionTransform.Identity, 640, 360);
+                for (int i = 0; i < positions.Length; i++)
+                {
+                    projection.Project(positions[i].x, positions[i].y, positions[i].z, out double x, out double y, out _);
+                    if (i != 778)
+                        Assert.That(x >= 8 && x <= 632 && y >= 8 && y <= 352, view + " " + i + ": " + x + ", " + y);
+                }
+            }
         }
 
         [Test]
