@@ -40,7 +40,8 @@ public static class StreamedPictureStep
         }
         if (bounds.IsEmpty)
             throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to draw");
-        var camera = options.Camera ?? CameraFraming.Frame(options, bounds, outline.ToArray(), rim.ToArray(), new double3(1, 1, 1));
+        var camera = options.Camera ?? CameraFraming.Frame(options, bounds, outline.ToArray(), rim.ToArray(),
+            new double3(1, 1, 1));
 
         run.Progress.Begin("stream");
         var stats = Rest(stream, camera, options, run);

@@ -95,8 +95,10 @@ namespace FastPoints.Picture
             var perTan = perTangent * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
                 1 / ShareOf(options.HeightPx, pointPx));
             var target = bounds.Center;
-            double most = Fit(ref camera, ref target, bounds, outline, (int)(outline.Length * StrayShare), perTan, Rounds);
-            Fit(ref camera, ref target, bounds, Near(camera, target, outline, rim, perTan, most * MostWider), 0, perTan, RoundsOfAll);
+            int strays = (int)(outline.Length * StrayShare);
+            double most = Fit(ref camera, ref target, bounds, outline, strays, perTan, Rounds);
+            var near = Near(camera, target, outline, rim, perTan, most * MostWider);
+            Fit(ref camera, ref target, bounds, near, 0, perTan, RoundsOfAll);
             if (isFlat)
                 camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
             return camera;
@@ -129,8 +131,8 @@ namespace FastPoints.Picture
         /// <summary>Moves a camera to the closest place on its line of sight from which the positions, except some strays, are in
         /// the picture, and shifts the line until their extent is centred.</summary>
         /// <returns>The distance to the target, or the height of an orthographic picture.</returns>
-        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int strays, double2 perTan,
-            int rounds)
+        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int strays,
+            double2 perTan, int rounds)
         {
             var needed = new double[positions.Length];
             for (int round = 0; ; round++)

@@ -91,8 +91,8 @@ namespace FastPoints.Picture
 
         public bool HasIntensity;
 
-        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by it
-        /// shows something.</summary>
+        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by
+        /// it shows something.</summary>
         public bool IntensityTells;
 
         /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
