@@ -19,7 +19,7 @@ public sealed class PictureSettings
     {
         HelpName = "DEG",
         Description = "Vertical field of view in degrees (default: 45).",
-        DefaultValueFactory = _ => CameraFraming.DefaultFovDegrees,
+        DefaultValueFactory = _ => PictureOptions.DefaultFovDegrees,
     };
     readonly Option<string?> m_view = new("--view")
     {

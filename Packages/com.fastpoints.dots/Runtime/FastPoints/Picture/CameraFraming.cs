@@ -23,8 +23,6 @@ namespace FastPoints.Picture
         /// <summary>Shifts towards the middle: each leaves half the error or less.</summary>
         const int Rounds = 10, RoundsOfAll = 4;
 
-        public const double DefaultFovDegrees = 45;
-
         /// <summary>Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one
         /// unit.</summary>
         /// <param name="outline">Positions in the box that the camera frames; if null or fewer than eight, it frames the box's
@@ -218,19 +216,5 @@ namespace FastPoints.Picture
             var half = math.max(bounds.Max * 0.5 - bounds.Min * 0.5, new double3(1, 1, 1) * (length * 1e-6));
             return new BoundsGeo(center - half, center + half);
         }
-    }
-
-    /// <summary>Standard views; x is east, y north and z up for a cloud whose up axis is Z.</summary>
-    public enum ViewDirection
-    {
-        /// <summary>The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a
-        /// wall.</summary>
-        Auto,
-        /// <summary>Orthographic, from above, north at the top.</summary>
-        Top,
-        /// <summary>Orthographic, from the south.</summary>
-        Front,
-        /// <summary>Perspective, from the south-east and above.</summary>
-        Iso,
     }
 }

@@ -15,6 +15,8 @@ namespace FastPoints.Picture
         /// shows.</summary>
         public const float DefaultEdlStrength = 0.25f;
 
+        internal const double DefaultFovDegrees = 45;
+
         public int WidthPx = 1280;
         public int HeightPx = 720;
 
@@ -28,7 +30,7 @@ namespace FastPoints.Picture
         /// milliseconds on an editor's main thread.</summary>
         public int OutlinePoints = int.MaxValue;
 
-        public double FovDegrees = CameraFraming.DefaultFovDegrees;
+        public double FovDegrees = DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
 
         /// <summary>Whether a preview of a format that does not say what is up sets <see cref="UpAxis"/>: see
@@ -204,5 +206,19 @@ namespace FastPoints.Picture
             color = Palettes.Pack((byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value);
             return true;
         }
+    }
+
+    /// <summary>Standard views; x is east, y north and z up for a cloud whose up axis is Z.</summary>
+    public enum ViewDirection
+    {
+        /// <summary>The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a
+        /// wall.</summary>
+        Auto,
+        /// <summary>Orthographic, from above, north at the top.</summary>
+        Top,
+        /// <summary>Orthographic, from the south.</summary>
+        Front,
+        /// <summary>Perspective, from the south-east and above.</summary>
+        Iso,
     }
 }

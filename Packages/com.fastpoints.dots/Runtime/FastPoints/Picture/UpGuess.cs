@@ -15,7 +15,7 @@ namespace FastPoints.Picture
         /// <summary>So many times as many points lie in it as in the best plane across another axis.</summary>
         const double Clearly = 1.5;
 
-        /// <param name="format">See <see cref="Files"/>: all others have Z up, by their standards or by custom.</param>
+        /// <param name="format">All but PLY have Z up, by their standards or by custom.</param>
         public static bool IsWanted(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
 
         /// <param name="positions">A fair choice; strays apart.</param>
