@@ -14,6 +14,11 @@ public class AssetImporter : Object
 
 public class AssetPostprocessor { }
 
+public class AssetModificationProcessor { }
+
+[Flags]
+public enum AssetDeleteResult { DidNotDelete = 0 }
+
 /// <summary>A file that no importer knows.</summary>
 public class DefaultAsset : Object { }
 
@@ -28,6 +33,7 @@ public sealed class AssetDatabase
     static readonly Dictionary<string, ulong> s_imported = new Dictionary<string, ulong>();
 
     static Type[] s_postprocessors;
+    static Type[] s_modifications;
     static string s_importing;
 
     /// <summary>What waits for the end of a batch, by path.</summary>
@@ -157,15 +163,32 @@ public sealed class AssetDatabase
         bool isFolder = System.IO.Directory.Exists(path);
         if (!isFolder && !System.IO.File.Exists(path))
             return false;
+        WillDelete(path);
         if (isFolder)
             System.IO.Directory.Delete(path, true);
         else
             System.IO.File.Delete(path);
-        foreach (string asset in Assets.Keys.Where(a => a == path ||
-            a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray())
-            Assets.Remove(asset);
+        var gone = Assets.Keys.Where(a => a == path || a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray();
+        foreach (string asset in gone)
+            Forget(asset);
+        if (gone.Length > 0)
+            Postprocess(new string[0], gone);
         return true;
     }
+
+    /// <summary>Of a folder it is told alone, not of what is in it. A method of other parameters is not called.</summary>
+    static void WillDelete(string path)
+    {
+        s_modifications ??= Derived(typeof(AssetModificationProcessor));
+        foreach (var type in s_modifications)
+            if (type.GetMethod("OnWillDeleteAsset", Any) is { } method)
+                method.Invoke(null, new object[] { path, RemoveAssetOptions.MoveAssetToTrash });
+    }
+
+    const BindingFlags Any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
+
+    static Type[] Derived(Type from) => TypeCache.Referring(from.Assembly).SelectMany(a => a.GetTypes())
+        .Where(t => t.IsSubclassOf(from)).ToArray();
 
     public static bool IsValidFolder(string path) => Directory.Exists(path);
 
@@ -238,11 +261,9 @@ public sealed class AssetDatabase
     static void Postprocess(string[] imported, string[] deleted)
     {
         s_batches++;
-        const BindingFlags any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
-        s_postprocessors ??= TypeCache.Referring(typeof(AssetPostprocessor).Assembly).SelectMany(a => a.GetTypes())
-            .Where(t => t.IsSubclassOf(typeof(AssetPostprocessor))).ToArray();
+        s_postprocessors ??= Derived(typeof(AssetPostprocessor));
         foreach (var type in s_postprocessors)
-            type.GetMethod("OnPostprocessAllAssets", any)?.Invoke(null,
+            type.GetMethod("OnPostprocessAllAssets", Any)?.Invoke(null,
                 new object[] { imported, deleted, new string[0], new string[0] });
     }
 

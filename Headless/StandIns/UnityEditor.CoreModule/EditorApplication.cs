@@ -23,6 +23,9 @@ public sealed class EditorApplication
 
     public static event Action quitting;
 
+    /// <summary>As a test says.</summary>
+    public static bool isFocused { get; internal set; } = true;
+
     public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
     internal static void Quit() => quitting?.Invoke();
 }

@@ -44,7 +44,17 @@ public sealed class EditorGUILayout
 
 public class EditorUtility
 {
-    public static bool DisplayDialog(string title, string message, string ok, string cancel) => false;
+    /// <summary>What a test answers, and what it was asked.</summary>
+    internal static bool s_agrees;
+
+    internal static readonly List<string> s_dialogs = new List<string>();
+
+    public static bool DisplayDialog(string title, string message, string ok, string cancel)
+    {
+        s_dialogs.Add(message);
+        return s_agrees;
+    }
+
     /// <summary>The answer of a test: 0, 1 for cancel, 2; -1 fails it, for nobody is to be asked.</summary>
     internal static int s_answer = -1;
 
@@ -63,7 +73,9 @@ public class EditorUtility
 
     public static Object EntityIdToObject(EntityId entityId) => throw EditorOnly.NotHere(nameof(EntityIdToObject));
 
-    public static string OpenFilePanelWithFilters(string title, string directory, string[] filters) => "";
+    public static string OpenFilePanelWithFilters(string title, string directory, string[] filters) => s_file;
+
+    internal static string s_file = "";
     /// <summary>What a test chooses; empty for nothing.</summary>
     internal static string s_folder = "";
 

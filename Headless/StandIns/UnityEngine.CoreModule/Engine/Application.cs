@@ -7,6 +7,9 @@ public sealed class Application
 
     public static bool isEditor => true;
 
+    /// <summary>As a test says.</summary>
+    public static bool isBatchMode { get; internal set; }
+
     /// <summary>Of a project that a test has made.</summary>
     internal static string AssetsPath;
 

@@ -17,6 +17,7 @@ namespace FastPoints.Editor
         CatalogMatch m_match;
         bool m_wasInQueue;
         string m_message;
+        string m_missing;
 
         public override bool showImportedObject => false;
 
@@ -41,6 +42,7 @@ namespace FastPoints.Editor
             if (m_handle != null)
             {
                 Draw(m_handle, m_cloud);
+                DrawMissing(imports);
                 if (request != null)
                     DrawRequest(imports.Queue, request);
                 else
@@ -65,13 +67,14 @@ namespace FastPoints.Editor
         void Look()
         {
             m_handle = null;
-            m_message = null;
+            (m_message, m_missing) = (null, null);
             try
             {
                 var catalog = PointCloudImports.Current.Catalog;
                 catalog.Refresh();
                 m_handle = PointCloudImports.Current.HandleOf(Asset);
                 m_match = catalog.Find(m_handle, out m_cloud);
+                m_missing = CloudRelocation.FindMissing(m_handle, PointCloudImports.Paths);
                 string cloud = PointCloudImports.Paths.Absolute(m_handle.CloudPath);
                 if (!File.Exists(CloudThumbnails.PathOf(cloud)))
                     PointCloudImports.Current.AddThumbnail(m_handle);
@@ -100,6 +103,8 @@ namespace FastPoints.Editor
             foreach (string source in handle.Sources)
                 EditorGUILayout.LabelField("Source", source);
             EditorGUILayout.LabelField("Converted", handle.CloudPath);
+            if (PointCloudImports.Current.Assets.Of(PointCloudImports.Paths.Absolute(handle.CloudPath)) is { Count: > 1 } users)
+                EditorGUILayout.HelpBox("One cloud of several assets: " + string.Join(", ", users), MessageType.Info);
             if (handle.Warnings.Count > 0)
                 EditorGUILayout.HelpBox(string.Join("\n", handle.Warnings), MessageType.Warning);
             if (cloud?.Manifest?.Attributes == null)
@@ -110,6 +115,17 @@ namespace FastPoints.Editor
                 EditorGUILayout.LabelField(cloud.Manifest.Attributes[i].Name,
                     NumberText.Of(range.Min) + " to " + NumberText.Of(range.Max));
             }
+        }
+
+        void DrawMissing(EditorImports imports)
+        {
+            if (m_missing == null || target is PointFileImporter)
+                return;
+            EditorGUILayout.HelpBox("Not there: " + m_missing, MessageType.Warning);
+            if (!GUILayout.Button("Locate source..."))
+                return;
+            CloudRelocation.Ask(imports, Asset, m_missing);
+            Look();
         }
 
         static void DrawRequest(ImportQueue queue, ImportRequest request)
@@ -156,7 +172,8 @@ namespace FastPoints.Editor
                 imports.Checks.Begin(m_cloud.Path);
             if (GUILayout.Button("Show the folder"))
                 EditorUtility.RevealInFinder(m_cloud.Path);
-            if (hasSource && GUILayout.Button("Delete converted data") &&
+            // A copy of the asset has the same data.
+            if (hasSource && imports.Assets.Of(m_cloud.Path).Count < 2 && GUILayout.Button("Delete converted data") &&
                 EditorUtility.DisplayDialog("Delete converted data", m_cloud.Path, "Delete", "Cancel"))
                 Delete();
         }

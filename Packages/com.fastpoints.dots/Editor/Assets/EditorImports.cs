@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Entities;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Mathematics;
@@ -18,6 +19,7 @@ namespace FastPoints.Editor
         static readonly TimeSpan s_reportAfter = TimeSpan.FromSeconds(0.25);
 
         readonly FastPointsSettings m_settings;
+        readonly EditorPace m_pace = new EditorPace();
         DateTime m_nextReport;
         BuildSession m_reported;
         int m_progress;
@@ -35,9 +37,14 @@ namespace FastPoints.Editor
             Thumbnails.Drawn += m_drawn.Add;
             Catalog = new CloudCatalog(paths);
             Assets = new CloudAssets(paths);
+            Leftovers = new CloudLeftovers(this);
         }
 
         internal ProjectPaths Paths { get; }
+
+        /// <summary>Converted clouds whose last asset was deleted.</summary>
+        internal CloudLeftovers Leftovers { get; }
+
         internal ImportQueue Queue { get; }
         internal CloudCatalog Catalog { get; }
 
@@ -59,11 +66,17 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor.</summary>
         public void Update(DateTime nowUtc)
         {
-            Queue.Tick(m_settings.UpdateMs, nowUtc);
-            Checks.Update(m_settings.UpdateMs);
+            double budgetMs = m_pace.Next(nowUtc, m_settings.UpdateMs, EditorApplication.isFocused);
+            bool isPlaying = EditorApplication.isPlaying;
+            Queue.IsHeld = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
+            Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
+                m_pace.AheadMs);
+            Queue.Tick(budgetMs, nowUtc);
+            Checks.Update(budgetMs);
             Transfers.Update();
-            Thumbnails.Update(m_settings.UpdateMs);
-            if (m_drops.Count > 0 && m_drops[0].Update(m_settings.UpdateMs))
+            Leftovers.Ask();
+            Thumbnails.Update(budgetMs);
+            if (m_drops.Count > 0 && m_drops[0].Update(budgetMs))
                 m_drops.RemoveAt(0);
             // Each batch of imports costs Unity some ten milliseconds, whatever is in it.
             if (nowUtc >= m_nextReport || !Thumbnails.IsDrawing)
@@ -160,6 +173,7 @@ namespace FastPoints.Editor
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {
+            MakePlace();
             if (CloudSources.IsConverted(cloud))
                 Transfers.Import(cloud, Paths, copy => Selection.activeObject = Take(copy, folder));
             else
@@ -175,13 +189,16 @@ namespace FastPoints.Editor
             ? HandleFile.Read(Paths.Absolute(asset))
             : OfPointFile(asset);
 
-        /// <summary>An asset's request in the queue, or null.</summary>
-        internal ImportRequest RequestOf(string asset) => Queue.RequestOf(AssetDatabase.AssetPathToGUID(asset));
+        /// <summary>The request in the queue for an asset's cloud, which a copy of the asset may have made; null if there is
+        /// none.</summary>
+        internal ImportRequest RequestOf(string asset) => Queue.RequestOf(AssetDatabase.AssetPathToGUID(asset)) ??
+            (Assets.All.TryGetValue(asset, out string cloud) ? Queue.RequestFor(cloud) : null);
 
         /// <summary>Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its
         /// files.</summary>
         internal void AddThumbnail(CloudHandle handle)
         {
+            MakePlace();
             string cloud = Paths.Absolute(handle.CloudPath);
             if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))
                 Thumbnails.Add(cloud);
@@ -206,16 +223,41 @@ namespace FastPoints.Editor
 
         public void Dispose() => Suspend();
 
-        internal ImportRequest RequestFor(string asset, CloudHandle handle) => new ImportRequest
+        internal ImportRequest RequestFor(string asset, CloudHandle handle)
         {
-            Asset = AssetDatabase.AssetPathToGUID(asset),
-            Cloud = handle.CloudPath,
-            Sources = new List<string>(handle.Sources),
-            Sampler = m_settings.Sampler,
-        };
+            MakePlace();
+            return new ImportRequest
+            {
+                Asset = AssetDatabase.AssetPathToGUID(asset),
+                Cloud = handle.CloudPath,
+                Sources = new List<string>(handle.Sources),
+                Sampler = m_settings.Sampler,
+            };
+        }
 
-        internal bool IsConvertedAtOnce(CloudHandle handle) =>
-            m_settings.ConvertAtOnce && handle.Sources.Count > 0 && (!handle.IsOctree || m_settings.ConvertOctrees);
+        /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
+        void MakePlace()
+        {
+            if (Directory.Exists(Paths.Clouds))
+                return;
+            try
+            {
+                Directory.CreateDirectory(Paths.Clouds);
+                if (m_settings.GitIgnore)
+                    TextFile.Write(Path.Combine(Paths.Clouds, ".gitignore"),
+                        "# FastPoints makes this again of its sources.\n*\n");
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                // The queue says so, and tries again.
+            }
+        }
+
+        internal bool IsConvertedAtOnce(CloudHandle handle) => m_settings.ConvertAtOnce && IsConverted(handle);
+
+        /// <summary>Whether the settings have its cloud converted, sooner or later.</summary>
+        internal bool IsConverted(CloudHandle handle) =>
+            handle.Sources.Count > 0 && (!handle.IsOctree || m_settings.ConvertOctrees);
 
         /// <summary>Names for new clouds, none of which another asset or request is waiting for.</summary>
         internal FreeNames NewTargets()
@@ -246,7 +288,8 @@ namespace FastPoints.Editor
             var session = Queue.Session;
             if (m_reported != session)
                 Begin(session);
-            Progress.Report(m_progress, (float)session.Share, BuildProgress.Describe(session.Progress));
+            Progress.Report(m_progress, (float)session.Share,
+                Queue.IsHeld ? "until play mode ends" : BuildProgress.Describe(session.Progress));
             if (session.SecondsLeft < int.MaxValue)
                 Progress.SetRemainingTime(m_progress, (long)session.SecondsLeft);
         }
@@ -295,9 +338,14 @@ namespace FastPoints.Editor
                 return;
             foreach (var warning in session.Source.Warnings)
                 Debug.LogWarning("FastPoints: " + warning);
-            Update(asset, Paths.Absolute(request.Cloud), session);
-            Thumbnails.Add(Paths.Absolute(request.Cloud));
-            Refresh(asset);
+            string cloud = Paths.Absolute(request.Cloud);
+            // A copy of an asset has the same cloud.
+            foreach (string user in new List<string>(Assets.Of(cloud)))
+            {
+                Update(user, cloud, session);
+                Refresh(user);
+            }
+            Thumbnails.Add(cloud);
         }
 
         void Update(string asset, string cloud, BuildSession session)

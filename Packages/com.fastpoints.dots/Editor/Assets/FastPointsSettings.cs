@@ -15,11 +15,17 @@ namespace FastPoints.Editor
         /// and are found where their handles say.</summary>
         public string Place = ProjectPaths.DefaultClouds;
 
+        /// <summary>Whether Git is told to leave out that folder when it is made.</summary>
+        public bool GitIgnore = true;
+
         /// <summary>Limit for everything in a conversion that grows with the number of points; the rest goes to files.</summary>
         public int MemoryMiB = 1024;
 
         /// <summary>The most workers of the job system that a conversion keeps busy; 0 for all.</summary>
         public int Workers;
+
+        /// <summary>What conversions do in play mode.</summary>
+        public InPlayMode InPlayMode;
 
         /// <summary>Main-thread time that a conversion gets in each update of the editor.</summary>
         public int UpdateMs = 4;
@@ -57,6 +63,7 @@ namespace FastPoints.Editor
         public void Apply()
         {
             PointCloudFile.Place = Place;
+            PointCloudFile.SourceRoot = FastPointsUserSettings.Root;
             PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
             EditorApplication.QueuePlayerLoopUpdate();
         }
@@ -66,8 +73,18 @@ namespace FastPoints.Editor
             Sampler = request.Sampler,
             MemoryBytes = (long)MemoryMiB << 20,
             Workers = Workers,
-            // Without focus the editor updates ten times a second at most.
-            AheadMs = 250,
+            // What is shorter is not worth the files: a reload loses about as much again while nodes are made.
+            SecondsInMemory = 15,
         };
+    }
+
+    /// <summary>What conversions do in play mode.</summary>
+    internal enum InPlayMode
+    {
+        /// <summary>They leave the other workers to the game.</summary>
+        OneWorker,
+        /// <summary>They go on when play mode ends.</summary>
+        Pause,
+        AsInEditMode,
     }
 }

@@ -43,8 +43,10 @@ namespace FastPoints.Editor
                 "What does not fit goes to temporary files."), settings.MemoryMiB, 64, 65536);
             settings.Workers = EditorGUILayout.IntSlider(new GUIContent("Worker threads of a conversion (0: all)",
                 "Fewer leave workers to other jobs."), settings.Workers, 0, 64);
+            settings.InPlayMode = (InPlayMode)EditorGUILayout.EnumPopup(new GUIContent("Conversions in play mode",
+                "One worker leaves the others to the game."), settings.InPlayMode);
             settings.UpdateMs = EditorGUILayout.IntSlider(new GUIContent("Main thread of an update (ms)",
-                "Time of each of the editor's updates that a conversion gets."), settings.UpdateMs, 1, 30);
+                "What a conversion gets of each of the editor's updates; more where they are rare."), settings.UpdateMs, 1, 30);
             settings.GpuMiB = EditorGUILayout.IntSlider(new GUIContent("Graphics memory of points (MiB)",
                 "In the editor, in scenes without Point Cloud Settings, which begin with it when added. In players that " +
                 "component decides, or 512 MiB."), settings.GpuMiB, 64, 16384);
@@ -67,12 +69,19 @@ namespace FastPoints.Editor
             EditorGUI.BeginChangeCheck();
             DrawImports(settings);
             DrawLimits(settings);
+            settings.GitIgnore = EditorGUILayout.Toggle(new GUIContent("Keep them out of Git",
+                "Writes a .gitignore when the folder is made. Clouds can be converted again."), settings.GitIgnore);
             string place = EditorGUILayout.DelayedTextField(new GUIContent("Converted clouds in",
                 "A folder beside Assets, or anywhere else. Clouds converted earlier stay where they are."), settings.Place);
             if (GUILayout.Button("Browse...") &&
                 EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
-                place = PointCloudImports.Paths.Stored(chosen);
+                place = PointCloudImports.Paths.StoredPlace(chosen);
+            string root = EditorGUILayout.DelayedTextField(new GUIContent("Root of sources (yours alone)", "Files below it are " +
+                "stored relative to it, so that a team shares assets. The variable FASTPOINTS_SOURCES counts for more."),
+                FastPointsUserSettings.instance.SourceRoot);
             EditorGUIUtility.labelWidth = width;
+            if (root != FastPointsUserSettings.instance.SourceRoot)
+                PointCloudImports.MoveRoot(root);
             if (!EditorGUI.EndChangeCheck() && place == settings.Place)
                 return;
             s_problem = place == settings.Place ? null : PointCloudImports.Move(place);

@@ -21,15 +21,23 @@ namespace FastPoints.Editor
             PointCloudFile.PathOfAsset = AssetDatabase.GUIDToAssetPath;
             FastPointsSettings.instance.Apply();
             PointFileReaders.Register();
-            EditorApplication.update += Update;
             EditorApplication.quitting += Suspend;
             AssemblyReloadEvents.beforeAssemblyReload += Suspend;
+            Listen();
+        }
+
+        internal static void Listen()
+        {
+            // Who waits for a batch does not wait for conversions: BatchConvert does.
+            if (!Application.isBatchMode)
+                EditorApplication.update += Update;
         }
 
         public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
 
         /// <summary>The paths that the settings give.</summary>
-        internal static ProjectPaths Paths => new ProjectPaths(Project, FastPointsSettings.instance.Place);
+        internal static ProjectPaths Paths =>
+            new ProjectPaths(Project, FastPointsSettings.instance.Place, FastPointsUserSettings.Root);
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 
@@ -46,6 +54,15 @@ namespace FastPoints.Editor
             FastPointsSettings.instance.Place = place;
             FastPointsSettings.instance.Apply();
             return null;
+        }
+
+        /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
+        internal static void MoveRoot(string root)
+        {
+            FastPointsUserSettings.instance.Keep(root);
+            s_current?.Suspend();
+            s_current = null;
+            FastPointsSettings.instance.Apply();
         }
 
         static void Update() => Current.Update(DateTime.UtcNow);

@@ -34,6 +34,7 @@ namespace FastPoints.Editor
         {
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
+            PointCloudImports.Current.Leftovers.Take(deletedAssets);
             PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
             var ours = new List<string>();
             var unclaimed = new List<string>();

@@ -6,10 +6,13 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>Where a project and its converted clouds are. Paths in the project are stored relative to it with '/', so that
-    /// they stay valid when the project moves; other paths are stored as absolute.</summary>
+    /// they stay valid when the project moves, and those beside it as well; those below the user's root of sources relative to
+    /// that; other paths are stored as absolute.</summary>
     internal sealed class ProjectPaths
     {
         public const string DefaultClouds = "PointClouds";
+
+        readonly string m_sourceRoot;
 
         /// <summary>Unity scans these folders at every refresh, or deletes what is in them.</summary>
         static readonly string[] s_unitysOwn =
@@ -19,8 +22,10 @@ namespace FastPoints.Editor
 
         /// <param name="project">The folder that has <c>Assets</c> in it.</param>
         /// <param name="clouds">Place of converted clouds: relative to the project, or absolute.</param>
-        public ProjectPaths(string project, string clouds = DefaultClouds)
+        /// <param name="sourceRoot">See <see cref="PointCloudFile.SourceRoot"/>.</param>
+        public ProjectPaths(string project, string clouds = DefaultClouds, string sourceRoot = "")
         {
+            m_sourceRoot = sourceRoot;
             Project = Path.GetFullPath(project).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
             Clouds = Absolute(clouds);
         }
@@ -57,10 +62,22 @@ namespace FastPoints.Editor
         public string Stored(string path)
         {
             string full = Absolute(path);
-            string begin = Project + Path.DirectorySeparatorChar;
-            string stored = full.StartsWith(begin, StringComparison.Ordinal) ? full.Substring(begin.Length) : full;
-            return stored.Replace(Path.DirectorySeparatorChar, '/');
+            string root = m_sourceRoot.Length == 0 ? null : Below(m_sourceRoot, full);
+            return (Below(Project, full) ?? (root == null ? StoredPlace(full) : PointCloudFile.InSources + root)).Replace(
+                Path.DirectorySeparatorChar, '/');
         }
+
+        /// <summary>The same for what is everybody's, whatever the user's root is.</summary>
+        public string StoredPlace(string path)
+        {
+            string full = Absolute(path), parent = Path.GetDirectoryName(Project);
+            string beside = parent == null || Path.GetDirectoryName(parent) == null ? null : Below(parent, full);
+            return (Below(Project, full) ?? (beside == null ? full : "../" + beside)).Replace(Path.DirectorySeparatorChar, '/');
+        }
+
+        /// <returns>Null for a path that is not below the folder.</returns>
+        static string Below(string folder, string path) =>
+            path.StartsWith(Inside(folder), StringComparison.Ordinal) ? path.Substring(Inside(folder).Length) : null;
 
         /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
         /// stays the same when the file is renamed.</summary>
@@ -73,6 +90,8 @@ namespace FastPoints.Editor
         public string Absolute(string stored) =>
             Path.GetFullPath(stored.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal)
             ? Path.Combine(Clouds, stored.Substring(PointCloudFile.InPlace.Length))
+            : m_sourceRoot.Length > 0 && stored.StartsWith(PointCloudFile.InSources, StringComparison.Ordinal)
+            ? Path.Combine(m_sourceRoot, stored.Substring(PointCloudFile.InSources.Length))
             : Path.Combine(Project, stored));
     }
 }

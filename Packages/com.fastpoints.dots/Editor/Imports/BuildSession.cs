@@ -61,6 +61,20 @@ namespace FastPoints.Editor
         /// <summary>Whether nothing more will come.</summary>
         public bool IsEnded => State >= BuildState.Done;
 
+        /// <summary>Those that it keeps busy at most; 0 for all.</summary>
+        public int Workers => m_settings.Workers;
+
+        /// <summary>Follows what the editor does meanwhile.</summary>
+        /// <param name="workers">See <see cref="ConvertSettings.Workers"/>.</param>
+        /// <param name="aheadMs">See <see cref="ConvertSettings.AheadMs"/>.</param>
+        public void Adapt(int workers, double aheadMs)
+        {
+            m_settings.Workers = workers;
+            m_settings.AheadMs = aheadMs;
+            if (m_reader != null)
+                m_reader.MostJobs = workers;
+        }
+
         /// <summary>Works for about this long; call it once an update.</summary>
         /// <returns>Whether the session has ended.</returns>
         public bool Tick(double budgetMs)

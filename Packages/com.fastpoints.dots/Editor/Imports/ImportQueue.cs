@@ -46,6 +46,13 @@ namespace FastPoints.Editor
         /// <summary>The running conversion, or null.</summary>
         public BuildSession Session { get; private set; }
 
+        /// <summary>Whether nothing is begun or continued for now.</summary>
+        public bool IsHeld { get; set; }
+
+        /// <summary>Whether there is something to convert that nobody has paused.</summary>
+        public bool IsAtWork =>
+            m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
+
         /// <summary>The request of the running conversion, or null.</summary>
         public ImportRequest Running => m_running;
 
@@ -89,11 +96,14 @@ namespace FastPoints.Editor
         /// <param name="asset">Its number.</param>
         public ImportRequest RequestOf(string asset) => m_requests.Find(r => r.Asset == asset);
 
+        /// <summary>The request that makes a folder, or null.</summary>
+        public ImportRequest RequestFor(string cloud) => m_requests.Find(r => IsSame(FolderOf(r), cloud));
+
         /// <summary>Continues the running conversion or begins the next one; called once an update.</summary>
         /// <param name="budgetMs">Main-thread time to use, not counting jobs.</param>
         public void Tick(double budgetMs, DateTime nowUtc)
         {
-            if (!HasLock(nowUtc))
+            if (!HasLock(nowUtc) || IsHeld)
                 return;
             if (Session == null)
                 Begin();

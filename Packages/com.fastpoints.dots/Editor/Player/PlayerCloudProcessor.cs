@@ -36,7 +36,8 @@ namespace FastPoints.Editor
             }
             catch (PointCloudException e)
             {
-                throw new BuildFailedException(e.Message);
+                throw new BuildFailedException(e.Message + (Application.isBatchMode
+                    ? ". In batch mode -executeMethod FastPoints.Editor.BatchConvert.All converts, before the build" : ""));
             }
             Check(clouds, buildPlayerContext.BuildPlayerOptions.target);
             PlayerReaders.s_areNeeded = clouds.HasSources;

@@ -9,6 +9,7 @@ using NUnit.Framework;
 using Unity.Entities;
 using UnityEditor;
 using UnityEditor.SceneManagement;
+using UnityEngine;
 using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
@@ -33,6 +34,9 @@ namespace FastPoints.UnityTests
         {
             get
             {
+                // In batch mode nothing is converted by itself.
+                if (Application.isBatchMode)
+                    Imports.Update(DateTime.UtcNow);
                 foreach (var request in Imports.Queue.Requests)
                     Assert.That(request.State, Is.Not.EqualTo(ImportState.Failed), request.Failure);
                 return Imports.Queue.Requests.Count > 0;

@@ -24,6 +24,13 @@ namespace FastPoints.Entities
         /// <summary>The path of an asset by its number, where there is an editor.</summary>
         internal static System.Func<string, string> PathOfAsset { get; set; }
 
+        /// <summary>Prefix of a path in an editor if it is below <see cref="SourceRoot"/>.</summary>
+        public const string InSources = "${FASTPOINTS_SOURCES}/";
+
+        /// <summary>Where this user keeps the files that clouds are made of, an absolute path; empty for nowhere. A team's paths
+        /// are the same below it.</summary>
+        public static string SourceRoot { get; set; } = "";
+
         /// <summary>Where an editor keeps converted clouds: absolute, or relative to the project.</summary>
         public static string Place { get; set; } = "PointClouds";
 
@@ -98,7 +105,10 @@ namespace FastPoints.Entities
                 path = System.IO.Path.Combine(Place, path.Substring(InPlace.Length));
             else if (path.StartsWith(OfAsset, System.StringComparison.Ordinal))
                 path = PathOfAsset(path.Substring(OfAsset.Length));
-            return System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), path);
+            if (path.StartsWith(InSources, System.StringComparison.Ordinal))
+                path = System.IO.Path.Combine(SourceRoot, path.Substring(SourceRoot.Length > 0 ? InSources.Length : 0));
+            return System.IO.Path.GetFullPath(
+                System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), path));
         }
     }
 }

@@ -9,11 +9,12 @@ using Unity.Collections;
 namespace FastPoints.Convert
 {
     /// <summary>Writes a build's journal at the right moments, so that a killed build can be continued from it.</summary>
-    /// <remarks>Only a build that keeps its points in files writes it; one in memory starts over.</remarks>
+    /// <remarks>Only a build that keeps its points in files writes it; one in memory starts over, until it has taken
+    /// <see cref="ConvertSettings.SecondsInMemory"/>.</remarks>
     internal sealed class BuildCheckpoints : IDisposable
     {
+        readonly BuildContext m_build;
         readonly CloudFolderWriter m_folder;
-        readonly RecordFiles m_files;
         readonly ScatterPoints m_scatter;
         readonly ChunkSet m_chunks;
         NativeArray<byte> m_text;
@@ -21,8 +22,8 @@ namespace FastPoints.Convert
 
         BuildCheckpoints(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
         {
+            m_build = build;
             m_folder = build.Folder;
-            m_files = build.Files;
             m_scatter = scatter;
             m_chunks = chunks;
         }
@@ -40,17 +41,18 @@ namespace FastPoints.Convert
         {
             var checkpoints = new BuildCheckpoints(build, scatter, chunks);
             var folder = build.Folder;
-            var files = build.Files;
             int firstFiles = build.Map.Chunks.Length + 1;
             ulong identity = BuildIdentity.Of(build);
             string text = folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
-            bool isSame = files != null && journal != null && journal.Identity == identity &&
+            bool isSame = journal != null && journal.Identity == identity &&
                 journal.Attributes.Length == build.Attributes.Count && (journal.At == BuildJournal.Stage.Read
                     ? journal.Source < build.Readers.Count && journal.Statistics.Count == journal.Source + 1 &&
                         journal.Records.Count == firstFiles
                     : journal.Statistics.Count == build.Readers.Count);
-            if (isSame && (journal.At == BuildJournal.Stage.Done || files.TakeOver(journal)))
+            if (isSame)
+                build.UseFiles();
+            if (isSame && (journal.At == BuildJournal.Stage.Done || build.Files.TakeOver(journal)))
             {
                 checkpoints.Journal = journal;
                 scatter.Resume(journal);
@@ -66,8 +68,7 @@ namespace FastPoints.Convert
                     : "a build of this target was broken off that had other sources, settings or versions: began again";
             }
             folder.Clear();
-            while (files != null && files.FileCount < firstFiles)
-                files.Add();
+            build.AddFirstFiles();
             return checkpoints;
         }
 
@@ -75,10 +76,10 @@ namespace FastPoints.Convert
         /// the journal does. Does nothing if points are in memory.</summary>
         public IEnumerator<Work> Begin()
         {
-            if (m_files == null)
+            if (m_build.Files == null)
                 yield break;
             yield return Work.Of(End());
-            m_files.Sync();
+            m_build.Files.Sync();
             m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe()), Allocator.Persistent);
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
@@ -104,7 +105,7 @@ namespace FastPoints.Convert
             Journal.LevelCount = levelCount;
             Journal.BytesOfPlane = bytesOfPlane;
             Journal.At = BuildJournal.Stage.Done;
-            if (m_files != null)
+            if (m_build.Files != null)
                 m_folder.WriteText(BuildFiles.JournalName, Describe());
         }
 
@@ -120,10 +121,10 @@ namespace FastPoints.Convert
         string Describe()
         {
             Journal.Attributes = m_scatter.Attributes;
-            Journal.PeakBytes = m_files.PeakBytes;
+            Journal.PeakBytes = m_build.Files.PeakBytes;
             Journal.Records.Clear();
-            for (int file = 0; file < m_files.FileCount; file++)
-                Journal.Records.Add(m_files.RecordsOf(file));
+            for (int file = 0; file < m_build.Files.FileCount; file++)
+                Journal.Records.Add(m_build.Files.RecordsOf(file));
             Journal.Chunks.Clear();
             if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)
                 foreach (var chunk in m_chunks.Chunks)

@@ -54,7 +54,8 @@ namespace FastPoints.Convert
         /// <summary>Of all pages in memory.</summary>
         public NativeReference<RecordPagePool> Pool { get; private set; }
 
-        /// <summary>Of the records that memory has no room for; null where all stay in memory.</summary>
+        /// <summary>Of the records that memory has no room for, or of all of a build that takes long; null where all stay in
+        /// memory.</summary>
         public RecordFiles Files { get; private set; }
 
         /// <summary>The first partition. Whoever sets it hands it over.</summary>
@@ -97,7 +98,30 @@ namespace FastPoints.Convert
             Plan = MemoryPlan.For(Points, stride, Settings);
             Pool = new NativeReference<RecordPagePool>(new RecordPagePool(stride, Points / RecordPages.RecordsPerPage),
                 Allocator.Persistent);
-            Files = Plan.IsStored ? new RecordFiles(Folder, stride) : null;
+            if (Plan.IsStored)
+                UseFiles();
+        }
+
+        /// <summary>From now on records go to files.</summary>
+        public void UseFiles() => Files ??= new RecordFiles(Folder, Records.StrideBytes);
+
+        /// <summary>The same where all stay in memory, if the disk has room for all of them.</summary>
+        public bool TryUseFiles()
+        {
+            long free = Folder.FreeBytes();
+            if (Files == null && (free < 0 || free >= Points * Records.StrideBytes))
+            {
+                UseFiles();
+                AddFirstFiles();
+            }
+            return Files != null;
+        }
+
+        /// <summary>A file for each chunk of the first partition, and one for the points outside.</summary>
+        public void AddFirstFiles()
+        {
+            while (Files != null && Files.FileCount < Map.Chunks.Length + 1)
+                Files.Add();
         }
 
         /// <summary>Makes nodes of the cloud that a manifest describes.</summary>

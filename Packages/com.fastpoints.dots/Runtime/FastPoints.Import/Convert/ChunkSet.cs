@@ -42,7 +42,6 @@ namespace FastPoints.Convert
         }
 
         readonly BuildContext m_build;
-        readonly RecordFiles m_files;
         readonly long m_mostPages;
         readonly RecordLoad m_load;
         readonly List<Chunk> m_chunks = new List<Chunk>();
@@ -50,13 +49,14 @@ namespace FastPoints.Convert
         public ChunkSet(BuildContext build)
         {
             m_build = build;
-            m_files = build.Files;
             // What parts of chunks may take until they go to files.
             m_mostPages = build.Plan.MostPages / 2;
-            m_load = new RecordLoad(build.Files, build.Pool);
+            m_load = new RecordLoad(build);
         }
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
+
+        RecordFiles Files => m_build.Files;
 
         /// <summary>Makes the work to run after each completed change, when every record is where the chunks say. Files that are
         /// no longer needed exist until it has ended.</summary>
@@ -77,8 +77,8 @@ namespace FastPoints.Convert
         /// <summary>Takes over a chunk's file.</summary>
         public void Add(GridCube cube, int file)
         {
-            if (m_files.RecordsOf(file) > 0)
-                Add(cube, new RecordRange { File = file, Count = m_files.RecordsOf(file) });
+            if (Files.RecordsOf(file) > 0)
+                Add(cube, new RecordRange { File = file, Count = Files.RecordsOf(file) });
         }
 
         /// <summary>Takes over a chunk's records in files.</summary>
@@ -253,11 +253,11 @@ namespace FastPoints.Convert
                     long count = Math.Min(room, run.Count - done);
                     var part = new RecordRange { File = run.File, First = run.First + done, Count = count };
                     m_chunks[m_chunks.Count - 1].Add(part);
-                    m_files.Share(run.File);
+                    Files.Share(run.File);
                     done += count;
                     room -= count;
                 }
-                m_files.Release(run.File);
+                Files.Release(run.File);
             }
         }
 
@@ -279,7 +279,7 @@ namespace FastPoints.Convert
             try
             {
                 for (int i = 0; i < fileOfPart.Length && isStored; i++)
-                    fileOfPart[i] = m_files.Add();
+                    fileOfPart[i] = Files.Add();
                 if (!isStored)
                 {
                     var batches = CutBatches(chunk.Pages);
@@ -298,18 +298,18 @@ namespace FastPoints.Convert
                     job.Complete();
                     if (m_build.Pool.Value.PagesInUse > m_mostPages)
                         HandOver(lists, fileOfPart, false);
-                    while (m_files.PagesWaiting > m_mostPages)
+                    while (Files.PagesWaiting > m_mostPages)
                     {
-                        m_files.Poll(1);
+                        Files.Poll(1);
                         yield return default;
                     }
                     TakeWritten();
                 }
                 if (isStored)
                     HandOver(lists, fileOfPart, true);
-                while (isStored && m_files.PagesWaiting > 0)
+                while (isStored && Files.PagesWaiting > 0)
                 {
-                    m_files.Poll(1);
+                    Files.Poll(1);
                     yield return default;
                 }
 
@@ -326,7 +326,7 @@ namespace FastPoints.Convert
                 TakeWritten();
                 yield return Work.Of(Settle());
                 foreach (var run in chunk.Runs)
-                    m_files.Release(run.File);
+                    Files.Release(run.File);
             }
             finally
             {
@@ -399,17 +399,17 @@ namespace FastPoints.Convert
             for (int i = 0; i < lists.Length; i++)
             {
                 var list = lists[i];
-                m_files.Append(fileOfPart[i], all ? list.Cut(list.PageCount) : list.CutFull());
+                Files.Append(fileOfPart[i], all ? list.Cut(list.PageCount) : list.CutFull());
                 lists[i] = list;
             }
         }
 
         void TakeWritten()
         {
-            if (m_files == null)
+            if (Files == null)
                 return;
-            m_files.Poll(0);
-            var written = m_files.TakeWritten();
+            Files.Poll(0);
+            var written = Files.TakeWritten();
             Return(ref written);
         }
 

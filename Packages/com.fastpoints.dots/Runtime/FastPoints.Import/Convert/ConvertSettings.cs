@@ -30,6 +30,10 @@ namespace FastPoints.Convert
         /// <summary>A build that uses files can be resumed after each so many points.</summary>
         public long PointsPerCheckpoint = 8000000;
 
+        /// <summary>Once sources have been read for longer than this, points that would fit into memory go to files as well, so
+        /// that the build can be resumed. The stored bytes are the same.</summary>
+        public double SecondsInMemory = double.PositiveInfinity;
+
         /// <summary>While chunks become nodes, finished ones are published as a cloud that can be opened, at most once in this
         /// time.</summary>
         public double SecondsPerGeneration = 5;
@@ -39,7 +43,8 @@ namespace FastPoints.Convert
         public double SecondsToFirstGeneration = 1;
 
         /// <summary>The most workers of the job system that this work keeps busy: this many blocks are read and decoded, and this
-        /// many chunks are sorted, at the same time. 0 for all. The stored bytes are the same.</summary>
+        /// many chunks are sorted, at the same time. 0 for all. May be set while the work is running, from the next piece on; the
+        /// stored bytes are the same.</summary>
         public int Workers;
 
         /// <summary>Where a pump is ticked: how far apart ticks may be, in ms, for jobs to be scheduled that keep workers busy

@@ -235,16 +235,17 @@ namespace FastPoints.Convert
             var slot = m_spare.Count > 0 ? m_spare.Pop() : new Slot
             {
                 Indexer = m_build.CreateIndexer(m_store, Manifest),
-                Load = files == null ? null : new RecordLoad(files, m_build.Pool),
+                Load = files == null ? null : new RecordLoad(m_build),
                 Outside = new NativeReference<int>(Allocator.Persistent),
             };
             m_inWork.Enqueue(slot);
             var chunk = m_chunks.Chunks[number];
             slot.Chunk = number;
             slot.Lane = m_lanes[0];
-            foreach (var lane in m_lanes)
-                if (lane.Points < slot.Lane.Points)
-                    slot.Lane = lane;
+            // There may be fewer workers by now than there are lanes.
+            for (int i = m_build.MostSlots(m_lanes.Count) - 1; i > 0; i--)
+                if (m_lanes[i].Points < slot.Lane.Points)
+                    slot.Lane = m_lanes[i];
             slot.Lane.Points += chunk.Count;
             var ready = default(JobHandle);
             if (files != null)

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Diagnostics;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Partition;
@@ -14,6 +15,7 @@ namespace FastPoints.Convert
         readonly ScatterPoints m_scatter;
         readonly BuildCheckpoints m_checkpoints;
         readonly BuildGenerations m_generations;
+        readonly Stopwatch m_watch = Stopwatch.StartNew();
         WorkSteps m_first;
         long m_sinceCheckpoint;
 
@@ -46,9 +48,13 @@ namespace FastPoints.Convert
             {
                 m_first?.Dispose();
             }
-            if (m_build.Files != null)
+            if (UsesFiles())
                 yield return Work.Of(m_scatter.WriteAll());
         }
+
+        /// <summary>Whether what was read can be resumed; what takes long goes to files from now on.</summary>
+        bool UsesFiles() => m_build.Files != null ||
+            m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
 
         IEnumerator<Work> Read(int source)
         {
@@ -84,7 +90,7 @@ namespace FastPoints.Convert
                 if (m_sinceCheckpoint < m_build.Settings.PointsPerCheckpoint)
                     continue;
                 m_sinceCheckpoint = 0;
-                if (m_build.Files == null)
+                if (!UsesFiles())
                     continue;
                 yield return Work.Of(m_scatter.WriteAll());
                 // Reading goes on while the disk takes in what was read.

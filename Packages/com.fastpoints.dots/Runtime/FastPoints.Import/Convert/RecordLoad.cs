@@ -12,8 +12,7 @@ namespace FastPoints.Convert
     /// <summary>Reads records of temporary files back into pages, in the background.</summary>
     internal sealed unsafe class RecordLoad : IDisposable
     {
-        readonly RecordFiles m_files;
-        readonly NativeReference<RecordPagePool> m_pool;
+        readonly BuildContext m_build;
         readonly List<ReadHandle> m_reads = new List<ReadHandle>();
         readonly List<string> m_paths = new List<string>();
 
@@ -21,12 +20,8 @@ namespace FastPoints.Convert
         NativeArray<ReadCommand> m_commands;
         RecordPages m_pages;
 
-        /// <param name="pool">Gives the pages.</param>
-        public RecordLoad(RecordFiles files, NativeReference<RecordPagePool> pool)
-        {
-            m_files = files;
-            m_pool = pool;
-        }
+        /// <param name="build">Has the files, and gives the pages.</param>
+        public RecordLoad(BuildContext build) => m_build = build;
 
         /// <summary>Completes when everything is read; then call <see cref="Complete"/>.</summary>
         public JobHandle Done { get; private set; }
@@ -40,7 +35,7 @@ namespace FastPoints.Convert
         /// <param name="count">Number of records, at most as many as there are.</param>
         public void Begin(IReadOnlyList<RecordRange> runs, long first, long count)
         {
-            ref var pool = ref RecordPagePool.Of(m_pool);
+            ref var pool = ref RecordPagePool.Of(m_build.Pool);
             Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + runs.Count);
             var commands = (ReadCommand*)m_commands.GetUnsafePtr();
             int commandCount = 0;
@@ -69,7 +64,7 @@ namespace FastPoints.Convert
                     left -= page->Count;
                     offset += bytes;
                 }
-                string path = m_files.PathOf(run.File);
+                string path = m_build.Files.PathOf(run.File);
                 var read = AsyncReadManager.Read(path, commands + firstCommand, (uint)(commandCount - firstCommand));
                 m_reads.Add(read);
                 m_paths.Add(path);

@@ -180,13 +180,20 @@ namespace FastPoints.Tests.Convert
             Assert.That(ofAll, Is.LessThan(0.99), "what was sampled apart has such distances too");
         }
 
+        /// <summary>What would fit into memory, too, once it takes long.</summary>
         [Test]
-        public void Convert_BrokenOffAnywhere_IsTakenUpToTheSameBytes()
+        public void Convert_BrokenOffAnywhere_IsTakenUpToTheSameBytes([Values] bool fits)
         {
+            ConvertSettings Settings()
+            {
+                var settings = fits ? InMemory() : InFiles();
+                (settings.PointsPerCheckpoint, settings.SecondsInMemory) = (50000, 0);
+                return settings;
+            }
             Convert(Uneven(), "whole", InMemory());
             var wanted = Files("whole");
             var progress = new StageProgress();
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { }, progress));
+            WorkPump.RunToEnd(ConvertCloud.Run(new[] { Uneven() }, Target("count"), Settings(), r => { }, progress));
             int stages = progress.Finished.Count;
             var random = new System.Random(4);
             int continued = 0;
@@ -194,7 +201,7 @@ namespace FastPoints.Tests.Convert
             {
                 string name = "broken" + attempt, part = Target(name) + StoreFormat.PartSuffix, kept = part + "-kept";
                 progress = new StageProgress();
-                var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target(name), InFiles(), r => { }, progress));
+                var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target(name), Settings(), r => { }, progress));
                 // Steps depend on how fast reads and writes are.
                 double stop = (attempt + random.NextDouble()) / 6 * stages;
                 while (progress.Finished.Count + progress.Share < stop && work.MoveNext())
@@ -213,7 +220,7 @@ namespace FastPoints.Tests.Convert
                     continue;
                 Assert.That(Directory.Exists(part), Is.False, "cancelled");
                 Directory.Move(kept, part);
-                var made = Convert(Uneven(), name, InFiles());
+                var made = Convert(Uneven(), name, Settings());
                 continued += made.Note != null && made.Note.StartsWith("continued") ? 1 : 0;
                 AssertSame(Files(name), wanted);
             }

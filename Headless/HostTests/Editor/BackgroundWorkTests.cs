@@ -1,0 +1,129 @@
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>Conversions beside play mode, without focus, and in batch mode.</summary>
+public sealed class BackgroundWorkTests : EditorFixture
+{
+    [TearDown]
+    public void Rest()
+    {
+        (EditorApplication.isPlaying, EditorApplication.isFocused, Application.isBatchMode) = (false, true, false);
+        FastPointsSettings.instance.InPlayMode = InPlayMode.OneWorker;
+    }
+
+    [TestCase(true, 100, 4)]
+    [TestCase(false, 16, 4)]
+    [TestCase(false, 100, 24)]
+    [TestCase(false, 100_000, 250)]
+    public void Pace_OfUpdatesApart_GrowsWithoutFocus(bool isFocused, double apartMs, double wantedMs)
+    {
+        var pace = new EditorPace();
+        var now = new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc);
+        Assert.That(pace.Next(now, 4, isFocused), Is.EqualTo(4), "nothing is measured yet");
+        Assert.That(pace.Next(now.AddMilliseconds(apartMs), 4, isFocused), Is.EqualTo(wantedMs).Within(1e-9));
+        Assert.That(pace.AheadMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
+        // A slice of 30 ms in 16 would make the next interval longer, and that the next slice.
+        Assert.That(pace.Next(now.AddMilliseconds(apartMs + 100), 30, false), Is.EqualTo(50).Within(1e-9));
+    }
+
+    [Test]
+    public void PlayMode_Pause_TakesNoStepUntilItEnds()
+    {
+        FastPointsSettings.instance.InPlayMode = InPlayMode.Pause;
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
+        var queue = m_project.Imports.Queue;
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+            () => queue.Session?.State == BuildState.Building);
+        EditorApplication.isPlaying = true;
+        m_project.Imports.Update(DateTime.UtcNow.AddSeconds(1));
+        string stage = queue.Session.Progress.Current;
+        long points = queue.Session.Progress.Points;
+        for (int i = 0; i < 200; i++)
+            m_project.Imports.Update(DateTime.UtcNow.AddSeconds(i));
+        Assert.That((queue.Session.Progress.Current, queue.Session.Progress.Points), Is.EqualTo((stage, points)));
+        Assert.That(Progress.Entries.Single().Description, Is.EqualTo("until play mode ends"));
+
+        EditorApplication.isPlaying = false;
+        m_project.UpdateToTheEnd();
+        Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(20_000));
+    }
+
+    [Test]
+    public void PlayMode_OneWorker_IsAsked_AndAllAfterwards()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
+        var queue = m_project.Imports.Queue;
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+            () => queue.Session?.State == BuildState.Building);
+        Assert.That(queue.Session.Workers, Is.Zero, "all");
+        EditorApplication.isPlaying = true;
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(queue.Session?.Workers ?? 1, Is.EqualTo(1));
+        EditorApplication.isPlaying = false;
+        m_project.UpdateToTheEnd();
+        var verified = CliCall.Of("verify", m_project.Paths.Absolute("PointClouds/scan.fastpoints"), "--quiet");
+        Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Error);
+    }
+
+    [Test]
+    public void BatchConvert_ConvertsWhatIsNotConverted_WithoutUpdates()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.Imports.Take(m_project.Copc("streamed.copc.laz"), "Assets");
+        m_project.Scratch.Demo("project/Assets/inside.las", 4000);
+        AssetDatabase.Refresh();
+        Application.isBatchMode = true;
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+
+        BatchConvert.All();
+
+        Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(5000));
+        Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/inside.las"), out _),
+            Is.EqualTo(CatalogMatch.InPlace));
+        long written = File.GetLastWriteTimeUtc("PointClouds/scan.fastpoints/cloud.json").Ticks;
+        BatchConvert.All();
+        Assert.That(File.GetLastWriteTimeUtc("PointClouds/scan.fastpoints/cloud.json").Ticks, Is.EqualTo(written));
+        Assert.That(m_logged.Where(l => !l.StartsWith("Log")), Is.Empty);
+    }
+
+    [Test]
+    public void BatchConvert_SourceThatIsGone_FailsAndNamesIt()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        string source = m_project.Scratch.Demo("gone.las", 1000);
+        m_project.Imports.Take(source, "Assets");
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        File.Delete(source);
+        Assert.That(BatchConvert.All, Throws.InvalidOperationException.With.Message.Contains(
+            "1 of 2 point clouds were not converted").And.Message.Contains("gone.las"));
+        Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(1000));
+    }
+
+    [Test]
+    public void BatchConvert_AnotherEditorHasTheFolder_SaysWho()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
+        using (held)
+            Assert.That(BatchConvert.All, Throws.InvalidOperationException.With.Message.Contains("imports into"));
+    }
+
+    [Test]
+    public void BatchMode_ThatBegins_HearsNoUpdates()
+    {
+        var heard = EditorApplication.update;
+        try
+        {
+            foreach (bool isBatch in new[] { true, false })
+            {
+                (Application.isBatchMode, EditorApplication.update) = (isBatch, null);
+                PointCloudImports.Listen();
+                Assert.That(EditorApplication.update == null, Is.EqualTo(isBatch));
+            }
+        }
+        finally
+        {
+            EditorApplication.update = heard;
+        }
+    }
+}

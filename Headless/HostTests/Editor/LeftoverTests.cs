@@ -1,0 +1,116 @@
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>What stays of clouds: for version control, and when assets are deleted or copied.</summary>
+public sealed class LeftoverTests : EditorFixture
+{
+    [SetUp]
+    public void AskNobody()
+    {
+        EditorUtility.s_agrees = false;
+        EditorUtility.s_dialogs.Clear();
+    }
+
+    [TearDown]
+    public void Rest() => FastPointsSettings.instance.GitIgnore = true;
+
+    [Test]
+    public void Place_ThatIsMade_IsNotForGitUnlessTheSettingsSaySo([Values] bool ignores)
+    {
+        FastPointsSettings.instance.GitIgnore = ignores;
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        Assert.That(File.Exists("PointClouds/.gitignore"), Is.EqualTo(ignores));
+        if (!ignores)
+            return;
+        Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
+        File.Delete("PointClouds/.gitignore");
+        m_project.Imports.Take(m_project.Scratch.Demo("other.las", 1000), "Assets");
+        Assert.That(File.Exists("PointClouds/.gitignore"), Is.False, "who has taken it away wants it so");
+    }
+
+    void Updates() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+        () => !m_project.Imports.Thumbnails.IsDrawing);
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Delete_ByTheUser_AsksOnceForAllWhetherTheDataGo(bool agrees)
+    {
+        AssetDatabase.CreateFolder("Assets", "Scans");
+        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets/Scans");
+        m_project.Imports.Take(m_project.Scratch.Demo("two.las", 1000), "Assets/Scans");
+        m_project.UpdateToTheEnd();
+        Updates();
+        EditorUtility.s_agrees = agrees;
+
+        AssetDatabase.DeleteAsset("Assets/Scans");
+        Assert.That(EditorUtility.s_dialogs, Is.Empty, "not while Unity imports");
+        Updates();
+        m_project.Imports.Update(DateTime.UtcNow);
+
+        Assert.That(EditorUtility.s_dialogs.Single(), Does.Contain("one.fastpoints\ntwo.fastpoints"));
+        Assert.That(Directory.GetDirectories("PointClouds").Length, Is.EqualTo(agrees ? 0 : 2));
+        Assert.That(Directory.GetFiles("PointClouds", "*.png").Length, Is.EqualTo(agrees ? 0 : 2));
+    }
+
+    [Test]
+    public void Delete_ByABranch_AsksNobody()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        File.Delete("Assets/one.pointcloud");
+        AssetDatabase.Refresh();
+        Updates();
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        Assert.That(Directory.Exists("PointClouds/one.fastpoints"), Is.True);
+    }
+
+    [Test]
+    public void Delete_OfOneOfTwoUsers_LeavesTheDataToTheOther()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        File.Copy("Assets/one.pointcloud", "Assets/one 1.pointcloud");
+        AssetDatabase.Refresh();
+        EditorUtility.s_agrees = true;
+
+        AssetDatabase.DeleteAsset("Assets/one.pointcloud");
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+
+        AssetDatabase.DeleteAsset("Assets/one 1.pointcloud");
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(1));
+        Assert.That(Directory.Exists("PointClouds/one.fastpoints"), Is.False);
+    }
+
+    [Test]
+    public void Delete_OfAFolderElsewhere_IsNotOffered()
+    {
+        string folder = m_project.Scratch.Converted("far.fastpoints");
+        m_project.Imports.Take(folder, "Assets");
+        EditorUtility.s_agrees = true;
+        AssetDatabase.DeleteAsset("Assets/far.pointcloud");
+        m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        Assert.That(Directory.Exists(folder), Is.True);
+    }
+
+    /// <summary>Both show the one cloud, which is converted for both.</summary>
+    [Test]
+    public void Duplicate_OfAHandle_SharesTheCloudAndItsConversion()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 3000), "Assets");
+        File.Copy("Assets/one.pointcloud", "Assets/one 1.pointcloud");
+        AssetDatabase.Refresh();
+        Assert.That(m_project.Imports.RequestOf("Assets/one 1.pointcloud"),
+            Is.SameAs(m_project.Imports.RequestOf("Assets/one.pointcloud")).And.Not.Null);
+
+        m_project.UpdateToTheEnd();
+
+        Assert.That((m_project.Asset("Assets/one.pointcloud").Points, m_project.Asset("Assets/one 1.pointcloud").Points),
+            Is.EqualTo((3000, 3000)));
+        Assert.That(HandleFile.Read("Assets/one 1.pointcloud").CloudId,
+            Is.EqualTo(HandleFile.Read("Assets/one.pointcloud").CloudId).And.Not.Zero);
+        Assert.That(Directory.GetDirectories("PointClouds"), Has.Length.EqualTo(1));
+    }
+}

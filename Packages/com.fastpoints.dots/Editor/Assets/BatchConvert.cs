@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using FastPoints.Base;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Converts in batch mode, where there are no updates to do it in and nothing is converted otherwise.</summary>
+    public static class BatchConvert
+    {
+        /// <summary>Converts every cloud of the project's assets that is not converted yet, and returns when all are. For
+        /// <c>Unity -batchmode -quit -projectPath PROJECT -executeMethod FastPoints.Editor.BatchConvert.All</c>.</summary>
+        /// <exception cref="InvalidOperationException">Some could not be converted: Unity ends with exit code 1.</exception>
+        public static void All()
+        {
+            var imports = PointCloudImports.Current;
+            var failed = new List<string>();
+            var requests = new List<ImportRequest>();
+            foreach (var pair in imports.Assets.All)
+                if (!File.Exists(Path.Combine(pair.Value, StoreFormat.ManifestName)) &&
+                    TryRequest(imports, pair.Key, failed) is { } request)
+                    requests.Add(request);
+            imports.Queue.Add(requests);
+            while (imports.Queue.IsAtWork)
+            {
+                imports.Update(DateTime.UtcNow);
+                if (imports.Queue.Session == null && imports.Queue.Problem != null)
+                    throw new InvalidOperationException("FastPoints: " + imports.Queue.Problem);
+                // Workers need the core more than this loop does.
+                Thread.Sleep(1);
+            }
+            foreach (var request in requests)
+                if (request.State == ImportState.Failed)
+                    failed.Add(request.Failure);
+            if (failed.Count > 0)
+                throw new InvalidOperationException("FastPoints: " + failed.Count + " of " + imports.Assets.All.Count +
+                    " point clouds were not converted:\n" + string.Join("\n", failed));
+        }
+
+        /// <returns>Null for what is shown as it is, and for a handle that cannot be read.</returns>
+        static ImportRequest TryRequest(EditorImports imports, string asset, List<string> failed)
+        {
+            try
+            {
+                var handle = imports.HandleOf(asset);
+                return imports.IsConverted(handle) ? imports.RequestFor(asset, handle) : null;
+            }
+            catch (PointCloudException e)
+            {
+                failed.Add(e.Message);
+                return null;
+            }
+        }
+    }
+}

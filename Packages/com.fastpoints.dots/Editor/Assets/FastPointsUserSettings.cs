@@ -1,0 +1,25 @@
+using System;
+using UnityEditor;
+
+namespace FastPoints.Editor
+{
+    /// <summary>What is this user's own, or this machine's: not for version control.</summary>
+    [FilePath("UserSettings/FastPoints.asset", FilePathAttribute.Location.ProjectFolder)]
+    internal sealed class FastPointsUserSettings : ScriptableSingleton<FastPointsUserSettings>
+    {
+        /// <summary>An environment variable that counts for more than <see cref="SourceRoot"/>, as for build servers.</summary>
+        public const string Variable = "FASTPOINTS_SOURCES";
+
+        /// <summary>The folder below which this user has what the team's clouds are made of; empty for none.</summary>
+        public string SourceRoot = "";
+
+        public static string Root =>
+            Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } root ? root : instance.SourceRoot;
+
+        public void Keep(string root)
+        {
+            SourceRoot = root;
+            Save(true);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using System;
+
+namespace FastPoints.Editor
+{
+    /// <summary>How much main-thread time background work gets in an update of the editor. Without focus updates are rare, and
+    /// nobody looks: slices grow, so that the share of the time stays what it is at 60 updates a second.</summary>
+    internal sealed class EditorPace
+    {
+        const double FocusedMs = 1000.0 / 60;
+
+        /// <summary>A slice is part of the interval that the next one is measured by: with less than one it cannot run
+        /// away.</summary>
+        const double MostShare = 0.5;
+        const double MostMs = 250;
+        const double LeastAheadMs = 250;
+        const double MostAheadMs = 1000;
+
+        DateTime m_before;
+
+        /// <summary>How far apart updates may be: jobs are scheduled for so long.</summary>
+        public double AheadMs { get; private set; } = LeastAheadMs;
+
+        /// <summary>Call it once an update.</summary>
+        /// <param name="updateMs">What an update gets while the editor has the focus.</param>
+        /// <returns>What this one gets.</returns>
+        public double Next(DateTime nowUtc, double updateMs, bool isFocused)
+        {
+            double intervalMs = m_before == default ? 0 : Math.Max(0, (nowUtc - m_before).TotalMilliseconds);
+            m_before = nowUtc;
+            AheadMs = Math.Max(LeastAheadMs, Math.Min(MostAheadMs, 2 * intervalMs));
+            return isFocused ? updateMs
+                : Math.Max(updateMs, Math.Min(MostMs, intervalMs * Math.Min(MostShare, updateMs / FocusedMs)));
+        }
+    }
+}
