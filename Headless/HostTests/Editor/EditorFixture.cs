@@ -24,6 +24,7 @@ public abstract class EditorFixture
         (settings.ConvertAtOnce, settings.ConvertOctrees) = (true, false);
         settings.PlayerMiB = 2048;
         settings.SeveralFiles = SeveralFiles.Ask;
+        settings.PointFiles = PointFiles.Ask;
         settings.Place = ProjectPaths.DefaultClouds;
         settings.PlayerVariants = VariantChoice.Automatic;
         settings.Apply();

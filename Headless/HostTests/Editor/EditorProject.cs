@@ -17,6 +17,7 @@ sealed class EditorProject : IDisposable
         ScriptedImports.Register(typeof(CloudImporter).Assembly);
         Paths = new ProjectPaths(Scratch["project"]);
         PointFileReaders.Register();
+        FastPointsSettings.instance.PointFiles = PointFiles.Import;
     }
 
     public ScratchFolder Scratch { get; } = new ScratchFolder();
@@ -56,6 +57,7 @@ sealed class EditorProject : IDisposable
     {
         // What PointCloudImports holds is this project's.
         AssemblyReloadEvents.Reload();
+        FastPointsSettings.instance.PointFiles = PointFiles.Ask;
         AssetDatabase.Clear();
         ScriptedImports.Clear();
         Progress.Entries.Clear();

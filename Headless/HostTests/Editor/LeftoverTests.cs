@@ -108,7 +108,7 @@ public sealed class LeftoverTests : EditorFixture
         m_project.UpdateToTheEnd();
 
         Assert.That((m_project.Asset("Assets/one.pointcloud").Points, m_project.Asset("Assets/one 1.pointcloud").Points),
-            Is.EqualTo((3000, 3000)));
+            Is.EqualTo((3000L, 3000L)));
         Assert.That(HandleFile.Read("Assets/one 1.pointcloud").CloudId,
             Is.EqualTo(HandleFile.Read("Assets/one.pointcloud").CloudId).And.Not.Zero);
         Assert.That(Directory.GetDirectories("PointClouds"), Has.Length.EqualTo(1));

@@ -43,6 +43,7 @@ public sealed class SourceTests : EditorFixture
         Assert.That(File.ReadAllText("Assets/scan.pointcloud"), Does.Not.Contain("ann"));
         Assert.That(File.ReadAllText("UserSettings/FastPoints.asset"), Does.Contain("ann"));
 
+        m_project.Imports.Update(DateTime.UtcNow);
         Directory.Move(m_project.Scratch["ann"], m_project.Scratch["ben"]);
         PointCloudImports.MoveRoot(m_project.Scratch["ben"]);
 

@@ -53,6 +53,8 @@ public sealed class AssetDatabase
 
     public static string GUIDToAssetPath(string guid) => Assets.Keys.FirstOrDefault(p => GuidOf(p) == guid) ?? "";
 
+    public static string[] GetAllAssetPaths() => Assets.Keys.ToArray();
+
     public static string GetAssetPath(Object assetObject) =>
         Assets.FirstOrDefault(a => ReferenceEquals(a.Value, assetObject)).Key ?? "";
 
@@ -219,8 +221,11 @@ public sealed class AssetDatabase
         }
     }
 
-    /// <summary>Importers may run in processes of their own, several at once: while one runs here, this is such a one.</summary>
-    public static bool IsAssetImportWorkerProcess() => s_importing != null;
+    /// <summary>Importers and previews are made in processes of their own, several at once: while one runs here, this is such
+    /// a one.</summary>
+    public static bool IsAssetImportWorkerProcess() => s_importing != null || s_previewing;
+
+    internal static bool s_previewing;
 
     /// <summary>There is no project any more.</summary>
     internal static void Clear()

@@ -20,6 +20,9 @@ public sealed class EditorGUILayout
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => GUILayoutUtility.Next();
     public static void HelpBox(string message, MessageType type) => GUILayoutUtility.Next();
 
+    public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => Placed(scrollPosition);
+    public static void EndScrollView() { }
+
     public static int IntSlider(GUIContent label, int value, int leftValue, int rightValue,
         params GUILayoutOption[] options) => Placed(value);
 

@@ -2,7 +2,16 @@ using StandIns.Scene;
 
 namespace UnityEditor;
 
-public class EditorWindow : ScriptableObject { }
+public class EditorWindow : ScriptableObject
+{
+    /// <summary>There is one of a kind.</summary>
+    public static T GetWindow<T>(string title) where T : EditorWindow =>
+        (T)(s_windows.TryGetValue(typeof(T), out var open) && open != null ? open : s_windows[typeof(T)] = CreateInstance<T>());
+
+    static readonly Dictionary<Type, EditorWindow> s_windows = new Dictionary<Type, EditorWindow>();
+
+    public void Repaint() { }
+}
 
 public class SearchableEditorWindow : EditorWindow { }
 

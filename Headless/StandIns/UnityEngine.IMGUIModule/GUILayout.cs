@@ -65,6 +65,8 @@ public class GUILayout
         return text == Pressed;
     }
 
+    public static void BeginHorizontal(params GUILayoutOption[] options) => GUILayoutUtility.Next();
+    public static void EndHorizontal() { }
     public static void BeginArea(Rect screenRect) { }
     public static void EndArea() { }
 }

@@ -16,6 +16,7 @@ namespace FastPoints.Editor
         public static void All()
         {
             var imports = PointCloudImports.Current;
+            imports.Claims.Look();
             var failed = new List<string>();
             var requests = new List<ImportRequest>();
             foreach (var pair in imports.Assets.All)

@@ -44,7 +44,7 @@ namespace FastPoints.Editor
                 Draw(m_handle, m_cloud);
                 DrawMissing(imports);
                 if (request != null)
-                    DrawRequest(imports.Queue, request);
+                    DrawRequest(imports, request);
                 else
                     DrawConverted(imports);
             }
@@ -128,15 +128,22 @@ namespace FastPoints.Editor
             Look();
         }
 
-        static void DrawRequest(ImportQueue queue, ImportRequest request)
+        static bool IsPaused(ImportQueue queue, ImportRequest request) => request.State == ImportState.Paused ||
+            request == queue.Running && queue.Session.State == BuildState.Paused;
+
+        /// <summary>A request's state, for people.</summary>
+        internal static string Describe(ImportQueue queue, ImportRequest request) =>
+            request.State == ImportState.Failed ? request.Failure : IsPaused(queue, request) ? "paused"
+            : request.State == ImportState.Waiting ? "waiting" : BuildProgress.Describe(queue.Session.Progress);
+
+        static void DrawRequest(EditorImports imports, ImportRequest request)
         {
-            bool isPaused = request.State == ImportState.Paused ||
-                (request == queue.Running && queue.Session.State == BuildState.Paused);
+            var queue = imports.Queue;
+            bool isPaused = IsPaused(queue, request);
             if (request.State == ImportState.Failed)
                 EditorGUILayout.HelpBox(request.Failure, MessageType.Error);
             else
-                EditorGUILayout.LabelField("Import", isPaused ? "paused" : request.State == ImportState.Waiting ? "waiting"
-                    : BuildProgress.Describe(queue.Session.Progress));
+                EditorGUILayout.LabelField("Import", Describe(queue, request));
             if (request.State == ImportState.Failed || isPaused)
             {
                 if (GUILayout.Button(isPaused ? "Go on" : "Try again"))
@@ -147,7 +154,7 @@ namespace FastPoints.Editor
                 queue.Pause(request);
             }
             if (GUILayout.Button("Cancel"))
-                queue.Cancel(request);
+                imports.Cancel(request);
         }
 
         void DrawConverted(EditorImports imports)

@@ -38,9 +38,13 @@ namespace FastPoints.Editor
             Catalog = new CloudCatalog(paths);
             Assets = new CloudAssets(paths);
             Leftovers = new CloudLeftovers(this);
+            Claims = new PointFileClaims(settings);
         }
 
         internal ProjectPaths Paths { get; }
+
+        /// <summary>Point cloud files in <c>Assets</c> that others import.</summary>
+        internal PointFileClaims Claims { get; }
 
         /// <summary>Converted clouds whose last asset was deleted.</summary>
         internal CloudLeftovers Leftovers { get; }
@@ -75,6 +79,7 @@ namespace FastPoints.Editor
             Checks.Update(budgetMs);
             Transfers.Update();
             Leftovers.Ask();
+            Claims.Update();
             Thumbnails.Update(budgetMs);
             if (m_drops.Count > 0 && m_drops[0].Update(budgetMs))
                 m_drops.RemoveAt(0);
@@ -149,7 +154,8 @@ namespace FastPoints.Editor
             {
                 if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
                     AddThumbnail(handle);
-                return IsConvertedAtOnce(handle) ? RequestFor(asset, handle) : null;
+                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request &&
+                    !File.Exists(DeclinedPath(request)) ? request : null;
             }
             if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
                 Debug.LogWarning("FastPoints: " + asset + " has changed since it was converted: its inspector converts it again");
@@ -181,7 +187,31 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Converts an asset's cloud, for the first time or again.</summary>
-        public void Convert(string asset) => Queue.Add(RequestFor(asset, HandleOf(asset)));
+        public void Convert(string asset)
+        {
+            var request = RequestFor(asset, HandleOf(asset));
+            File.Delete(DeclinedPath(request));
+            Queue.Add(request);
+        }
+
+        /// <summary>Takes a request out of the queue for good: a file in <c>Assets</c> is not converted by itself any more,
+        /// however often Unity imports it.</summary>
+        internal void Cancel(ImportRequest request)
+        {
+            Queue.Cancel(request);
+            if (!PointFileClaims.IsPointFile(AssetDatabase.GUIDToAssetPath(request.Asset)))
+                return;
+            try
+            {
+                TextFile.Write(DeclinedPath(request), "", false);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogWarning("FastPoints: " + e.Message);
+            }
+        }
+
+        string DeclinedPath(ImportRequest request) => Path.ChangeExtension(Paths.Absolute(request.Cloud), ".cancelled");
 
         /// <summary>What an asset says of its cloud.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
@@ -307,7 +337,7 @@ namespace FastPoints.Editor
             {
                 // Unity itself ends what was cancelled in its window.
                 m_reported = null;
-                Queue.Cancel(request);
+                Cancel(request);
                 return true;
             });
             Progress.RegisterPauseCallback(m_progress, isPaused =>

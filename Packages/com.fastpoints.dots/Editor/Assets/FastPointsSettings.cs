@@ -1,3 +1,5 @@
+using System;
+using System.IO;
 using FastPoints.Convert;
 using FastPoints.Entities;
 using FastPoints.Samplers;
@@ -37,6 +39,9 @@ namespace FastPoints.Editor
         /// <summary>Larger files are not copied into the project when dropped: they get a handle.</summary>
         public int CopiedMiB = 64;
 
+        /// <summary>What becomes of point cloud files in <c>Assets</c> that no other package imports.</summary>
+        public PointFiles PointFiles;
+
         /// <summary>What becomes of several files that are dropped together.</summary>
         public SeveralFiles SeveralFiles;
 
@@ -51,6 +56,17 @@ namespace FastPoints.Editor
 
         /// <summary>Which variants of the package's shaders players contain.</summary>
         public VariantChoice PlayerVariants = VariantChoice.Automatic;
+
+        /// <summary>What the file says of <see cref="Place"/>, for who may not ask for the settings.</summary>
+        /// <param name="project">The project's folder.</param>
+        public static ProjectPaths ReadPaths(string project)
+        {
+            string file = Path.Combine(project, "ProjectSettings/FastPoints.asset"), key = nameof(Place) + ":";
+            string line = File.Exists(file) ? Array.Find(File.ReadAllLines(file), l => l.TrimStart().StartsWith(key,
+                StringComparison.Ordinal)) : null;
+            string place = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
+            return string.IsNullOrEmpty(place) ? new ProjectPaths(project) : new ProjectPaths(project, place);
+        }
 
         /// <summary>Saves changes.</summary>
         public void Save()

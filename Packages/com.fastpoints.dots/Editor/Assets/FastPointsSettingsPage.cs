@@ -26,6 +26,8 @@ namespace FastPoints.Editor
 
         static void DrawImports(FastPointsSettings settings)
         {
+            settings.PointFiles = (PointFiles)EditorGUILayout.EnumPopup(new GUIContent("LAS, LAZ and PLY files in Assets",
+                "Import: those without faces that no other package imports. Ask: the answer is kept here."), settings.PointFiles);
             settings.SeveralFiles = (SeveralFiles)EditorGUILayout.EnumPopup(new GUIContent("Several files dropped together",
                 "One cloud, or a cloud each, on a shared origin. Ask: the answer is kept here."), settings.SeveralFiles);
             settings.ConvertAtOnce = EditorGUILayout.Toggle(new GUIContent("Convert what is imported",

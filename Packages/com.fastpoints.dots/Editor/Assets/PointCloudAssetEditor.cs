@@ -12,13 +12,17 @@ namespace FastPoints.Editor
     [CustomEditor(typeof(PointCloudAsset))]
     internal sealed class PointCloudAssetEditor : UnityEditor.Editor
     {
+        /// <summary>An import worker has no singletons of the main process, or old ones: it reads what was saved last.</summary>
+        static ProjectPaths Paths => AssetDatabase.IsAssetImportWorkerProcess()
+            ? FastPointsSettings.ReadPaths(Path.GetDirectoryName(Application.dataPath)) : PointCloudImports.Paths;
+
         /// <returns>Null if there is no picture yet: Unity then shows the type's icon.</returns>
         public override Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height)
         {
             string path = ((PointCloudAsset)target).ProjectPath;
             if (string.IsNullOrEmpty(path))
                 return null;
-            string picture = CloudThumbnails.PathOf(PointCloudImports.Paths.Absolute(path));
+            string picture = CloudThumbnails.PathOf(Paths.Absolute(path));
             if (!File.Exists(picture))
                 return null;
             try

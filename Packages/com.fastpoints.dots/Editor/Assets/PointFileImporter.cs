@@ -39,36 +39,12 @@ namespace FastPoints.Editor
             var ours = new List<string>();
             var unclaimed = new List<string>();
             foreach (string path in importedAssets)
-            {
-                if (!IsPointFile(path))
-                    continue;
-                if (AssetDatabase.GetImporterType(path) == typeof(PointFileImporter))
+                if (PointFileClaims.IsPointFile(path) && AssetDatabase.GetImporterType(path) == typeof(PointFileImporter))
                     ours.Add(path);
-                else if (AssetDatabase.GetImporterOverride(path) == null &&
-                    !typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(path)))
+                else
                     unclaimed.Add(path);
-            }
             PointCloudImports.Current.TakePointFiles(ours);
-            Claim(unclaimed);
+            PointCloudImports.Current.Claims.Offer(unclaimed);
         }
-
-        static void Claim(List<string> paths)
-        {
-            if (paths.Count == 0)
-                return;
-            AssetDatabase.StartAssetEditing();
-            try
-            {
-                foreach (string path in paths)
-                    AssetDatabase.SetImporterOverride<PointFileImporter>(path);
-            }
-            finally
-            {
-                AssetDatabase.StopAssetEditing();
-            }
-        }
-
-        static bool IsPointFile(string path) =>
-            path.StartsWith("Assets/", StringComparison.Ordinal) && CloudSources.HasImportedExtension(path);
     }
 }

@@ -24,7 +24,8 @@ namespace FastPoints.Editor
         {
             if (IsThere(source))
                 return null;
-            string to = source == m_from ? m_to : source.StartsWith(m_from + Path.DirectorySeparatorChar)
+            string to = source == m_from ? m_to : source.StartsWith(m_from + Path.DirectorySeparatorChar,
+                System.StringComparison.Ordinal)
                 ? m_to + source.Substring(m_from.Length) : null;
             return to != null && IsThere(to) ? to : null;
         }

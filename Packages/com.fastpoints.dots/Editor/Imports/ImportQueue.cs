@@ -136,6 +136,15 @@ namespace FastPoints.Editor
             Save();
         }
 
+        /// <summary>Has a request converted before the others that wait.</summary>
+        public void MoveFirst(ImportRequest request)
+        {
+            if (request == m_running || !m_requests.Remove(request))
+                return;
+            m_requests.Insert(m_running == null ? 0 : m_requests.IndexOf(m_running) + 1, request);
+            Save();
+        }
+
         /// <summary>Removes a request and deletes what was made of it so far.</summary>
         public void Cancel(ImportRequest request)
         {

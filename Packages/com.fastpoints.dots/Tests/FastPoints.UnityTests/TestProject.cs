@@ -46,6 +46,7 @@ namespace FastPoints.UnityTests
         public static void Begin()
         {
             Clean();
+            FastPointsSettings.instance.PointFiles = PointFiles.Import;
             Directory.CreateDirectory(Outside);
             AssetDatabase.CreateFolder(Path.GetDirectoryName(Folder), Path.GetFileName(Folder));
         }

@@ -1,0 +1,111 @@
+using System.Reflection;
+
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>FastPoints > Clouds, without its picture.</summary>
+public sealed class CloudsWindowTests : EditorFixture
+{
+    CloudsWindow m_window;
+
+    [SetUp]
+    public void Open()
+    {
+        EditorUtility.s_dialogs.Clear();
+        m_window = ScriptableObject.CreateInstance<CloudsWindow>();
+    }
+
+    [TearDown]
+    public void Close()
+    {
+        (EditorUtility.s_agrees, EditorUtility.s_folder, GUILayout.Pressed, Event.current) = (false, "", null, null);
+        UnityEngine.Object.DestroyImmediate(m_window);
+    }
+
+    void OnGui() =>
+        typeof(CloudsWindow).GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(m_window, null);
+
+    CloudList List() => CloudList.Collect(m_project.Paths, m_project.Imports.Assets.All,
+        m_project.Imports.Queue.Promised.ToList());
+
+    void Press(string button)
+    {
+        GUILayoutUtility.Send(new Event { type = EventType.Layout }, OnGui);
+        GUILayout.Pressed = button;
+        GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, OnGui);
+        GUILayout.Pressed = null;
+    }
+
+    /// <summary>Until the window has the clouds as they are.</summary>
+    void Collected(int unused) => ImportProject.Updates(() => GUILayoutUtility.Repaint(OnGui), () =>
+        (typeof(CloudsWindow).GetField("m_list", BindingFlags.Instance | BindingFlags.NonPublic).GetValue(m_window) as CloudList)
+        ?.Unused.Count == unused);
+
+    [Test]
+    public void List_SaysOfEachCloudWhatItIs()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("a.las", 2000), "Assets");
+        m_project.UpdateToTheEnd();
+        m_project.Imports.Take(m_project.Scratch.Demo("b.las", 3000), "Assets");
+        m_project.Imports.Take(m_project.Copc("c.copc.laz"), "Assets");
+        File.Delete(m_project.Scratch["b.las"]);
+
+        var list = List();
+
+        Assert.That(list.Rows.Select(r => r.Asset + ": " + r.State + ", " + r.Points),
+            Is.EqualTo(new[]
+            {
+                "Assets/a.pointcloud: converted, 2000", "Assets/b.pointcloud: not converted, -1",
+                "Assets/c.copc.pointcloud: streamed as it is, -1",
+            }));
+        Assert.That(list.Rows[0].Bytes, Is.EqualTo(Directory.GetFiles("PointClouds/a.fastpoints", "*",
+            SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length)).And.GreaterThan(2000));
+        Assert.That(list.Rows.Select(r => r.Missing), Is.EqualTo(new[] { null, m_project.Scratch["b.las"], null }));
+        Assert.That(list.Unused, Is.Empty);
+        ImportProject.Updates(() => GUILayoutUtility.Repaint(OnGui), () => true);
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void DeleteUnused_TakesWhatNoAssetHas(bool agrees)
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("a.las", 1000), "Assets");
+        m_project.Imports.Take(m_project.Scratch.Demo("b.las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        File.Delete("Assets/b.pointcloud");
+        AssetDatabase.Refresh();
+        Collected(1);
+        EditorUtility.s_agrees = agrees;
+
+        Press("Delete unused");
+
+        Assert.That(EditorUtility.s_dialogs.Single(), Does.Contain("1 converted clouds"));
+        Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName),
+            Is.EquivalentTo(agrees ? new[] { "a.fastpoints" } : new[] { "a.fastpoints", "b.fastpoints" }));
+    }
+
+    /// <summary>Another project may have assets of what lies there.</summary>
+    [Test]
+    public void Unused_InAPlaceOutsideTheProject_IsNotOffered()
+    {
+        m_project.Scratch.Converted("shared/far.fastpoints");
+        var paths = new ProjectPaths(m_project.Paths.Project, m_project.Scratch["shared"]);
+        Assert.That(CloudList.Collect(paths, new Dictionary<string, string>(), new string[0]).Unused, Is.Empty);
+        var inside = new ProjectPaths(m_project.Scratch[""], "shared");
+        Assert.That(CloudList.Collect(inside, new Dictionary<string, string>(), new string[0]).Unused, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Queue_ButtonsOrderAndCancel()
+    {
+        foreach (string name in new[] { "a", "b", "c" })
+            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+        var queue = m_project.Imports.Queue;
+        queue.MoveFirst(queue.Requests[2]);
+        Assert.That(queue.Requests.Select(r => r.Cloud), Is.EqualTo(new[] { "c", "a", "b" }.Select(n =>
+            "PointClouds/" + n + ".fastpoints")));
+        Press("Cancel 1");
+        Assert.That(queue.Requests.Select(r => r.Cloud), Does.Not.Contain("PointClouds/c.fastpoints"));
+        m_project.UpdateToTheEnd();
+        Assert.That(Directory.Exists("PointClouds/c.fastpoints"), Is.False);
+    }
+}

@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>All clouds of a project: of its assets, and converted ones that no asset has any more. It is collected on a
+    /// thread of the pool, since a thousand clouds have ten thousand files.</summary>
+    internal sealed class CloudList
+    {
+        /// <summary>A cloud of an asset, or of none.</summary>
+        public struct Row
+        {
+            /// <summary>The asset's path; null for a cloud that is not used.</summary>
+            public string Asset;
+
+            /// <summary>The converted folder's absolute path; it may not exist.</summary>
+            public string Cloud;
+            public string State;
+
+            /// <summary>-1 if unknown.</summary>
+            public long Points;
+
+            /// <summary>Of the converted data on disk.</summary>
+            public long Bytes;
+
+            /// <summary>The first source that is not there; null if all are.</summary>
+            public string Missing;
+            public bool IsConverted;
+        }
+
+        public readonly List<Row> Rows = new List<Row>();
+
+        /// <summary>Clouds of no asset and of no request, which may be deleted; of a place outside the project there are none,
+        /// for another project may use them.</summary>
+        public readonly List<Row> Unused = new List<Row>();
+
+        /// <summary>Any thread.</summary>
+        /// <param name="assets">Paths, each with the absolute path of its cloud.</param>
+        /// <param name="promised">Folders that are being made, or will be.</param>
+        public static CloudList Collect(ProjectPaths paths, IReadOnlyDictionary<string, string> assets,
+            ICollection<string> promised)
+        {
+            var list = new CloudList();
+            var catalog = new CloudCatalog(paths);
+            catalog.Refresh();
+            var used = new HashSet<string>(promised, StringComparer.OrdinalIgnoreCase);
+            foreach (var pair in assets)
+            {
+                used.Add(pair.Value);
+                list.Rows.Add(Describe(pair.Key, pair.Value, catalog, paths));
+            }
+            list.Rows.Sort((a, b) => string.CompareOrdinal(a.Asset, b.Asset));
+            if (paths.Clouds.StartsWith(paths.Project + Path.DirectorySeparatorChar, StringComparison.Ordinal))
+                foreach (var cloud in catalog.Clouds)
+                    if (!used.Contains(cloud.Path))
+                        list.Unused.Add(Of(cloud));
+            return list;
+        }
+
+        static Row Describe(string asset, string folder, CloudCatalog catalog, ProjectPaths paths)
+        {
+            var handle = new CloudHandle { CloudPath = paths.Stored(folder) };
+            var row = new Row { Asset = asset, Cloud = folder, Points = -1 };
+            try
+            {
+                if (asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase))
+                    handle = HandleFile.Read(paths.Absolute(asset));
+                var match = catalog.Find(handle, out var cloud);
+                if (match == CatalogMatch.InPlace || match == CatalogMatch.Building)
+                    row = Of(cloud);
+                else
+                    row.State = handle.IsOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
+                        : "not converted";
+                row.Missing = CloudRelocation.FindMissing(handle, paths);
+            }
+            catch (PointCloudException e)
+            {
+                row.State = e.Message;
+            }
+            (row.Asset, row.Cloud) = (asset, folder);
+            row.Points = row.Points < 0 ? handle.Points : row.Points;
+            return row;
+        }
+
+        static Row Of(CatalogCloud cloud) => new Row
+        {
+            Cloud = cloud.Path,
+            Points = cloud.Manifest?.Points ?? -1,
+            Bytes = BytesOf(CloudFolder.Find(cloud.Path)),
+            State = cloud.Problem ?? (cloud.IsBuilding ? "not finished" : "converted"),
+            IsConverted = cloud.Manifest != null && !cloud.IsBuilding,
+        };
+
+        static long BytesOf(string folder)
+        {
+            long bytes = 0;
+            try
+            {
+                foreach (var file in new DirectoryInfo(folder).GetFiles("*", SearchOption.AllDirectories))
+                    bytes += file.Length;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                // It is being made, or deleted.
+            }
+            return bytes;
+        }
+    }
+}

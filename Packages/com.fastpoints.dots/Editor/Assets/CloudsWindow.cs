@@ -1,0 +1,166 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Entities;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The window <em>FastPoints > Clouds</em>: what is being converted, in its order, all clouds with their sizes, and
+    /// those that nothing uses.</summary>
+    internal sealed class CloudsWindow : EditorWindow
+    {
+        /// <summary>More rows would make each repaint slow: the Project window finds the others.</summary>
+        const int MostRows = 200;
+
+        PoolWork<CloudList> m_collecting;
+        CloudList m_list;
+        Vector2 m_scroll;
+        string m_shown;
+
+        [MenuItem("FastPoints/Clouds", false, 1)]
+        static void Open() => GetWindow<CloudsWindow>("Point clouds");
+
+        /// <summary>What the list depends on has changed, or may have.</summary>
+        internal void Collect()
+        {
+            var imports = PointCloudImports.Current;
+            var (paths, promised) = (imports.Paths, new List<string>(imports.Queue.Promised));
+            var assets = new Dictionary<string, string>();
+            foreach (var pair in imports.Assets.All)
+                assets.Add(pair.Key, pair.Value);
+            m_collecting ??= PoolWork.Begin(paths.Clouds, () => CloudList.Collect(paths, assets, promised));
+        }
+
+        // Unity finds these by name.
+
+        void OnEnable() => m_shown = null;
+
+        void OnDisable() => m_collecting?.TakeIfSound();
+
+        void OnInspectorUpdate() => Repaint();
+
+        void OnGUI()
+        {
+            // What is drawn stays the same until the next layout.
+            if (Event.current.type == EventType.Layout)
+                Look();
+            DrawQueue(PointCloudImports.Current);
+            if (GUILayout.Button("Look again"))
+                m_shown = null;
+            if (m_list == null)
+                return;
+            m_scroll = EditorGUILayout.BeginScrollView(m_scroll);
+            for (int i = 0; i < Math.Min(MostRows, m_list.Rows.Count); i++)
+                Draw(m_list.Rows[i]);
+            if (m_list.Rows.Count > MostRows)
+                GUILayout.Label((m_list.Rows.Count - MostRows) + " more: t:PointCloudAsset in the Project window");
+            DrawUnused();
+            EditorGUILayout.EndScrollView();
+        }
+
+        void Look()
+        {
+            var imports = PointCloudImports.Current;
+            string now = imports.Assets.All.Count + " " + imports.Queue.Requests.Count;
+            if (now != m_shown)
+                Collect();
+            m_shown = now;
+            if (m_collecting == null || !m_collecting.IsDone)
+                return;
+            var collected = m_collecting;
+            m_collecting = null;
+            try
+            {
+                m_list = collected.Take();
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+            }
+        }
+
+        static void DrawQueue(EditorImports imports)
+        {
+            if (imports.Queue.Problem != null)
+                EditorGUILayout.HelpBox(imports.Queue.Problem, MessageType.Warning);
+            int number = 0;
+            // Buttons change the queue.
+            foreach (var request in new List<ImportRequest>(imports.Queue.Requests))
+            {
+                EditorGUILayout.LabelField(++number + ". " + AssetDatabase.GUIDToAssetPath(request.Asset),
+                    CloudImporterEditor.Describe(imports.Queue, request));
+                GUILayout.BeginHorizontal();
+                if (request != imports.Queue.Running && GUILayout.Button("Next"))
+                    imports.Queue.MoveFirst(request);
+                if (GUILayout.Button("Cancel " + number))
+                    imports.Cancel(request);
+                GUILayout.EndHorizontal();
+            }
+        }
+
+        void Draw(in CloudList.Row row)
+        {
+            EditorGUILayout.LabelField(row.Asset, Text(row));
+            GUILayout.BeginHorizontal();
+            if (GUILayout.Button("Select"))
+                Selection.activeObject = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(row.Asset);
+            if (row.Missing != null && GUILayout.Button("Locate source..."))
+            {
+                CloudRelocation.Ask(PointCloudImports.Current, row.Asset, row.Missing);
+                m_shown = null;
+            }
+            if (row.IsConverted && GUILayout.Button("Verify"))
+                PointCloudImports.Current.Checks.Begin(row.Cloud);
+            if (row.IsConverted && GUILayout.Button("Export...") &&
+                EditorUtility.OpenFolderPanel("Export point cloud into a folder", "", "") is { Length: > 0 } folder)
+                PointCloudImports.Current.Transfers.Export(row.Cloud, folder);
+            GUILayout.EndHorizontal();
+        }
+
+        void DrawUnused()
+        {
+            if (m_list.Unused.Count == 0)
+                return;
+            long bytes = 0;
+            foreach (var row in m_list.Unused)
+            {
+                EditorGUILayout.LabelField(Path.GetFileName(row.Cloud), Text(row));
+                bytes += row.Bytes;
+            }
+            if (GUILayout.Button("Delete unused") && EditorUtility.DisplayDialog("Delete unused", m_list.Unused.Count +
+                " converted clouds that no asset has, " + Size(bytes) + ". They can be converted again of their sources alone.",
+                "Delete", "Cancel"))
+                DeleteUnused();
+        }
+
+        void DeleteUnused()
+        {
+            var imports = PointCloudImports.Current;
+            m_shown = null;
+            foreach (var row in m_list.Unused)
+            {
+                // An asset may have come since.
+                if (imports.Assets.Of(row.Cloud).Count > 0 || imports.Queue.RequestFor(row.Cloud) != null)
+                    continue;
+                try
+                {
+                    CloudCatalog.Delete(row.Cloud);
+                }
+                catch (PointCloudException e)
+                {
+                    Debug.LogError("FastPoints: " + e.Message);
+                }
+            }
+        }
+
+        static string Text(in CloudList.Row row) => (row.Missing != null ? "source is not there, " : "") + row.State +
+            (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
+            (row.Bytes == 0 ? "" : ", " + Size(row.Bytes));
+
+        static string Size(long bytes) => (bytes * 1e-6).ToString("0.0", CultureInfo.InvariantCulture) + " MB";
+    }
+}
