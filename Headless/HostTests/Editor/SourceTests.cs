@@ -102,6 +102,22 @@ public sealed class SourceTests : EditorFixture
     }
 
     [Test]
+    public void Inspector_OfSeveral_ConvertsAll()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        foreach (string name in new[] { "a", "b" })
+            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 500), "Assets");
+        var inspector = InspectorOf("Assets/a.pointcloud");
+        inspector.Targets = new[] { inspector.target, new HandleImporter { Path = "Assets/b.pointcloud" } };
+        GUILayoutUtility.Repaint(inspector.OnInspectorGUI);
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+        Press(inspector, "Convert all 2");
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(2));
+        UnityEngine.Object.DestroyImmediate(inspector);
+        Assert.That(typeof(CloudImporterEditor).IsDefined(typeof(CanEditMultipleObjects), false));
+    }
+
+    [Test]
     public void Locate_AnotherFileThanWasConverted_IsSaid()
     {
         string source = m_project.Scratch.Demo("scan.las", 500);

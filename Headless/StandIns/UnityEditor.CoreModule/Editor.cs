@@ -15,7 +15,11 @@ public sealed class CanEditMultipleObjects : Attribute { }
 public class Editor : ScriptableObject
 {
     public Object target { get; set; }
-    public Object[] targets => new[] { target };
+    public Object[] targets => Targets ?? new[] { target };
+
+    /// <summary>Several that are edited at once.</summary>
+    internal Object[] Targets;
+
     public SerializedObject serializedObject => new SerializedObject(target);
 
     public virtual bool RequiresConstantRepaint() => false;

@@ -10,6 +10,7 @@ namespace FastPoints.Editor
     /// <summary>The inspector of a cloud's asset: what it is, the state of its conversion, and what can be done with
     /// it.</summary>
     [CustomEditor(typeof(CloudImporter), true)]
+    [CanEditMultipleObjects]
     internal sealed class CloudImporterEditor : ScriptedImporterEditor
     {
         CloudHandle m_handle;
@@ -35,6 +36,11 @@ namespace FastPoints.Editor
         public override void OnInspectorGUI()
         {
             var imports = PointCloudImports.Current;
+            if (targets.Length > 1)
+            {
+                DrawSeveral(imports);
+                return;
+            }
             var request = imports.RequestOf(Asset);
             if (m_wasInQueue && request == null)
                 Look();
@@ -50,6 +56,14 @@ namespace FastPoints.Editor
             }
             if (m_message != null)
                 EditorGUILayout.HelpBox(m_message, MessageType.Warning);
+            DrawSettings();
+        }
+
+        void DrawSeveral(EditorImports imports)
+        {
+            if (GUILayout.Button("Convert all " + targets.Length))
+                foreach (var importer in targets)
+                    imports.Convert(((AssetImporter)importer).assetPath);
             DrawSettings();
         }
 
