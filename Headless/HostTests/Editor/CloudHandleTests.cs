@@ -90,7 +90,7 @@ public sealed class CloudHandleTests
         Assert.That(new ProjectPaths(scratch["two"]).Absolute("PointClouds/a.fastpoints"),
             Is.EqualTo(Path.Combine(scratch["two"], "PointClouds", "a.fastpoints")));
         Assert.That(paths.Absolute(paths.Stored(scratch["beside.las"])), Is.EqualTo(scratch["beside.las"]));
-        Assert.That(paths.Stored(scratch["onemore.las"]), Is.EqualTo(scratch["onemore.las"].Replace('\\', '/')),
+        Assert.That(paths.Stored(scratch["onemore.las"]), Is.EqualTo("../onemore.las"),
             "a folder's name that begins like the project's is not in it");
     }
 }

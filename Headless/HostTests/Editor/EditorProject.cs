@@ -11,6 +11,8 @@ sealed class EditorProject : IDisposable
 
     public EditorProject()
     {
+        // Of whoever asked without a project.
+        AssemblyReloadEvents.Reload();
         Directory.CreateDirectory(Scratch["project/Assets"]);
         Environment.CurrentDirectory = Scratch["project"];
         Application.AssetsPath = Scratch["project/Assets"];

@@ -48,8 +48,7 @@ public sealed class SourceTests : EditorFixture
         PointCloudImports.MoveRoot(m_project.Scratch["ben"]);
 
         Assert.That(asset.File().FullSources(), Is.EqualTo(new[] { m_project.Scratch["ben/city/scan.las"] }));
-        m_project.UpdateToTheEnd();
-        Assert.That(asset.Points, Is.EqualTo(2000));
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => asset.Points == 2000);
     }
 
     CloudImporterEditor InspectorOf(string asset)
