@@ -56,7 +56,7 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CompletionVerb(),
+        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CompletionVerb(),
     ];
 
     static int WrongUsage(TextWriter error, Command command, string what)

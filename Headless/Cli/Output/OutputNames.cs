@@ -29,12 +29,21 @@ static class OutputNames
             throw new UsageException("--output: a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
     }
 
+    /// <summary>The name of a point cloud file.</summary>
+    public static void RefuseNoExport(string path)
+    {
+        if (!ExportCloud.CanWrite(path))
+            throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + path);
+        if (Directory.Exists(path))
+            throw new UsageException("--output: this is a folder: " + path);
+    }
+
     /// <summary>The name of a folder that is converted into.</summary>
     public static void RefuseFile(string path)
     {
         if (IsCloud(path) && !HasEnding(path, StoreFormat.FolderExtension))
             throw new UsageException("--output: convert makes a folder, NAME" + StoreFormat.FolderExtension
-                + "; a point cloud file is an export, which this version cannot write yet: " + path);
+                + "; the verb export writes point cloud files: " + path);
         if (!IsCloud(path))
             RefuseOther("--output", "a converted cloud", path);
     }

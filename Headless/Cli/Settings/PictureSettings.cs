@@ -115,7 +115,8 @@ public sealed class PictureSettings
             : throw new UsageException(option + ": wanted x,y,z, got " + text);
     }
 
-    static ClipBox Box(string option, string text, bool cuts)
+    /// <exception cref="UsageException">It is no box.</exception>
+    internal static ClipBox Box(string option, string text, bool cuts)
     {
         var numbers = Numbers(text);
         return numbers.Length == 6 ? new ClipBox(new double3(numbers[0], numbers[1], numbers[2]),

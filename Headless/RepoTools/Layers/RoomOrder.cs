@@ -10,7 +10,7 @@ public static class RoomOrder
         ("FastPoints.Import", new[]
         {
             "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing",
-            "Draw", "SourceFeeds", "Verify", "Convert",
+            "Draw", "SourceFeeds", "Verify", "Export", "Convert",
         }),
     };
 

@@ -61,6 +61,9 @@ namespace FastPoints.Editor
         /// <summary>Clouds that are copied out and in.</summary>
         internal CloudTransfers Transfers { get; } = new CloudTransfers();
 
+        /// <summary>Points that are written to files.</summary>
+        internal CloudExports Exports { get; } = new CloudExports();
+
         /// <summary>Pictures of clouds for the Project window.</summary>
         internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
 
@@ -78,6 +81,7 @@ namespace FastPoints.Editor
             Queue.Tick(budgetMs, nowUtc);
             Checks.Update(budgetMs);
             Transfers.Update();
+            Exports.Update(budgetMs);
             Leftovers.Ask();
             Claims.Update();
             Thumbnails.Update(budgetMs);
@@ -247,6 +251,7 @@ namespace FastPoints.Editor
             m_drops.Clear();
             Checks.Dispose();
             Transfers.Dispose();
+            Exports.Dispose();
             Thumbnails.Dispose();
             Queue.Suspend();
         }

@@ -70,6 +70,9 @@ namespace FastPoints.Files
         /// <summary>Whether <see cref="FindBelow"/> has nothing to read.</summary>
         public virtual bool IsKnownBelow(int4 node, int levels) => BlocksAreKnown;
 
+        /// <summary>What a LAS or LAZ file has beside its points; null for other sources.</summary>
+        internal virtual LasFile Las => null;
+
         public abstract int BlockCount { get; }
 
         /// <summary>Points of the largest block, which is the capacity of a slot.</summary>

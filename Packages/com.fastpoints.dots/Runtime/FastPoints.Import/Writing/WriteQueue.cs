@@ -15,7 +15,9 @@ namespace FastPoints.Writing
     sealed unsafe class WriteQueue
     {
         const int PieceBytes = 1 << 20;
-        const string TemporarySuffix = ".tmp";
+
+        /// <summary>Ends the name of a file that is not whole.</summary>
+        public const string TemporarySuffix = ".tmp";
 
         enum OrderKind
         {

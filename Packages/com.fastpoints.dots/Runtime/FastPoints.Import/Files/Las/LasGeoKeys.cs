@@ -54,6 +54,31 @@ namespace FastPoints.Files
             keys.Fill(crs);
         }
 
+        /// <summary>A directory of the codes alone.</summary>
+        public static byte[] Directory(CoordinateSystem crs)
+        {
+            bool isGeographic = double.IsNaN(crs.MetresPerUnit);
+            var keys = new List<(int Key, int Value)>();
+            if (crs.Epsg != 0)
+            {
+                keys.Add((ModelTypeKey, isGeographic ? GeographicModel : 1));
+                keys.Add((isGeographic ? GeographicTypeKey : ProjectedTypeKey, crs.Epsg));
+            }
+            if (crs.VerticalEpsg != 0)
+                keys.Add((VerticalTypeKey, crs.VerticalEpsg));
+            var directory = new byte[EntryBytes * (1 + keys.Count)];
+            LasHeader.Put(directory, 0, 2, 1);
+            LasHeader.Put(directory, 2, 2, 1);
+            LasHeader.Put(directory, 6, 2, (ulong)keys.Count);
+            for (int i = 0; i < keys.Count; i++)
+            {
+                LasHeader.Put(directory, EntryBytes * (i + 1), 2, (ulong)keys[i].Key);
+                LasHeader.Put(directory, EntryBytes * (i + 1) + 4, 2, 1);
+                LasHeader.Put(directory, EntryBytes * (i + 1) + 6, 2, (ulong)keys[i].Value);
+            }
+            return directory;
+        }
+
         /// <summary>Keys that the directory has, and has room for.</summary>
         static int CountOf(ByteReader directory, LasVlr record, SourceInfo info)
         {

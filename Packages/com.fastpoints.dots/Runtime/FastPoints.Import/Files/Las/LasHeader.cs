@@ -233,6 +233,33 @@ namespace FastPoints.Files
             return bytes;
         }
 
+        /// <summary>Sets counts and bounds by <see cref="Count"/> and what the points have shown.</summary>
+        /// <param name="path">For messages.</param>
+        /// <param name="byReturn">Points by return number, from 0.</param>
+        /// <param name="min">The least stored coordinates; <paramref name="max"/> the largest.</param>
+        /// <exception cref="PointCloudException">The version has no room for so many.</exception>
+        public void SetPoints(string path, ulong[] byReturn, int3 min, int3 max)
+        {
+            bool fitsLegacy = Count <= uint.MaxValue;
+            if (!fitsLegacy && VersionMinor < 4)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, path, -1, "points in LAS 1." + VersionMinor,
+                    "at most " + uint.MaxValue, Count);
+            // LAS 1.4: the 32-bit counts are 0 for point formats that older readers do not know.
+            bool legacy = fitsLegacy && PointFormat < LasPointFormat.FirstExtended;
+            LegacyCount = legacy ? (uint)Count : 0;
+            for (int i = 0; i < LegacyByReturn.Length; i++)
+                LegacyByReturn[i] = legacy ? (uint)byReturn[i + 1] : 0;
+            for (int i = 0; i < ByReturn.Length; i++)
+                ByReturn[i] = byReturn[i + 1];
+            if (Count == 0)
+                return;
+            // A negative scale reverses the axis.
+            var a = new double3(min.x, min.y, min.z) * Scale + Offset;
+            var b = new double3(max.x, max.y, max.z) * Scale + Offset;
+            Min = math.min(a, b);
+            Max = math.max(a, b);
+        }
+
         internal static void Put(byte[] bytes, int at, int count, ulong value)
         {
             for (int i = 0; i < count; i++)

@@ -39,6 +39,8 @@ namespace FastPoints.Files
             return new LasReader(las);
         }
 
+        internal override LasFile Las => m_las;
+
         public LasHeader Header => m_las.Header;
 
         public LasVlrTable Vlrs => m_las.Vlrs;

@@ -128,7 +128,7 @@ namespace FastPoints.Files
         /// <exception cref="PointCloudException">The disk is full or failed.</exception>
         public void Complete()
         {
-            FinishHeader();
+            m_header.SetPoints(m_path, m_byReturn, m_min, m_max);
             try
             {
                 var header = m_header.ToBytes();
@@ -196,28 +196,6 @@ namespace FastPoints.Files
             m_header.Count += (ulong)count;
         }
 
-        void FinishHeader()
-        {
-            bool fitsLegacy = m_header.Count <= uint.MaxValue;
-            if (!fitsLegacy && m_header.VersionMinor < 4)
-                throw PointCloudException.Wanted(FailureCode.Unsupported, m_path, -1, "points in LAS 1." + m_header.VersionMinor,
-                    "at most " + uint.MaxValue, m_header.Count);
-            // LAS 1.4: the 32-bit counts are 0 for point formats that older readers do not know.
-            bool legacy = fitsLegacy && !m_layout.Format.IsExtended;
-            m_header.LegacyCount = legacy ? (uint)m_header.Count : 0;
-            for (int i = 0; i < m_header.LegacyByReturn.Length; i++)
-                m_header.LegacyByReturn[i] = legacy ? (uint)m_byReturn[i + 1] : 0;
-            for (int i = 0; i < m_header.ByReturn.Length; i++)
-                m_header.ByReturn[i] = m_byReturn[i + 1];
-            if (m_header.Count == 0)
-                return;
-            // A negative scale reverses the axis.
-            var a = new double3(m_min.x, m_min.y, m_min.z) * m_header.Scale + m_header.Offset;
-            var b = new double3(m_max.x, m_max.y, m_max.z) * m_header.Scale + m_header.Offset;
-            m_header.Min = math.min(a, b);
-            m_header.Max = math.max(a, b);
-        }
-
         static void Check(LasWriterSettings settings)
         {
             if (settings.VersionMinor < 0 || settings.VersionMinor > LasHeader.MaxMinorVersion)
@@ -243,7 +221,8 @@ namespace FastPoints.Files
             return vlrs;
         }
 
-        static byte[] Vlr(string userId, ushort recordId, string description, byte[] payload)
+        /// <exception cref="ArgumentException">It is too long.</exception>
+        internal static byte[] Vlr(string userId, ushort recordId, string description, byte[] payload)
         {
             if (payload.Length > ushort.MaxValue)
                 throw new ArgumentException(description + ": wanted at most 65535 bytes, got " + payload.Length);

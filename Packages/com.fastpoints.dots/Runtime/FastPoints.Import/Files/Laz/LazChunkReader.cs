@@ -23,6 +23,8 @@ namespace FastPoints.Files
 
         private protected LazBlocks Blocks { get; }
 
+        internal sealed override LasFile Las => Blocks.Las;
+
         public LasHeader Header => Blocks.Las.Header;
 
         public LazFormat Format => Blocks.Format;

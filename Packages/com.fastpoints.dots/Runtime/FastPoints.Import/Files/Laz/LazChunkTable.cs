@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Base;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -206,6 +207,28 @@ namespace FastPoints.Files
             // If all chunks have one size, only the header says how many points the last one has.
             m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
                 + " points, the chunks in the table have room for " + NumberText.Of(sum));
+        }
+
+        /// <summary>The table of chunks that all have the VLR's number of points, but the last.</summary>
+        public static unsafe byte[] ToBytes(IReadOnlyList<int> bytesOfChunk)
+        {
+            var table = new byte[MaxBytes(bytesOfChunk.Count)];
+            LasHeader.Put(table, 4, 4, (ulong)bytesOfChunk.Count);
+            using var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent);
+            byte* model = (byte*)models.GetUnsafePtr();
+            IntegerModel.Initialize(model, 32, 2);
+            fixed (byte* first = table)
+            {
+                uint low = 0, length = uint.MaxValue;
+                byte* next = first + TableHeaderBytes;
+                for (int i = 0; i < bytesOfChunk.Count; i++)
+                    IntegerModel.Encode(model, 32, 2, 1, bytesOfChunk[i] - (i > 0 ? bytesOfChunk[i - 1] : 0), out _, ref low,
+                        ref length, ref next);
+                if (bytesOfChunk.Count > 0)
+                    RangeCode.End(low, length, ref next);
+                Array.Resize(ref table, (int)(next - first));
+            }
+            return table;
         }
     }
 }

@@ -38,6 +38,16 @@ namespace FastPoints.Files
             return isZero + 1;
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Encode(BitModel* model, uint bit, ref uint low, ref uint length, ref byte* next)
+        {
+            uint split = model->m_probabilityOfZero * (length >> LengthBits);
+            model->m_zeros += bit ^ 1;
+            RangeCode.Narrow(bit * split, bit == 0 ? split : length - split, ref low, ref length, ref next);
+            if (--model->m_untilUpdate == 0)
+                model->Update();
+        }
+
         [MethodImpl(MethodImplOptions.NoInlining)]
         void Update()
         {

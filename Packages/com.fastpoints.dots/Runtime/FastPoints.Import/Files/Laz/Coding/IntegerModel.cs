@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
@@ -78,6 +79,48 @@ namespace FastPoints.Files
             stream->Length = length;
             stream->Next = next;
             return difference;
+        }
+
+        /// <param name="difference">Of less than 32 bits, any that has the right lower ones.</param>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Encode(byte* model, int bits, int contexts, int context, int difference, out int k,
+            ref uint low, ref uint length, ref byte* next)
+        {
+            difference = difference << 32 - bits >> 32 - bits;
+            k = 32 - math.lzcnt((uint)(difference <= 0 ? -difference : difference - 1));
+            byte* kModel = model + ContextsAt + context * SymbolModel.BytesOf(bits + 1);
+            SymbolModel.Encode(kModel, bits + 1, (uint)k, ref low, ref length, ref next);
+            if (k == 0)
+            {
+                BitModel.Encode((BitModel*)(model + BitModelAt), (uint)difference, ref low, ref length, ref next);
+                return;
+            }
+            if (k == 32)
+                return;
+            byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
+            if ((*(uint*)model >> k & 1) == 0)
+                MakeCorrector(model, corrector, k);
+            uint place = (uint)(difference < 0 ? difference + (int)((1u << k) - 1) : difference - 1);
+            if (k <= ModelledBits)
+            {
+                SymbolModel.Encode(corrector, 256, place, ref low, ref length, ref next);
+                return;
+            }
+            int raw = k - ModelledBits;
+            SymbolModel.Encode(corrector, 256, place >> raw, ref low, ref length, ref next);
+            RangeCode.PutBits(raw, place & ((1u << raw) - 1), ref low, ref length, ref next);
+        }
+
+        /// <summary>As above, not inlined.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(byte* model, int bits, int contexts, int context, int difference, RangeStream* stream)
+        {
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            Encode(model, bits, contexts, context, difference, out _, ref low, ref length, ref next);
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

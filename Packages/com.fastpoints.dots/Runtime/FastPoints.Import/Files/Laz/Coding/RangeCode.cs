@@ -72,11 +72,66 @@ namespace FastPoints.Files
             next += bits >> 3;
         }
 
+        /// <summary>An encoder's step: takes the part of the interval that begins at <paramref name="from"/>, and writes as many
+        /// bytes as bring the length back. Four bytes behind <paramref name="next"/> must be writable.</summary>
+        /// <param name="low">Where the interval begins: an encoder has it in place of the value.</param>
+        /// <param name="size">Of the part.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static uint BigEndian(byte* bytes)
+        public static void Narrow(uint from, uint size, ref uint low, ref uint length, ref byte* next)
         {
-            uint word = *(uint*)bytes;
-            return math.ror(word & 0x00FF00FF, 8) | math.rol(word & 0xFF00FF00, 8);
+            uint before = low;
+            low += from;
+            if (low < before)
+                Carry(next);
+            int bits = math.lzcnt(size) & 24;
+            *(uint*)next = Reversed(low);
+            next += bits >> 3;
+            low <<= bits;
+            length = size << bits;
         }
+
+        /// <summary>Writes 1 to 32 bits as <see cref="Bits"/> reads them.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void PutBits(int bits, uint symbol, ref uint low, ref uint length, ref byte* next)
+        {
+            if (bits > 19)
+            {
+                Narrow((symbol & 0xFFFF) * (length >> 16), length >> 16, ref low, ref length, ref next);
+                symbol >>= 16;
+                bits -= 16;
+            }
+            Narrow(symbol * (length >> bits), length >> bits, ref low, ref length, ref next);
+        }
+
+        /// <summary>Writes 32 bits as <see cref="UInt32"/> reads them.</summary>
+        public static void PutUInt32(uint symbol, ref uint low, ref uint length, ref byte* next)
+        {
+            PutBits(16, symbol & 0xFFFF, ref low, ref length, ref next);
+            PutBits(16, symbol >> 16, ref low, ref length, ref next);
+        }
+
+        /// <summary>Ends a stream: so many bytes that a decoder's reads end with it.</summary>
+        public static void End(uint low, uint length, ref byte* next)
+        {
+            bool isLong = length > 2 * MinLength;
+            Narrow(isLong ? MinLength : MinLength >> 1, isLong ? MinLength >> 1 : MinLength >> 9, ref low, ref length, ref next);
+            for (int i = 0; i < (isLong ? 3 : 2); i++)
+                *next++ = 0;
+        }
+
+        /// <summary>An interval that begins beyond the largest number adds one to the bytes that are written.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        static void Carry(byte* next)
+        {
+            for (next--; *next == 255; next--)
+                *next = 0;
+            (*next)++;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static uint BigEndian(byte* bytes) => Reversed(*(uint*)bytes);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static uint Reversed(uint word) => math.ror(word & 0x00FF00FF, 8) | math.rol(word & 0xFF00FF00, 8);
     }
 }

@@ -42,6 +42,14 @@ namespace FastPoints.Files
             RangeCode.Start(out Value, out Length, ref Next);
         }
 
+        /// <summary>Starts to write at a stream's first byte: <see cref="Value"/> is where the interval begins.</summary>
+        public void StartWriting(byte* first)
+        {
+            Next = first;
+            Value = 0;
+            Length = uint.MaxValue;
+        }
+
         /// <summary>Resumes where <see cref="Suspend"/> left off, with the input now at <paramref name="input"/>.</summary>
         public void Resume(byte* input, byte* end)
         {

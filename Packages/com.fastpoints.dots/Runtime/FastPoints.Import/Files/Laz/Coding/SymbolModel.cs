@@ -95,6 +95,20 @@ namespace FastPoints.Files
             return symbol;
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Encode(byte* place, int capacity, uint symbol, ref uint low, ref uint length, ref byte* next)
+        {
+            var model = (SymbolModel*)place;
+            ushort* starts = Distribution(model);
+            uint unit = length >> LengthBits;
+            uint from = starts[symbol] * unit;
+            uint to = symbol == model->m_last ? length : starts[symbol + 1] * unit;
+            RangeCode.Narrow(from, to - from, ref low, ref length, ref next);
+            Counts(model, capacity)[symbol]++;
+            if (--model->m_untilUpdate == 0)
+                Update(model);
+        }
+
         /// <summary>Derives the distribution from the counts, and halves these where they have grown too large.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         static void Update(SymbolModel* model)

@@ -38,6 +38,22 @@ namespace FastPoints.Files
             stream->Next = next;
         }
 
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(byte* state, int bytes, RangeStream* stream, byte* record)
+        {
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            byte* model = state + ModelsAt(bytes);
+            for (int i = 0; i < bytes; i++, model += SymbolModel.Bytes256)
+            {
+                SymbolModel.Encode(model, 256, (uint)(record[i] - state[i] & 255), ref low, ref length, ref next);
+                state[i] = record[i];
+            }
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+        }
+
         public static int StateBytesV1(int bytes) => ModelsAt(bytes) + IntegerModel.BytesOf(8, bytes);
 
         public static void StartV1(byte* state, int bytes, byte* record)

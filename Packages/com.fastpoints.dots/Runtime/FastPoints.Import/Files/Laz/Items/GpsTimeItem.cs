@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
@@ -143,6 +144,96 @@ namespace FastPoints.Files
             stream->Length = length;
             stream->Next = next;
             return state->m_last[sequence];
+        }
+
+        /// <summary>Codes the next time, given as its bits.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(GpsTimeItem* state, RangeStream* stream, long time)
+        {
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            byte* integers = (byte*)state + IntegerAt;
+            int sequence = state->m_sequence, last = state->m_difference[sequence];
+            long difference = time - state->m_last[sequence];
+            if (difference != (int)difference)
+            {
+                // Another sequence that the time is near to, or a new one in place of the oldest.
+                int other = 1;
+                while (other < 4 && time - state->m_last[sequence + other & 3] is long from && from != (int)from)
+                    other++;
+                other &= 3;
+                EncodeSymbol(state, last, other == 0 ? 2 : 2 + other, Full + other, ref low, ref length, ref next);
+                if (other == 0)
+                {
+                    IntegerModel.Encode(integers, 32, IntegerContexts, 8,
+                        (int)(time >> 32) - (int)(state->m_last[sequence] >> 32), out _, ref low, ref length, ref next);
+                    RangeCode.PutUInt32((uint)time, ref low, ref length, ref next);
+                    sequence = state->m_newest = (state->m_newest + 1) & 3;
+                    state->m_last[sequence] = time;
+                    state->m_difference[sequence] = 0;
+                    state->m_extremes[sequence] = 0;
+                    state->m_sequence = sequence;
+                    stream->Value = low;
+                    stream->Length = length;
+                    stream->Next = next;
+                    return;
+                }
+                state->m_sequence = sequence = sequence + other & 3;
+                last = state->m_difference[sequence];
+                difference = time - state->m_last[sequence];
+            }
+            if (difference == 0 && state->m_isLayer == 0)
+            {
+                EncodeSymbol(state, last, 0, Unchanged, ref low, ref length, ref next);
+            }
+            else if (last == 0)
+            {
+                EncodeSymbol(state, last, 1, 0, ref low, ref length, ref next);
+                IntegerModel.Encode(integers, 32, IntegerContexts, 0, (int)difference, out _, ref low, ref length, ref next);
+                state->m_difference[sequence] = (int)difference;
+                state->m_extremes[sequence] = 0;
+            }
+            else
+            {
+                EncodeMultiple(state, sequence, (int)difference, last, ref low, ref length, ref next);
+            }
+            state->m_last[sequence] = time;
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+        }
+
+        static void EncodeMultiple(GpsTimeItem* state, int sequence, int difference, int last, ref uint low, ref uint length,
+            ref byte* next)
+        {
+            double ratio = (float)difference / (float)last;
+            int multiple = (int)math.clamp(ratio >= 0 ? math.floor(ratio + 0.5) : math.ceil(ratio - 0.5), LowestMultiplier,
+                Multiplier);
+            SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols,
+                (uint)(multiple >= 0 ? multiple : Multiplier - multiple), ref low, ref length, ref next);
+            int context = multiple == 1 ? 1 : multiple == 0 ? 7 : multiple == Multiplier ? 4
+                : multiple == LowestMultiplier ? 6 : multiple < 0 ? 5 : multiple < 10 ? 2 : 3;
+            IntegerModel.Encode((byte*)state + IntegerAt, 32, IntegerContexts, context, difference - multiple * last, out _,
+                ref low, ref length, ref next);
+            if (multiple == 1)
+                state->m_extremes[sequence] = 0;
+            else if ((context == 4 || context >= 6) && ++state->m_extremes[sequence] > ExtremesBeforeChange)
+            {
+                state->m_difference[sequence] = difference;
+                state->m_extremes[sequence] = 0;
+            }
+        }
+
+        /// <summary>One of two symbols, by whether there is a difference to multiply.</summary>
+        static void EncodeSymbol(GpsTimeItem* state, int last, int ofZero, int ofMultiple, ref uint low, ref uint length,
+            ref byte* next)
+        {
+            if (last == 0)
+                SymbolModel.Encode((byte*)state + ZeroAt, ZeroSymbols, (uint)(ofZero - state->m_isLayer), ref low, ref length,
+                    ref next);
+            else
+                SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols, (uint)(ofMultiple - state->m_isLayer),
+                    ref low, ref length, ref next);
         }
     }
 }

@@ -181,6 +181,77 @@ namespace FastPoints.Files
             *(int*)(record + 16) = *((int*)state + 4);
         }
 
+        /// <summary>Codes the next point.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(Point10Item* state, RangeStream* stream, byte* record)
+        {
+            byte* place = (byte*)state;
+            int contexts = state->m_contextsOfReturns[record[14] & 63];
+            int map = contexts & ReturnContexts.MapMask, isSingle = contexts >> ReturnContexts.SingleShift;
+            EncodeAttributes(state, stream, record, map);
+
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            int* medianX = state->m_medianX + map * Median5.Ints;
+            int* medianY = state->m_medianY + map * Median5.Ints;
+            int dx = *(int*)record - state->m_x, dy = *(int*)(record + 4) - state->m_y;
+            IntegerModel.Encode(place + XAt, 32, XContexts, isSingle, dx - Median5.Get(medianX), out int kx, ref low, ref length,
+                ref next);
+            Median5.Add(medianX, dx);
+            IntegerModel.Encode(place + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20), dy - Median5.Get(medianY),
+                out int ky, ref low, ref length, ref next);
+            Median5.Add(medianY, dy);
+            int k = (kx + ky) >> 1;
+            int* lastHeight = state->m_lastHeight + (contexts >> ReturnContexts.LevelShift & ReturnContexts.LevelMask);
+            int z = *(int*)(record + 8);
+            IntegerModel.Encode(place + ZAt, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _, ref low,
+                ref length, ref next);
+            *lastHeight = z;
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+            state->SetLast(record);
+        }
+
+        static void EncodeAttributes(Point10Item* state, RangeStream* stream, byte* record, int map)
+        {
+            byte* place = (byte*)state;
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            int intensity = *(ushort*)(record + 12);
+            uint changed = 0;
+            changed |= record[14] != state->m_flags ? (uint)FlagsChangedBit : 0;
+            changed |= intensity != state->m_lastIntensity[map] ? (uint)IntensityChangedBit : 0;
+            changed |= record[15] != state->m_class ? (uint)ClassChangedBit : 0;
+            changed |= record[16] != state->m_angle ? (uint)AngleChangedBit : 0;
+            changed |= record[17] != state->m_userData ? (uint)UserDataChangedBit : 0;
+            changed |= *(ushort*)(record + 18) != state->m_source ? (uint)SourceChangedBit : 0;
+            SymbolModel.Encode(place + ChangedAt, 64, changed, ref low, ref length, ref next);
+            if ((changed & FlagsChangedBit) != 0)
+                SymbolModel.Encode(ModelOfByte(place + FlagsAt, state->m_flagsMade, state->m_flags), 256, record[14],
+                    ref low, ref length, ref next);
+            if ((changed & IntensityChangedBit) != 0)
+            {
+                IntegerModel.Encode(place + IntensityAt, 16, IntensityContexts, map < 3 ? map : 3,
+                    intensity - state->m_lastIntensity[map], out _, ref low, ref length, ref next);
+                state->m_lastIntensity[map] = (ushort)intensity;
+            }
+            if ((changed & ClassChangedBit) != 0)
+                SymbolModel.Encode(ModelOfByte(place + ClassAt, state->m_classMade, state->m_class), 256, record[15],
+                    ref low, ref length, ref next);
+            if ((changed & AngleChangedBit) != 0)
+                SymbolModel.Encode(place + AngleAt + (record[14] >> 6 & 1) * SymbolModel.Bytes256, 256,
+                    (uint)(record[16] - state->m_angle & 255), ref low, ref length, ref next);
+            if ((changed & UserDataChangedBit) != 0)
+                SymbolModel.Encode(ModelOfByte(place + UserDataAt, state->m_userDataMade, state->m_userData), 256, record[17],
+                    ref low, ref length, ref next);
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+            if ((changed & SourceChangedBit) != 0)
+                IntegerModel.Encode(place + SourceAt, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
+        }
+
         /// <summary>The model of a byte's values after the value <paramref name="last"/>, made on first use.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static byte* ModelOfByte(byte* models, ulong* made, int last)

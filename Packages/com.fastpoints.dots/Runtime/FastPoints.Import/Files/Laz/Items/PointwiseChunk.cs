@@ -270,5 +270,56 @@ namespace FastPoints.Files
                 }
             }
         }
+
+        /// <summary>Begins to write a chunk of records: the first as it is.</summary>
+        /// <param name="output">Has room for <see cref="MaxInputBytes"/> and <see cref="RangeCode.PaddingBytes"/>.</param>
+        public static void StartWriting(PointwiseChunk* chunk, byte* record, byte* output)
+        {
+            UnsafeUtility.MemCpy(output, record, chunk->m_recordBytes);
+            StartItems(chunk, record);
+            chunk->m_stream.StartWriting(output + chunk->m_recordBytes);
+            chunk->m_stream.Suspend(output);
+        }
+
+        /// <summary>Codes the next records, items of version 1 aside.</summary>
+        public static void Encode(PointwiseChunk* chunk, byte* records, int count, byte* output)
+        {
+            RangeStream* stream = &chunk->m_stream;
+            stream->Resume(output, null);
+            for (int point = 0; point < count; point++, records += chunk->m_recordBytes)
+                for (int i = 0; i < chunk->m_itemCount; i++)
+                {
+                    byte* state = (byte*)chunk + chunk->m_stateOffset[i];
+                    byte* field = records + chunk->m_recordOffset[i];
+                    switch ((LazItemType)chunk->m_type[i])
+                    {
+                        case LazItemType.Point10:
+                            Point10Item.Encode((Point10Item*)state, stream, field);
+                            break;
+                        case LazItemType.GpsTime11:
+                            GpsTimeItem.Encode((GpsTimeItem*)state, stream, *(long*)field);
+                            break;
+                        case LazItemType.Rgb12:
+                            RgbItem.Encode((RgbItem*)state, stream, field);
+                            break;
+                        case LazItemType.WavePacket13:
+                            WavePacketItem.Encode((WavePacketItem*)state, ((WavePacketItem*)state)->Last, stream, field);
+                            break;
+                        default:
+                            ExtraBytesItem.Encode(state, chunk->m_bytes[i], stream, field);
+                            break;
+                    }
+                }
+            stream->Suspend(output);
+        }
+
+        /// <returns>Bytes of the whole chunk.</returns>
+        public static long EndWriting(PointwiseChunk* chunk, byte* output)
+        {
+            var stream = chunk->m_stream;
+            stream.Resume(output, null);
+            RangeCode.End(stream.Value, stream.Length, ref stream.Next);
+            return stream.Next - output;
+        }
     }
 }

@@ -85,6 +85,57 @@ namespace FastPoints.Files
             *(ushort*)(record + 4) = (ushort)blue;
         }
 
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(RgbItem* state, RangeStream* stream, byte* record)
+        {
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            Encode((byte*)state, state->Last, record, ref low, ref length, ref next);
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+        }
+
+        /// <summary>Codes a colour after <paramref name="last"/>, which becomes it.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Encode(byte* place, ushort* last, byte* record, ref uint low, ref uint length, ref byte* next)
+        {
+            // Bytes: red low and high, green low and high, blue low and high.
+            byte* models = place + ByteAt;
+            byte* was = (byte*)last;
+            uint used = 0;
+            for (int i = 0; i < 6; i++)
+                used |= record[i] != was[i] ? 1u << i : 0;
+            bool isGrey = record[0] == record[2] && record[0] == record[4] && record[1] == record[3] && record[1] == record[5];
+            used |= isGrey ? 0 : (uint)NotGreyBit;
+            SymbolModel.Encode(place + UsedAt, 128, used, ref low, ref length, ref next);
+            if ((used & 1) != 0)
+                Put(models, 0, record[0] - was[0], ref low, ref length, ref next);
+            if ((used & 2) != 0)
+                Put(models, 1, record[1] - was[1], ref low, ref length, ref next);
+            if (!isGrey)
+            {
+                int lowChange = record[0] - was[0], highChange = record[1] - was[1];
+                if ((used & 4) != 0)
+                    Put(models, 2, record[2] - Clamp(lowChange + was[2]), ref low, ref length, ref next);
+                if ((used & 16) != 0)
+                    Put(models, 4, record[4] - Clamp((lowChange + record[2] - was[2]) / 2 + was[4]), ref low, ref length,
+                        ref next);
+                if ((used & 8) != 0)
+                    Put(models, 3, record[3] - Clamp(highChange + was[3]), ref low, ref length, ref next);
+                if ((used & 32) != 0)
+                    Put(models, 5, record[5] - Clamp((highChange + record[3] - was[3]) / 2 + was[5]), ref low, ref length,
+                        ref next);
+            }
+            for (int i = 0; i < 6; i++)
+                was[i] = record[i];
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static void Put(byte* models, int model, int difference, ref uint low, ref uint length, ref byte* next) =>
+            SymbolModel.Encode(models + model * SymbolModel.Bytes256, 256, (uint)(difference & 255), ref low, ref length,
+                ref next);
+
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static int Clamp(int value) => value <= 0 ? 0 : value >= 255 ? 255 : value;
     }

@@ -89,5 +89,42 @@ namespace FastPoints.Files
             for (int i = 0; i < RecordBytes - 1; i++)
                 record[i + 1] = last[i];
         }
+
+        /// <summary>Codes a packet after <paramref name="last"/> (28 bytes), which becomes it.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(WavePacketItem* state, byte* last, RangeStream* stream, byte* record)
+        {
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            byte* place = (byte*)state;
+            byte* packet = record + 1;
+            SymbolModel.Encode(place + IndexAt, 256, record[0], ref low, ref length, ref next);
+            long difference = *(long*)packet - *(long*)last;
+            int kind = difference == 0 ? SameOffset : difference == *(uint*)(last + 8) ? FollowingOffset
+                : difference == (int)difference ? SteppedOffset : SteppedOffset + 1;
+            SymbolModel.Encode(place + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4, (uint)kind, ref low,
+                ref length, ref next);
+            state->m_offsetKind = kind;
+            if (kind == SteppedOffset)
+            {
+                IntegerModel.Encode(place + OffsetAt, 32, 1, 0, (int)difference - state->m_step, out _, ref low, ref length,
+                    ref next);
+                state->m_step = (int)difference;
+            }
+            else if (kind > SteppedOffset)
+            {
+                RangeCode.PutUInt32(*(uint*)packet, ref low, ref length, ref next);
+                RangeCode.PutUInt32(*(uint*)(packet + 4), ref low, ref length, ref next);
+            }
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+            IntegerModel.Encode(place + SizeAt, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
+            IntegerModel.Encode(place + LocationAt, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
+            for (int i = 16; i < RecordBytes - 1; i += 4)
+                IntegerModel.Encode(place + DirectionAt, 32, 3, (i - 16) / 4, *(int*)(packet + i) - *(int*)(last + i), stream);
+            for (int i = 0; i < RecordBytes - 1; i++)
+                last[i] = packet[i];
+        }
     }
 }

@@ -99,5 +99,75 @@ namespace FastPoints.Files
             layer->Stream.Next = next;
             return done;
         }
+
+        public static void EncodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * RgbContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                ushort* last = ((RgbItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * RgbContextBytes;
+                    bool isNew = (layer->Made >> current & 1) == 0;
+                    if (isNew)
+                    {
+                        layer->Made |= 1 << current;
+                        RgbItem.Start((RgbItem*)place, (byte*)last);
+                    }
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((RgbItem*)place)->Last;
+                }
+                RgbItem.Encode(place, last, field, ref low, ref length, ref next);
+            }
+            layer->Current = current;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
+
+        public static void EncodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * InfraredContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                byte* last = place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * InfraredContextBytes;
+                    bool isNew = (layer->Made >> current & 1) == 0;
+                    if (isNew)
+                    {
+                        layer->Made |= 1 << current;
+                        StartInfraredContext(place, *(ushort*)last);
+                    }
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = place;
+                }
+                uint used = (field[0] != last[0] ? 1u : 0) | (field[1] != last[1] ? 2u : 0);
+                SymbolModel.Encode(place + InfraredUsedAt, 4, used, ref low, ref length, ref next);
+                for (int b = 0; b < 2; b++)
+                {
+                    if ((used >> b & 1) != 0)
+                        SymbolModel.Encode(place + InfraredByteAt + b * SymbolModel.Bytes256, 256,
+                            (uint)(field[b] - last[b] & 255), ref low, ref length, ref next);
+                    last[b] = field[b];
+                }
+            }
+            layer->Current = current;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
     }
 }

@@ -49,5 +49,30 @@ namespace FastPoints.Files
             layer->Current = channel;
             return done;
         }
+
+        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            int channel = layer->Current;
+            byte* place = contexts + (long)channel * ContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                uint point = points[i];
+                if ((int)(point & PointContext.ChannelMask) != channel)
+                {
+                    long last = ((GpsTimeLayer*)place)->m_last;
+                    channel = (int)(point & PointContext.ChannelMask);
+                    place = contexts + (long)channel * ContextBytes;
+                    if ((layer->Made >> channel & 1) == 0)
+                    {
+                        layer->Made |= 1 << channel;
+                        StartContext(place, last);
+                    }
+                }
+                if ((point & PointContext.TimeChangedBit) != 0)
+                    GpsTimeItem.Encode((GpsTimeItem*)(place + ItemAt), &layer->Stream, *(long*)field);
+                ((GpsTimeLayer*)place)->m_last = *(long*)field;
+            }
+            layer->Current = channel;
+        }
     }
 }

@@ -76,5 +76,49 @@ namespace FastPoints.Files
             layer->Stream.Next = next;
             return done;
         }
+
+        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            bool isIntensity = layer->Kind == LazLayerKind.Intensity, isAngle = layer->Kind == LazLayerKind.ScanAngle;
+            uint changedBit = isAngle ? PointContext.AngleChangedBit : PointContext.SourceChangedBit;
+            int channel = layer->Current;
+            byte* place = contexts + (long)channel * ContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                uint point = points[i];
+                int ofTime = (int)(point >> PointContext.TimeShift & 1);
+                if ((int)(point & PointContext.ChannelMask) != channel)
+                {
+                    int left = ((Integer16Layer*)place)->m_last;
+                    channel = (int)(point & PointContext.ChannelMask);
+                    place = contexts + (long)channel * ContextBytes;
+                    if ((layer->Made >> channel & 1) == 0)
+                    {
+                        layer->Made |= 1 << channel;
+                        StartContext(place, (ushort)left);
+                    }
+                }
+                if (isIntensity)
+                {
+                    int inPulse = PointContext.Place(point);
+                    ushort* last = ((Integer16Layer*)place)->m_lastOfPlace + (inPulse * 2 + ofTime);
+                    IntegerModel.Encode(place + IntegerAt, 16, MaxContexts, inPulse, *(ushort*)field - *last, out _, ref low,
+                        ref length, ref next);
+                    *last = *(ushort*)field;
+                }
+                else if ((point & changedBit) != 0)
+                {
+                    IntegerModel.Encode(place + IntegerAt, 16, MaxContexts, isAngle ? ofTime : 0,
+                        *(ushort*)field - ((Integer16Layer*)place)->m_last, out _, ref low, ref length, ref next);
+                }
+                ((Integer16Layer*)place)->m_last = *(ushort*)field;
+            }
+            layer->Current = channel;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
     }
 }

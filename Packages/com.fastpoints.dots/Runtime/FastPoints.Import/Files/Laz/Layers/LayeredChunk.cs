@@ -34,7 +34,7 @@ namespace FastPoints.Files
         static int FirstRecordOffset(int layerCount) =>
             (LayersOffset + layerCount * UnsafeUtility.SizeOf<LayerState>() + 63) / 64 * 64;
 
-        static int ContextBytes(LazLayerKind kind) => kind switch
+        internal static int ContextBytes(LazLayerKind kind) => kind switch
         {
             LazLayerKind.ReturnsAndXY => ReturnsLayer.ContextBytes,
             LazLayerKind.Z => ZLayer.ContextBytes,
@@ -161,9 +161,14 @@ namespace FastPoints.Files
             int channel = first[15] >> 4 & 3;
             layer->Made = 1 << channel;
             layer->Current = channel;
-            byte* field = first + layer->RecordOffset;
-            byte* place = (byte*)chunk + layer->ContextsOffset + (long)channel * ContextBytes(layer->Kind);
-            switch (layer->Kind)
+            StartContext(layer->Kind, (byte*)chunk + layer->ContextsOffset + (long)channel * ContextBytes(layer->Kind),
+                first + layer->RecordOffset);
+        }
+
+        /// <summary>Makes the context of the chunk's first point.</summary>
+        internal static void StartContext(LazLayerKind kind, byte* place, byte* field)
+        {
+            switch (kind)
             {
                 case LazLayerKind.ReturnsAndXY:
                     ReturnsLayer.StartContext(place, *(int*)field, *(int*)(field + 4), field[14]);
@@ -174,7 +179,7 @@ namespace FastPoints.Files
                 case LazLayerKind.Classification:
                 case LazLayerKind.Flags:
                 case LazLayerKind.UserData:
-                    SymbolLayer.StartContext(place, layer->Kind, *field);
+                    SymbolLayer.StartContext(place, kind, *field);
                     break;
                 case LazLayerKind.Intensity:
                 case LazLayerKind.ScanAngle:

@@ -1,4 +1,6 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
@@ -83,7 +85,6 @@ namespace FastPoints.Files
                 int lastPlace = returnContexts[returns] >> ReturnContexts.ExtendedLastPlaceShift;
                 uint changed = SymbolModel.Decode(place + ChangedAt
                     + (lastPlace + context->m_timeChanged * 4) * SymbolModel.Bytes128, 128, ref value, ref length, ref next);
-                uint point = 0;
                 if ((changed & ChannelChangedBit) != 0)
                 {
                     uint step = SymbolModel.Decode(place + ChannelAt, 4, ref value, ref length, ref next);
@@ -96,7 +97,6 @@ namespace FastPoints.Files
                     }
                     context = (ReturnsLayer*)place;
                     returns = context->m_returns;
-                    point = PointContext.ChannelChangedBit;
                 }
 
                 int timeChanged = (int)(changed / TimeChangedBit & 1);
@@ -150,15 +150,7 @@ namespace FastPoints.Files
                 if (next > end)
                     break;
 
-                int k = (kx + ky) >> 1;
-                int zContext = isSingle + (k < 18 ? k & ~1 : 18);
-                points[done] = point | (uint)channel | (uint)timeChanged << PointContext.TimeShift
-                    | (changed & AngleChangedBit) * (PointContext.AngleChangedBit / AngleChangedBit)
-                    | (changed & SourceChangedBit) * (PointContext.SourceChangedBit / SourceChangedBit)
-                    | (uint)(ofReturns >> ReturnContexts.ExtendedPlaceShift & ReturnContexts.ExtendedPlaceMask)
-                        << PointContext.PlaceShift
-                    | (uint)(ofReturns >> ReturnContexts.ExtendedLevelShift & 7) << PointContext.LevelShift
-                    | (uint)zContext << PointContext.ZShift;
+                points[done] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
                 *(int*)record = context->m_x;
                 *(int*)(record + 4) = context->m_y;
                 record[14] = (byte)returns;
@@ -182,5 +174,88 @@ namespace FastPoints.Files
             }
             return model;
         }
+
+        /// <summary>Codes points and leaves their contexts.</summary>
+        /// <param name="lasts">For each channel the last record's first 30 bytes, each in 32.</param>
+        public static void Encode(LayerState* layer, byte* contexts, ushort* returnContexts, uint* points, byte* lasts,
+            byte* record, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int channel = layer->Current;
+            byte* place = contexts + (long)channel * ContextBytes;
+            var context = (ReturnsLayer*)place;
+            for (int i = 0; i < count; i++, record += stride)
+            {
+                byte* changedModel = place + ChangedAt + ((returnContexts[context->m_returns]
+                    >> ReturnContexts.ExtendedLastPlaceShift) + context->m_timeChanged * 4) * SymbolModel.Bytes128;
+                byte* channelModel = place + ChannelAt;
+                int to = record[15] >> 4 & 3, from = channel;
+                if (to != from)
+                {
+                    byte* last = lasts + 32 * channel;
+                    channel = to;
+                    place = contexts + (long)channel * ContextBytes;
+                    if ((layer->Made >> channel & 1) == 0)
+                    {
+                        layer->Made |= 1 << channel;
+                        StartContext(place, context->m_x, context->m_y, context->m_returns);
+                        UnsafeUtility.MemCpy(lasts + 32 * channel, last, 30);
+                    }
+                    context = (ReturnsLayer*)place;
+                }
+                byte* before = lasts + 32 * channel;
+                int returns = record[14], step = (returns & 15) - (context->m_returns & 15) & 15;
+                uint timeChanged = *(long*)(record + 22) != *(long*)(before + 22) ? 1u : 0;
+                uint changed = (to != from ? ChannelChangedBit : 0) | timeChanged * TimeChangedBit
+                    | (*(ushort*)(record + 20) != *(ushort*)(before + 20) ? SourceChangedBit : 0)
+                    | (*(ushort*)(record + 18) != *(ushort*)(before + 18) ? AngleChangedBit : 0)
+                    | (returns >> 4 != context->m_returns >> 4 ? ReturnsChangedBit : 0)
+                    | (step == 0 ? 0u : step == 1 ? 1u : step == 15 ? 2u : 3u);
+                SymbolModel.Encode(changedModel, 128, changed, ref low, ref length, ref next);
+                if (to != from)
+                    SymbolModel.Encode(channelModel, 4, (uint)(to - from - 1 & 3), ref low, ref length, ref next);
+                if ((changed & ReturnsChangedBit) != 0)
+                    SymbolModel.Encode(ModelOf(place + NumberOfReturnsAt, &context->m_numberOfReturnsMade,
+                        context->m_returns >> 4), 16, (uint)returns >> 4, ref low, ref length, ref next);
+                if ((changed & 3) == 3 && timeChanged != 0)
+                    SymbolModel.Encode(ModelOf(place + ReturnNumberAt, &context->m_returnNumberMade, context->m_returns & 15), 16,
+                        (uint)returns & 15, ref low, ref length, ref next);
+                else if ((changed & 3) == 3)
+                    SymbolModel.Encode(place + ReturnStepAt, ReturnStepSymbols, (uint)step - 2, ref low, ref length, ref next);
+                context->m_returns = returns;
+                context->m_timeChanged = (int)timeChanged;
+                UnsafeUtility.MemCpy(before, record, 30);
+
+                int ofReturns = returnContexts[returns], isSingle = ofReturns >> ReturnContexts.ExtendedSingleShift & 1;
+                int median = ((ofReturns & ReturnContexts.ExtendedMapMask) * 2 + (int)timeChanged) * Median5.Ints;
+                int dx = *(int*)record - context->m_x, dy = *(int*)(record + 4) - context->m_y;
+                IntegerModel.Encode(place + XAt, 32, XContexts, isSingle, dx - Median5.Get(context->m_medianX + median),
+                    out int kx, ref low, ref length, ref next);
+                Median5.Add(context->m_medianX + median, dx);
+                IntegerModel.Encode(place + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20),
+                    dy - Median5.Get(context->m_medianY + median), out int ky, ref low, ref length, ref next);
+                Median5.Add(context->m_medianY + median, dy);
+                context->m_x = *(int*)record;
+                context->m_y = *(int*)(record + 4);
+                points[i] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
+            }
+            layer->Current = channel;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
+
+        /// <summary>The <see cref="PointContext"/> of a point.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static uint Describe(uint changed, int channel, int ofReturns, int isSingle, int k) =>
+            (uint)channel | changed / ChannelChangedBit * PointContext.ChannelChangedBit
+                | (changed / TimeChangedBit & 1) << PointContext.TimeShift
+                | (changed & AngleChangedBit) * (PointContext.AngleChangedBit / AngleChangedBit)
+                | (changed & SourceChangedBit) * (PointContext.SourceChangedBit / SourceChangedBit)
+                | (uint)(ofReturns >> ReturnContexts.ExtendedPlaceShift & ReturnContexts.ExtendedPlaceMask)
+                    << PointContext.PlaceShift
+                | (uint)(ofReturns >> ReturnContexts.ExtendedLevelShift & 7) << PointContext.LevelShift
+                | (uint)(isSingle + (k < 18 ? k & ~1 : 18)) << PointContext.ZShift;
     }
 }

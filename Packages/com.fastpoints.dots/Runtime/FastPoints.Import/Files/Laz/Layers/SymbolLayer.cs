@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
@@ -48,20 +49,8 @@ namespace FastPoints.Files
                         ((SymbolLayer*)place)->m_last = last;
                         ((SymbolLayer*)place)->m_made = 0;
                     }
-                    last = ((SymbolLayer*)place)->m_last;
                 }
-
-                int index = last;
-                if (kind == LazLayerKind.Classification)
-                    index = (last & 31) << 1 | (PointContext.Place(point) == 3 ? 1 : 0);
-                else if (kind == LazLayerKind.UserData)
-                    index = last >> 2;
-                byte* model = place + ModelsAt + index * SymbolModel.Bytes256;
-                if ((((SymbolLayer*)place)->m_made >> index & 1) == 0)
-                {
-                    ((SymbolLayer*)place)->m_made |= 1ul << index;
-                    SymbolModel.Initialize((SymbolModel*)model, kind == LazLayerKind.Flags ? FlagSymbols : 256, 256);
-                }
+                byte* model = ModelOf((SymbolLayer*)place, kind, point);
                 int symbol = (int)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                 if (next > end)
                     break;
@@ -74,6 +63,57 @@ namespace FastPoints.Files
             layer->Stream.Length = length;
             layer->Stream.Next = next;
             return done;
+        }
+
+        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            var kind = layer->Kind;
+            int channel = layer->Current;
+            byte* place = contexts + (long)channel * ContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                uint point = points[i];
+                if ((int)(point & PointContext.ChannelMask) != channel)
+                {
+                    int left = ((SymbolLayer*)place)->m_last;
+                    channel = (int)(point & PointContext.ChannelMask);
+                    place = contexts + (long)channel * ContextBytes;
+                    if ((layer->Made >> channel & 1) == 0)
+                    {
+                        layer->Made |= 1 << channel;
+                        ((SymbolLayer*)place)->m_last = left;
+                        ((SymbolLayer*)place)->m_made = 0;
+                    }
+                }
+                byte* model = ModelOf((SymbolLayer*)place, kind, point);
+                int symbol = kind == LazLayerKind.Flags ? ToSymbol(*field) : *field;
+                SymbolModel.Encode(model, 256, (uint)symbol, ref low, ref length, ref next);
+                ((SymbolLayer*)place)->m_last = symbol;
+            }
+            layer->Current = channel;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
+
+        /// <summary>The model by the last symbol, made on first use.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static byte* ModelOf(SymbolLayer* context, LazLayerKind kind, uint point)
+        {
+            int index = context->m_last;
+            if (kind == LazLayerKind.Classification)
+                index = (index & 31) << 1 | (PointContext.Place(point) == 3 ? 1 : 0);
+            else if (kind == LazLayerKind.UserData)
+                index >>= 2;
+            byte* model = (byte*)context + ModelsAt + index * SymbolModel.Bytes256;
+            if ((context->m_made >> index & 1) == 0)
+            {
+                context->m_made |= 1ul << index;
+                SymbolModel.Initialize((SymbolModel*)model, kind == LazLayerKind.Flags ? FlagSymbols : 256, 256);
+            }
+            return model;
         }
     }
 }

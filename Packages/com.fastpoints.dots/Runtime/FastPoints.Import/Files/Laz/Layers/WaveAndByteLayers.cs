@@ -83,5 +83,63 @@ namespace FastPoints.Files
             layer->Stream.Next = next;
             return done;
         }
+
+        public static void EncodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            int current = layer->Current;
+            byte* place = contexts + (long)current * WaveContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                byte* last = ((WavePacketItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * WaveContextBytes;
+                    bool isNew = (layer->Made >> current & 1) == 0;
+                    if (isNew)
+                    {
+                        layer->Made |= 1 << current;
+                        WavePacketItem.Start((WavePacketItem*)place, last - 1);
+                    }
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((WavePacketItem*)place)->Last;
+                }
+                WavePacketItem.Encode((WavePacketItem*)place, last, &layer->Stream, field);
+            }
+            layer->Current = current;
+        }
+
+        public static void EncodeBytes(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * ByteContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                byte* last = place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * ByteContextBytes;
+                    bool isNew = (layer->Made >> current & 1) == 0;
+                    if (isNew)
+                    {
+                        layer->Made |= 1 << current;
+                        StartByteContext(place, *last);
+                    }
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = place;
+                }
+                SymbolModel.Encode(place + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
+                *last = *field;
+            }
+            layer->Current = current;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
     }
 }

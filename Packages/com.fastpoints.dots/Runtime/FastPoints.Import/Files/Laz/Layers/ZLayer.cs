@@ -61,5 +61,36 @@ namespace FastPoints.Files
             layer->Stream.Next = next;
             return done;
         }
+
+        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int channel = layer->Current;
+            byte* place = contexts + (long)channel * ContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                uint point = points[i];
+                if ((int)(point & PointContext.ChannelMask) != channel)
+                {
+                    int z = ((ZLayer*)place)->m_last;
+                    channel = (int)(point & PointContext.ChannelMask);
+                    place = contexts + (long)channel * ContextBytes;
+                    if ((layer->Made >> channel & 1) == 0)
+                    {
+                        layer->Made |= 1 << channel;
+                        StartContext(place, z);
+                    }
+                }
+                int* last = ((ZLayer*)place)->m_lastOfLevel + PointContext.Level(point);
+                IntegerModel.Encode(place + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last, out _,
+                    ref low, ref length, ref next);
+                *last = ((ZLayer*)place)->m_last = *(int*)field;
+            }
+            layer->Current = channel;
+            layer->Stream.Value = low;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+        }
     }
 }

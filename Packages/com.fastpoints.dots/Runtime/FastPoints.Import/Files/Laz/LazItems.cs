@@ -2,15 +2,14 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Files;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Files
 {
     /// <summary>What a LAZ file says of its items: the parts of a record that are compressed each in its own way.</summary>
-    public static class LazItems
+    internal static class LazItems
     {
         /// <param name="version">Of the items: 1 or 2 for point formats 0 to 5, 3 or 4 above.</param>
-        internal static LazItem[] Of(int pointFormat, int version, int extraBytes)
+        public static LazItem[] Of(int pointFormat, int version, int extraBytes)
         {
             var items = new List<LazItem>();
             bool isExtended = pointFormat >= 6;
@@ -40,7 +39,7 @@ namespace FastPoints.LazEncoding
         /// <summary>The whole LASzip VLR.</summary>
         /// <param name="compressor">One of <see cref="LazCompressor"/>.</param>
         /// <param name="chunkPoints">Points of a chunk.</param>
-        internal static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
+        public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
         {
             var vlr = new BinaryWriter(new MemoryStream());
             vlr.Write((ushort)0);

@@ -1,0 +1,116 @@
+namespace FastPoints.Cli.Verbs;
+
+/// <summary>Points out again, into one file.</summary>
+public sealed class ExportVerb : Verb
+{
+    readonly Argument<string[]> m_clouds = new("CLOUD")
+    {
+        Arity = ArgumentArity.OneOrMore,
+        Description = "A converted cloud, or point clouds and folders of them, of which several become one file.",
+    };
+    readonly Option<string> m_output = new("--output", "-o")
+    {
+        HelpName = "OUT.las|.laz|.ply",
+        Required = true,
+        Description = "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source.",
+    };
+    readonly Option<string[]> m_clip = new("--clip")
+    {
+        HelpName = "x,y,z,X,Y,Z",
+        Description = "Only points in the box between two corners, faces included, or in any of several.",
+    };
+    readonly Option<string[]> m_cut = new("--cut")
+    {
+        HelpName = "x,y,z,X,Y,Z",
+        Description = "No points in the box.",
+    };
+    readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
+    readonly Option<long?> m_level = Counts.Optional("--level",
+        "Only the nodes of an octree up to this level, of which 0 is the root.", least: 0);
+    readonly Option<long?> m_budget = Counts.Optional("--budget",
+        "At most so many points, spread over all: an octree's first levels, or an even share.");
+    readonly Option<string?> m_attributes = new("--attributes")
+    {
+        HelpName = "A,B,...",
+        Description = "Attributes to keep beside the position (default: all).",
+    };
+    readonly SourceSettings m_source;
+
+    public ExportVerb() : base(new Command("export", "Points out again as LAS, LAZ or PLY: all of a cloud, or a part of it."))
+    {
+        Command.Add(m_clouds);
+        Command.Add(m_output);
+        Command.Add(m_clip);
+        Command.Add(m_cut);
+        Command.Add(m_classes);
+        Command.Add(m_level);
+        Command.Add(m_budget);
+        Command.Add(m_attributes);
+        m_source = new SourceSettings(Command);
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints export scan.fastpoints -o scan.laz", "all points, all attributes"),
+        ("./fastpoints export scan.copc.laz -o part.laz --clip 0,0,0,50,50,20", "what is in a box"),
+        ("./fastpoints export tiles/ -o ground.las --classes 2,9", "ground and water of many tiles as one file"),
+        ("./fastpoints export scan.fastpoints -o thin.ply --budget 1M", "a million points, spread evenly"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var clouds = parsed.GetRequiredValue(m_clouds);
+        string output = parsed.GetRequiredValue(m_output);
+        OutputNames.RefuseNoExport(output);
+        var settings = new ExportSettings
+        {
+            Clips =
+            [
+                .. (parsed.GetValue(m_clip) ?? []).Select(box => PictureSettings.Box("--clip", box, false)),
+                .. (parsed.GetValue(m_cut) ?? []).Select(box => PictureSettings.Box("--cut", box, true)),
+            ],
+            Classes = parsed.GetValue(m_classes)?.Split(',').Select(Class).ToArray(),
+            Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
+            Budget = parsed.GetValue(m_budget) ?? 0,
+            Attributes = parsed.GetValue(m_attributes)?.Split(',', StringSplitOptions.RemoveEmptyEntries),
+        };
+        run.Begin(clouds, output);
+        using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? StoredReader.Open(only)
+            : PointReaders.Open(clouds, m_source.Read(parsed));
+        run.Warn(reader.Info);
+        if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
+            throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
+                + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+        ExportResult? result = null;
+        run.Pump(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
+        run.Warn(reader.Info);
+        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0;
+        run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
+        Say(result!, output, run);
+    }
+
+    static void Say(ExportResult result, string output, CliRun run)
+    {
+        foreach (string warning in result.Warnings)
+            run.Warn(output + ": " + warning);
+        if (result.PointsLeftOut > 0)
+            run.Warn(output + ": " + Human.Count(result.PointsLeftOut)
+                + " points are left out, whose coordinates are no numbers or do not fit");
+        double seconds = run.Progress.Finished[^1].Seconds;
+        run.WriteKeys = json =>
+        {
+            json.WriteInteger("points", result.Points);
+            json.WriteInteger("pointsLeftOut", result.PointsLeftOut);
+            json.WriteInteger("bytes", result.Bytes);
+            json.WriteReal("pointsPerSecond", result.Points / seconds);
+            json.WriteReal("positionError", result.PositionError);
+        };
+        string moved = result.PositionError > 0 ? ", coordinates rounded by at most " + Human.Value(result.PositionError) : "";
+        run.Out.WriteLine(output + ": " + Human.Count(result.Points) + " points, " + Human.Bytes(result.Bytes) + moved);
+        StageTable.Of(run.Progress).Write(run.Out, "  ");
+    }
+
+    static int Class(string text) =>
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number <= byte.MaxValue ? number
+            : throw new UsageException("--classes: wanted numbers from 0 to 255, got " + text);
+}

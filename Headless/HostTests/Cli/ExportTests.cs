@@ -1,0 +1,111 @@
+namespace FastPoints.HostTests.Cli;
+
+/// <summary>The verb <c>export</c>.</summary>
+public sealed class ExportTests
+{
+    ScratchFolder m_scratch;
+    string m_demo, m_cloud;
+
+    [OneTimeSetUp]
+    public void MakeCloud()
+    {
+        m_scratch = new ScratchFolder();
+        m_demo = m_scratch.Demo(points: 60_000);
+        m_cloud = m_scratch["cloud.fastpoints"];
+        Assert.That(CliCall.Of("convert", m_demo, "-o", m_cloud).Status, Is.Zero);
+    }
+
+    [OneTimeTearDown]
+    public void RemoveCloud() => m_scratch.Dispose();
+
+    JsonElement Export(string output, params string[] args)
+    {
+        var call = CliCall.Of(["export", .. args, "-o", m_scratch[output], "--json", "-", "--quiet"]);
+        Assert.That(call.Status, Is.Zero, call.Error);
+        return call.Json;
+    }
+
+    static JsonElement Scan(string path) => CliCall.Of("info", "--scan", path, "--json", "-").Json;
+
+    [TestCase("whole.las"), TestCase("whole.laz")]
+    public void Export_OfASource_SumsAndGridAreTheSame(string output)
+    {
+        var json = Export(output, m_demo);
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(60_000));
+        Assert.That(json.GetProperty("pointsLost").GetInt64(), Is.Zero);
+        Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(m_scratch[output]).Length));
+        Assert.That(json.GetProperty("positionError").GetDouble(), Is.Zero);
+        var made = Scan(m_scratch[output]);
+        var source = Scan(m_demo);
+        foreach (string key in new[] { "columnSums", "scale", "offset", "crs", "crsWkt", "bounds", "pointFormat" })
+            Assert.That(made.GetProperty(key).GetRawText(), Is.EqualTo(source.GetProperty(key).GetRawText()), key);
+    }
+
+    /// <summary>The converted cloud is the same as what it exports: position and every attribute.</summary>
+    [TestCase("cloud.las"), TestCase("cloud.laz")]
+    public void Export_OfAConvertedCloud_IsTheCloud(string output)
+    {
+        Assert.That(Export(output, m_cloud).GetProperty("points").GetInt64(), Is.EqualTo(60_000));
+        Assert.That(CliCall.Of("verify", m_cloud, "--against", m_scratch[output]).Error, Is.Empty);
+        Assert.That(Scan(m_scratch[output]).GetProperty("crsEpsg").GetInt32(), Is.EqualTo(32632));
+    }
+
+    [Test]
+    public void Export_LevelsBudgetAndBoxes_ArePartsOfTheCloud()
+    {
+        long root = Export("level.laz", m_cloud, "--level", "0").GetProperty("points").GetInt64();
+        Assert.That(root, Is.GreaterThan(0).And.LessThan(60_000));
+        Assert.That(Export("budget.ply", m_cloud, "--budget", "10k").GetProperty("points").GetInt64(),
+            Is.InRange(9_990, 10_000));
+        var bounds = Scan(m_demo).GetProperty("bounds");
+        double[] Corner(string end) => [.. bounds.GetProperty(end).EnumerateArray().Select(v => v.GetDouble())];
+        string[] all = [.. Corner("min").Concat(Corner("max")).Select(v => v.ToString("R", CultureInfo.InvariantCulture))];
+        string box = string.Join(',', all);
+        Assert.That(Export("all.laz", m_cloud, "--clip", box).GetProperty("points").GetInt64(), Is.EqualTo(60_000));
+        Assert.That(Export("none.laz", m_cloud, "--cut", box).GetProperty("points").GetInt64(), Is.Zero);
+        all[3] = ((Corner("min")[0] + Corner("max")[0]) / 2).ToString("R", CultureInfo.InvariantCulture);
+        string half = string.Join(',', all);
+        long inside = Export("inside.laz", m_cloud, "--clip", half).GetProperty("points").GetInt64();
+        Assert.That(inside, Is.GreaterThan(0).And.LessThan(60_000));
+        Assert.That(Export("outside.laz", m_demo, "--cut", half).GetProperty("points").GetInt64(), Is.EqualTo(60_000 - inside));
+    }
+
+    [Test]
+    public void Export_SameSourceWithOneThreadOrMore_SameBytes()
+    {
+        Export("one.laz", m_cloud, "--threads", "1");
+        Export("two.laz", m_cloud, "--threads", "2");
+        Assert.That(File.ReadAllBytes(m_scratch["one.laz"]), Is.EqualTo(File.ReadAllBytes(m_scratch["two.laz"])));
+    }
+
+    [TestCase("out.e57", "wanted a name that ends in .las, .laz or .ply")]
+    [TestCase("out.las", "--classes: wanted numbers", "--classes", "256")]
+    [TestCase("out.las", "--clip: wanted x,y,z,X,Y,Z", "--clip", "1,2,3")]
+    [TestCase("out.las", "has no Colour", "--attributes", "Colour")]
+    [TestCase("out.las", "--level: wanted a whole number from 0", "--level", "-1")]
+    public void Export_WrongArguments_AreUsage(string output, string message, params string[] more)
+    {
+        var call = CliCall.Of(["export", m_cloud, "-o", m_scratch[output], .. more]);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
+        Assert.That(call.Error, Does.Contain(message));
+        Assert.That(File.Exists(m_scratch[output]), Is.False);
+    }
+
+    [Test]
+    public void Export_OverASource_IsRefused()
+    {
+        var bytes = File.ReadAllBytes(m_demo);
+        Assert.That(CliCall.Of("export", m_demo, "-o", m_demo, "--force").Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(File.ReadAllBytes(m_demo), Is.EqualTo(bytes));
+    }
+
+    [Test]
+    public void Export_Cancelled_LeavesNothing()
+    {
+        using var cancelled = new CancellationTokenSource();
+        cancelled.Cancel();
+        string output = m_scratch["cancelled.laz"];
+        Assert.That(CliCall.Of(cancelled.Token, "export", m_demo, "-o", output).Status, Is.EqualTo(ExitStatus.Cancelled));
+        Assert.That(Directory.GetFiles(m_scratch.Root, "cancelled*"), Is.Empty);
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Entities;
+using FastPoints.Export;
+using FastPoints.Files;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Entities;
+using Unity.Mathematics;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The menu <em>GameObject > Point Cloud > Export Selection...</em>: what the scene's clip boxes and the shown
+    /// classes leave of the selected cloud, in the cloud's own coordinates, as LAZ.</summary>
+    internal static class SceneExport
+    {
+        const string Menu = "GameObject/Point Cloud/Export Selection...";
+
+        [MenuItem(Menu, false, 30)]
+        static void Ask()
+        {
+            string folder = EditorUtility.OpenFolderPanel("Export selected points into a folder", "", "");
+            if (!string.IsNullOrEmpty(folder))
+                Begin(Selected, PointCloudImports.Current, folder);
+        }
+
+        [MenuItem(Menu, true, 30)]
+        static bool CanAsk() => Selected != null;
+
+        static PointCloud Selected =>
+            Selection.activeObject is GameObject selected ? selected.GetComponent<PointCloud>() : null;
+
+        /// <returns>The file, which is there when the export has ended; null if it cannot begin, which is logged.</returns>
+        internal static string Begin(PointCloud cloud, EditorImports imports, string folder)
+        {
+            var shown = Shown(cloud, out var clips);
+            if (shown == null)
+            {
+                Debug.LogError("FastPoints: " + cloud.name + " is not shown yet: nothing says where its points are");
+                return null;
+            }
+            try
+            {
+                var sources = SourcesOf(cloud, shown, imports);
+                var taken = new List<string>(Directory.GetFileSystemEntries(folder));
+                taken.AddRange(imports.Exports.Promised);
+                string path = new FreeNames(folder, ".laz", taken).Next(cloud.name);
+                imports.Exports.Begin(sources, path, new ExportSettings
+                {
+                    Clips = clips,
+                    WorldOfGeo = WorldOfGeo(shown),
+                    Classes = ClassesBut(cloud.HiddenClasses),
+                    AheadMs = 50,
+                });
+                return path;
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+                return null;
+            }
+        }
+
+        /// <summary>The cloud as it is streamed; null if it is not.</summary>
+        static StreamedCloud Shown(PointCloud cloud, out ClipBox[] clips)
+        {
+            clips = null;
+            var world = World.DefaultGameObjectInjectionWorld;
+            var group = world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            if (group?.Stream == null || cloud.Entity == Entity.Null ||
+                !world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity))
+                return null;
+            clips = group.Stream.ClipBoxes.AsArray().ToArray();
+            return group.Stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number];
+        }
+
+        /// <summary>The converted cloud that is shown, or the files that it is made of.</summary>
+        static IReadOnlyList<string> SourcesOf(PointCloud cloud, StreamedCloud shown, EditorImports imports)
+        {
+            if (shown.Source is FolderSource stored && !stored.Folder.IsInTheMaking)
+                return new[] { stored.Folder.FolderPath };
+            if (cloud.Cloud == null)
+                return new[] { cloud.Path };
+            return imports.HandleOf(AssetDatabase.GetAssetPath(cloud.Cloud)).Sources.ConvertAll(imports.Paths.Absolute);
+        }
+
+        /// <summary>A cloud is placed from the corner of its root cube.</summary>
+        static CloudPlacement WorldOfGeo(StreamedCloud shown)
+        {
+            var corner = shown.Source.Grid.ToGeo(shown.Source.Root.Corner);
+            return new CloudPlacement(shown.Placement.Linear,
+                shown.Placement.OriginWorld - math.mul(shown.Placement.Linear, corner));
+        }
+
+        /// <returns>Null for all.</returns>
+        static int[] ClassesBut(int[] hidden)
+        {
+            if (hidden.Length == 0)
+                return null;
+            var shown = new List<int>();
+            for (int c = 0; c <= byte.MaxValue; c++)
+                if (Array.IndexOf(hidden, c) < 0)
+                    shown.Add(c);
+            return shown.ToArray();
+        }
+    }
+}

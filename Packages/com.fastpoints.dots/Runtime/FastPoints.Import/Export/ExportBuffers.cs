@@ -1,0 +1,169 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Writing;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Export
+{
+    /// <summary>The records on their way to the file: a ring of buffers that jobs fill one after another, and that are written,
+    /// in that order, by a thread of their own. The file gets its name when it is whole.</summary>
+    internal sealed unsafe class ExportBuffers : IDisposable
+    {
+        /// <summary>Buffers that are filled or written while others are compressed.</summary>
+        const int SpareBuffers = 3;
+
+        readonly string m_path;
+        readonly ExportFormat m_format;
+        readonly Buffer[] m_buffers;
+        readonly WriteQueue m_queue = new WriteQueue(() => null, TimeSpan.FromSeconds(1));
+        NativeArray<ulong> m_pointers;
+        long m_sealed;
+        long m_queued;
+        long m_free;
+        bool m_isWhole;
+
+        struct Buffer
+        {
+            public NativeArray<byte> Records;
+            public int Points;
+
+            /// <summary>Made when it is first needed; null for records as they are.</summary>
+            public LazChunkWriter Writer;
+            public JobHandle Compressed;
+            public WriteTicket Ticket;
+        }
+
+        /// <param name="path">An absolute path.</param>
+        /// <param name="mostPoints">The most points that are appended at once.</param>
+        /// <param name="lanes">Buffers that are worked on side by side.</param>
+        public ExportBuffers(string path, ExportFormat format, int mostPoints, int lanes)
+        {
+            m_path = path;
+            m_format = format;
+            m_buffers = new Buffer[mostPoints / format.BufferPoints + lanes + SpareBuffers];
+            m_pointers = new NativeArray<ulong>(m_buffers.Length, Allocator.Persistent);
+            for (int i = 0; i < m_buffers.Length; i++)
+            {
+                m_buffers[i].Records = new NativeArray<byte>(format.BufferPoints * format.RecordBytes, Allocator.Persistent,
+                    NativeArrayOptions.UninitializedMemory);
+                m_pointers[i] = (ulong)m_buffers[i].Records.GetUnsafePtr();
+            }
+        }
+
+        /// <summary>Where each buffer begins, for jobs.</summary>
+        public NativeArray<ulong> Pointers => m_pointers;
+
+        /// <summary>Bytes that are written, or wait to be.</summary>
+        public long Bytes { get; private set; }
+
+        /// <summary>Whether so many points fit behind those that were filled in.</summary>
+        /// <param name="filled">Points of all jobs that are complete.</param>
+        /// <param name="points">Points of jobs in flight, and of the next.</param>
+        public bool HasRoom(long filled, long points) =>
+            filled + points <= (m_free + m_buffers.Length) * m_format.BufferPoints;
+
+        /// <summary>The jobs of the oldest buffer that is not written; complete ones if there is none.</summary>
+        public JobHandle Oldest => m_queued < m_sealed ? At(m_queued).Compressed : default;
+
+        /// <summary>Takes on what jobs have filled, compresses and writes it, and hands on to the next what is done
+        /// with.</summary>
+        /// <param name="waitMs">How long to wait for the disk if it is all that is to be waited for.</param>
+        public void Advance(long filled, int waitMs)
+        {
+            for (; (m_sealed + 1) * m_format.BufferPoints <= filled; m_sealed++)
+                Seal(m_sealed, m_format.BufferPoints);
+            for (; m_queued < m_sealed && At(m_queued).Compressed.IsCompleted; m_queued++)
+                At(m_queued).Ticket = Append(BytesOf(ref At(m_queued)));
+            for (; m_free < m_queued && At(m_free).Ticket.IsDone(waitMs); m_free++)
+                waitMs = 0;
+        }
+
+        /// <summary>Work for a pump, after all jobs: takes on the last points, and waits until all are written.</summary>
+        public IEnumerator<Work> Drain(long filled)
+        {
+            Advance(filled, 0);
+            int rest = (int)(filled - m_sealed * m_format.BufferPoints);
+            if (rest > 0)
+                Seal(m_sealed++, rest);
+            while (m_free < m_sealed)
+            {
+                yield return Oldest;
+                Advance(filled, 1);
+            }
+        }
+
+        /// <summary>Writes bytes behind all others.</summary>
+        public WriteTicket Append(NativeArray<byte> bytes)
+        {
+            var ticket = m_queue.WritePiece(m_path, bytes, Bytes);
+            Bytes += bytes.Length;
+            return ticket;
+        }
+
+        /// <summary>Work for a pump: writes bytes behind all others, or, as the last ones, over the first.</summary>
+        public IEnumerator<Work> Write(byte[] bytes, bool isLast)
+        {
+            using var copy = new NativeArray<byte>(bytes, Allocator.Persistent);
+            var ticket = isLast ? m_queue.Seal(m_path, copy) : Append(copy);
+            try
+            {
+                while (!ticket.IsDone(1))
+                    yield return default;
+                m_isWhole |= isLast;
+            }
+            finally
+            {
+                ticket.Wait();
+            }
+        }
+
+        /// <summary>If the file is not whole, nothing is left of it.</summary>
+        public void Dispose()
+        {
+            if (!m_pointers.IsCreated)
+                return;
+            m_queue.End();
+            foreach (var buffer in m_buffers)
+            {
+                buffer.Compressed.Complete();
+                buffer.Writer?.Dispose();
+                buffer.Records.Dispose();
+            }
+            m_pointers.Dispose();
+            if (m_isWhole)
+                return;
+            try
+            {
+                File.Delete(m_path + WriteQueue.TemporarySuffix);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                // The failure that led here is the one to report.
+            }
+        }
+
+        void Seal(long number, int points)
+        {
+            ref var buffer = ref At(number);
+            buffer.Points = points;
+            buffer.Writer ??= m_format.CreateWriter();
+            buffer.Compressed = buffer.Writer == null ? default : buffer.Writer.Schedule(buffer.Records, points);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        NativeArray<byte> BytesOf(ref Buffer buffer)
+        {
+            buffer.Compressed.Complete();
+            var bytes = buffer.Writer?.Chunk ?? buffer.Records.GetSubArray(0, buffer.Points * m_format.RecordBytes);
+            m_format.Written(bytes.Length);
+            return bytes;
+        }
+
+        ref Buffer At(long number) => ref m_buffers[number % m_buffers.Length];
+    }
+}

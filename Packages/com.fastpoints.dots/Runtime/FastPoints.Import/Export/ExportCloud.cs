@@ -1,0 +1,361 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Export
+{
+    /// <summary>Writes the points of any source as LAS, LAZ or PLY, in the order of the source: all, or those within boxes, of
+    /// some classes, or of an octree's upper levels. Memory does not depend on the source's size.</summary>
+    internal sealed class ExportCloud : IDisposable
+    {
+        readonly PointReader m_reader;
+        readonly ExportSettings m_settings;
+        readonly StageProgress m_progress;
+        readonly List<ExportRange> m_ranges;
+        readonly PointSchema m_wanted;
+        readonly ExportFormat m_format;
+        NativeReference<ExportState> m_state = new NativeReference<ExportState>(Allocator.Persistent);
+        NativeArray<LocalClip> m_clips;
+        NativeArray<ulong> m_classes;
+        NativeArray<byte> m_changed;
+        NativeArray<int> m_chosen;
+        NativeArray<ulong> m_noBuffers = new NativeArray<ulong>(0, Allocator.Persistent);
+
+        ExportCloud(PointReader reader, ExportSettings settings, ExportFormat format, List<ExportRange> ranges,
+            StageProgress progress)
+        {
+            m_reader = reader;
+            m_settings = settings;
+            m_format = format;
+            m_ranges = ranges;
+            m_progress = progress;
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var column in format.Columns)
+                names.Add(column.From);
+            if (settings.Classes != null)
+                names.Add(AttributeNames.Classification);
+            m_wanted = reader.Info.Schema.Select(names.ToArray());
+            m_clips = new NativeArray<LocalClip>(settings.LocalClips(), Allocator.Persistent);
+            m_classes = new NativeArray<ulong>(settings.Classes == null ? 0 : 4, Allocator.Persistent);
+            foreach (int c in settings.Classes ?? Array.Empty<int>())
+                m_classes[c >> 6] |= 1ul << (c & 63);
+            m_changed = new NativeArray<byte>((3 + format.Columns.Count) * 8 * MakeRecordsJob.SlicePoints, Allocator.Persistent);
+            m_chosen = new NativeArray<int>(MakeRecordsJob.SlicePoints, Allocator.Persistent);
+        }
+
+        /// <summary>Whether files of this name can be written.</summary>
+        public static bool CanWrite(string path) => Path.GetExtension(path).ToLowerInvariant() is ".las" or ".laz" or ".ply";
+
+        /// <summary>Work for a pump. The file is there, whole, when it has ended; cancelled or failed, it leaves
+        /// nothing.</summary>
+        /// <param name="path">Its ending says what is written.</param>
+        /// <exception cref="PointCloudException">The source or the target is at fault.</exception>
+        public static IEnumerator<Work> Run(PointReader reader, string path, ExportSettings settings, Action<ExportResult> done,
+            StageProgress progress)
+        {
+            path = Path.GetFullPath(path);
+            if (!reader.BlocksAreKnown)
+            {
+                progress?.Begin("find points");
+                yield return Work.Of(reader.FindBlocks());
+            }
+            List<ExportRange> ranges = null;
+            ExportFormat format = null;
+            yield return Work.Of(PoolWork.Run(path, () => FormatOf(reader, path, settings), made => format = made));
+            yield return Work.Of(PoolWork.Run(path, () => ExportRange.Choose(reader, path, settings), made => ranges = made));
+            using var export = new ExportCloud(reader, settings, format, ranges, progress);
+            yield return Work.Of(export.SetBounds());
+            progress?.Begin("export");
+            yield return Work.Of(export.Write(path, done));
+            progress?.End();
+        }
+
+        public void Dispose()
+        {
+            if (!m_state.IsCreated)
+                return;
+            m_state.Dispose();
+            m_clips.Dispose();
+            m_classes.Dispose();
+            m_changed.Dispose();
+            m_chosen.Dispose();
+            m_noBuffers.Dispose();
+        }
+
+        static ExportFormat FormatOf(PointReader reader, string path, ExportSettings settings)
+        {
+            if (settings.Classes != null && !reader.Info.Schema.Has(AttributeNames.Classification))
+                throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "has no classes to choose from");
+            return Path.GetExtension(path).ToLowerInvariant() switch
+            {
+                ".ply" => new PlyExport(reader.Info, settings.Attributes),
+                ".laz" => new LazExport(reader, settings.Attributes, reader.PointCount),
+                ".las" => (ExportFormat)new LasExport(reader, settings.Attributes, reader.PointCount),
+                _ => throw new PointCloudException(FailureCode.Unsupported, path, -1,
+                    "wanted a name that ends in .las, .laz or .ply"),
+            };
+        }
+
+        /// <summary>Finds out where the points are, if the file has a grid to choose; converted clouds know it.</summary>
+        IEnumerator<Work> SetBounds()
+        {
+            m_state.Value = ExportState.None;
+            if (!m_format.NeedsBounds)
+                yield break;
+            var measured = ExportState.None;
+            if (m_reader is StoredReader stored)
+            {
+                measured.MinStored = stored.Manifest.BoundsMin;
+                measured.MaxStored = stored.Manifest.BoundsMax;
+            }
+            else
+            {
+                m_progress?.Begin("measure");
+                var names = m_settings.Classes != null ? AttributeNames.Classification : AttributeNames.X;
+                yield return Work.Of(Pass(m_wanted.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, names), null));
+                measured = m_state.Value;
+                m_state.Value = ExportState.None;
+            }
+            m_format.SetBounds(measured);
+        }
+
+        IEnumerator<Work> Write(string path, Action<ExportResult> done)
+        {
+            using var buffers = new ExportBuffers(path, m_format, ExportRange.Longest(m_ranges), Slices.Lanes);
+            yield return Work.Of(buffers.Write(m_format.Head(path, m_state.Value, 0, 0), false));
+            yield return Work.Of(Pass(m_wanted, buffers));
+            yield return Work.Of(buffers.Drain(m_state.Value.Written));
+            long chunksEnd = buffers.Bytes;
+            yield return Work.Of(buffers.Write(m_format.Behind(), false));
+            long pointsEnd = buffers.Bytes;
+            foreach (var (offset, bytes) in m_format.Tail)
+                yield return Work.Of(CopyTail(buffers, offset, bytes));
+            var state = m_state.Value;
+            yield return Work.Of(buffers.Write(m_format.Head(path, state, chunksEnd, pointsEnd), true));
+            done(new ExportResult(m_format, state, buffers.Bytes));
+        }
+
+        /// <summary>Copies a part of the source's file, in pieces.</summary>
+        IEnumerator<Work> CopyTail(ExportBuffers buffers, long offset, long bytes)
+        {
+            const int pieceBytes = 4 << 20;
+            using var read = new StoreRead();
+            for (long at = 0; at < bytes; at += pieceBytes)
+            {
+                read.Begin(Path.GetFullPath(m_reader.Info.Path), offset + at, Math.Min(pieceBytes, bytes - at));
+                yield return read.Done;
+                read.Complete();
+                var ticket = buffers.Append(read.Bytes);
+                try
+                {
+                    while (!ticket.IsDone(1))
+                        yield return default;
+                }
+                finally
+                {
+                    ticket.Wait();
+                }
+            }
+        }
+
+        /// <summary>Goes over all ranges, several in flight, and appends their points one behind another.</summary>
+        /// <param name="buffers">Null to measure.</param>
+        IEnumerator<Work> Pass(PointSchema wanted, ExportBuffers buffers)
+        {
+            int longest = ExportRange.Longest(m_ranges);
+            var ahead = SourceScan.AheadFor(m_reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => m_settings.AheadMs);
+            var idle = new Stack<Slot>();
+            var all = new List<Slot>();
+            var inFlight = new Queue<Slot>();
+            var last = default(JobHandle);
+            long pointsAhead = 0, read = 0, points = 0, bytes = 0;
+            try
+            {
+                for (int next = 0; next < m_ranges.Count || inFlight.Count > 0;)
+                {
+                    bool hasRoom = next < m_ranges.Count && (buffers == null ||
+                        buffers.HasRoom(points, pointsAhead + m_ranges[next].Range.Count));
+                    if (hasRoom && inFlight.Count < ahead.Count)
+                    {
+                        if (idle.Count == 0)
+                        {
+                            all.Add(new Slot(m_reader, wanted, longest, m_format));
+                            idle.Push(all[all.Count - 1]);
+                        }
+                        var slot = idle.Pop();
+                        last = slot.Begin(m_ranges[next], JobOf(buffers), last);
+                        pointsAhead += m_ranges[next++].Range.Count;
+                        inFlight.Enqueue(slot);
+                        JobHandle.ScheduleBatchedJobs();
+                        yield return default;
+                        continue;
+                    }
+                    if (inFlight.Count > 0)
+                    {
+                        var slot = inFlight.Peek();
+                        ahead.Await();
+                        yield return slot.Done;
+                        ahead.Resume(next < m_ranges.Count && hasRoom && last.IsCompleted);
+                        points = slot.Complete();
+                        pointsAhead -= slot.Read.Range.Count;
+                        read += slot.Read.Points.Count;
+                        bytes += m_reader.BytesOfRange(slot.Read.Range);
+                        idle.Push(inFlight.Dequeue());
+                        m_progress?.Report((next - inFlight.Count) / (double)m_ranges.Count, read, bytes);
+                    }
+                    else if (buffers != null)
+                    {
+                        yield return buffers.Oldest;
+                    }
+                    buffers?.Advance(points, inFlight.Count == 0 ? 1 : 0);
+                    yield return default;
+                }
+            }
+            finally
+            {
+                last.Complete();
+                foreach (var slot in all)
+                    slot.Dispose();
+            }
+        }
+
+        MakeRecordsJob JobOf(ExportBuffers buffers) => new MakeRecordsJob
+        {
+            Changed = m_changed,
+            Chosen = m_chosen,
+            Clips = m_clips,
+            Classes = m_classes,
+            Position = m_format.Position,
+            Buffers = buffers?.Pointers ?? m_noBuffers,
+            BufferPoints = m_format.BufferPoints,
+            RecordBytes = m_format.RecordBytes,
+            ReturnMask = m_format.ReturnMask,
+            State = m_state,
+        };
+
+        /// <summary>A block in flight: its read, and the slices behind that.</summary>
+        sealed class Slot : IDisposable
+        {
+            readonly ExportFormat m_format;
+            NativeArray<PointColumn> m_columns;
+            NativeArray<FieldCopy> m_copies;
+            NativeArray<FieldCopy> m_changedCopies;
+            NativeArray<ColumnChange> m_changes;
+            NativeReference<long> m_written = new NativeReference<long>(Allocator.Persistent);
+
+            public Slot(PointReader reader, PointSchema wanted, int longest, ExportFormat format)
+            {
+                m_format = format;
+                Read = reader.CreateRead(wanted, longest, Allocator.Persistent);
+                PlanCopies(out var same, out var changed, out var changes);
+                m_copies = new NativeArray<FieldCopy>(same, Allocator.Persistent);
+                m_changedCopies = new NativeArray<FieldCopy>(changed, Allocator.Persistent);
+                m_changes = new NativeArray<ColumnChange>(changes, Allocator.Persistent);
+                m_columns = new NativeArray<PointColumn>(wanted.Count, Allocator.Persistent);
+                for (int i = 0; i < wanted.Count; i++)
+                    m_columns[i] = Read.Points.Column(i);
+            }
+
+            public BlockRead Read { get; }
+
+            public JobHandle Done { get; private set; }
+
+            /// <param name="job">What is the same for all.</param>
+            public JobHandle Begin(in ExportRange range, MakeRecordsJob job, JobHandle after)
+            {
+                Read.Begin(range.Range);
+                job.Columns = Read.Points.Bytes;
+                job.Result = Read.Result;
+                job.Positions = PositionColumns.Of(Read.Points);
+                job.AllColumns = m_columns;
+                job.Copies = m_copies;
+                job.ChangedCopies = m_changedCopies;
+                job.Changes = m_changes;
+                job.Share = range.Share;
+                job.Written = m_written;
+                int classification = Read.Points.Schema.IndexOf(AttributeNames.Classification);
+                if (classification >= 0)
+                    job.Classification = Read.Points.Column(classification);
+                Done = JobHandle.CombineDependencies(Read.Decoded, after);
+                for (int first = 0; first < range.Range.Count; first += MakeRecordsJob.SlicePoints)
+                {
+                    job.First = first;
+                    job.Count = Math.Min(MakeRecordsJob.SlicePoints, range.Range.Count - first);
+                    Done = job.Schedule(Done);
+                }
+                return Done;
+            }
+
+            /// <returns>Points that are written by it and all before.</returns>
+            public long Complete()
+            {
+                Done.Complete();
+                Read.Complete();
+                return m_written.Value;
+            }
+
+            public void Dispose()
+            {
+                Done.Complete();
+                Read.Dispose();
+                m_columns.Dispose();
+                m_copies.Dispose();
+                m_changedCopies.Dispose();
+                m_changes.Dispose();
+                m_written.Dispose();
+            }
+
+            /// <summary>Which columns go into records as they are, and which by way of a change.</summary>
+            void PlanCopies(out FieldCopy[] same, out FieldCopy[] changed, out ColumnChange[] changes)
+            {
+                const int stride = 8 * MakeRecordsJob.SlicePoints;
+                var batch = Read.Points;
+                var fields = new List<PointField>();
+                var columns = new List<PointColumn>();
+                var changedFields = new List<PointField>();
+                var changedColumns = new List<PointColumn>();
+                var planned = new List<ColumnChange>();
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    var field = m_format.Axes[axis];
+                    bool isSame = m_format.Position.Kind == PositionKind.Same;
+                    (isSame ? fields : changedFields).Add(field);
+                    (isSame ? columns : changedColumns).Add(isSame ? batch.Column(batch.Schema.IndexOf(field.Name))
+                        : new PointColumn { OffsetBytes = axis * stride, Type = field.Type });
+                }
+                foreach (var column in m_format.Columns)
+                {
+                    // To measure, positions are enough.
+                    int index = batch.Schema.IndexOf(column.From);
+                    if (index < 0)
+                        continue;
+                    var from = batch.Column(index);
+                    bool isSame = column.IsSame(from.Type);
+                    var to = isSame ? from
+                        : new PointColumn { OffsetBytes = (3 + planned.Count) * stride, Type = column.To.Type };
+                    (isSame ? fields : changedFields).Add(column.To);
+                    (isSame ? columns : changedColumns).Add(to);
+                    if (!isSame)
+                        planned.Add(new ColumnChange
+                        {
+                            From = from,
+                            To = to,
+                            Scale = column.Scale,
+                            Offset = column.Offset,
+                            Most = column.Most,
+                        });
+                }
+                same = FieldCopyPlan.Make(fields.ToArray(), columns.ToArray());
+                changed = FieldCopyPlan.Make(changedFields.ToArray(), changedColumns.ToArray());
+                changes = planned.ToArray();
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using System.Collections.Generic;
+using FastPoints.Files;
+using FastPoints.Points;
+
+namespace FastPoints.Export
+{
+    /// <summary>How points become records of a file, and what the file has around them.</summary>
+    internal abstract class ExportFormat
+    {
+        /// <summary>Where a column of the source goes.</summary>
+        public readonly List<ExportColumn> Columns = new List<ExportColumn>();
+
+        /// <summary>Where the coordinates go in a record.</summary>
+        public readonly PointField[] Axes = new PointField[3];
+
+        public readonly List<string> Warnings = new List<string>();
+
+        public PositionChange Position;
+
+        public int RecordBytes { get; protected set; }
+
+        /// <summary>Points that are written in one piece.</summary>
+        public int BufferPoints { get; protected set; }
+
+        /// <summary>See <see cref="MakeRecordsJob.ReturnMask"/>.</summary>
+        public int ReturnMask { get; protected set; }
+
+        /// <summary>Whether <see cref="SetBounds"/> has to be called before the first record.</summary>
+        public virtual bool NeedsBounds => false;
+
+        /// <summary>What the points that are wanted have shown.</summary>
+        public virtual void SetBounds(in ExportState measured) { }
+
+        /// <summary>Parts of the source that are copied behind the points: the first byte, and the number of bytes.</summary>
+        public virtual IReadOnlyList<(long Offset, long Bytes)> Tail => System.Array.Empty<(long, long)>();
+
+        /// <summary>All that comes before the points, of a length that is always the same.</summary>
+        /// <param name="written">The points; none before they are written.</param>
+        /// <param name="chunksEnd">Where <see cref="Behind"/> begins.</param>
+        /// <param name="pointsEnd">Where the tail begins.</param>
+        public abstract byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd);
+
+        /// <summary>What compresses buffers, one at a time; null for records as they are.</summary>
+        public virtual LazChunkWriter CreateWriter() => null;
+
+        /// <summary>A buffer takes so many bytes of the file; called in their order.</summary>
+        public virtual void Written(int bytes) { }
+
+        /// <summary>What follows the points.</summary>
+        public virtual byte[] Behind() => System.Array.Empty<byte>();
+
+        /// <summary>A column for each axis, of the source's type and in its place.</summary>
+        protected void SetAxes(AttributeType type)
+        {
+            string[] names = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            for (int axis = 0; axis < 3; axis++)
+                Axes[axis] = new PointField(names[axis], type, axis * type.SizeOf());
+        }
+
+        protected static bool IsAxis(string name) =>
+            name == AttributeNames.X || name == AttributeNames.Y || name == AttributeNames.Z;
+
+        protected static bool IsChosen(string name, string[] chosen) =>
+            chosen == null || System.Array.IndexOf(chosen, name) >= 0;
+    }
+
+    /// <summary>One attribute of a source, and its field in records.</summary>
+    internal sealed class ExportColumn
+    {
+        public string From;
+        public PointField To;
+
+        /// <summary>Written = read * Scale + Offset, at most <see cref="Most"/>.</summary>
+        public double Scale = 1;
+        public double Offset;
+        public double Most = double.PositiveInfinity;
+
+        public bool IsSame(AttributeType from) =>
+            from == To.Type && Scale == 1 && Offset == 0 && double.IsPositiveInfinity(Most);
+    }
+}

@@ -1,0 +1,212 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Export
+{
+    /// <summary>Points of a source that are looked at: a range of a block, or an even share of it.</summary>
+    internal struct ExportRange
+    {
+        public BlockRange Range;
+
+        /// <summary>1 for all.</summary>
+        public double Share;
+
+        /// <summary>By the source's octree; 0 without one.</summary>
+        int m_level;
+
+        /// <summary>The most points of a range, and at least 1.</summary>
+        public static int Longest(IReadOnlyList<ExportRange> ranges)
+        {
+            int longest = 1;
+            foreach (var range in ranges)
+                longest = Math.Max(longest, range.Range.Count);
+            return longest;
+        }
+
+        /// <summary>Chooses by level and budget, and leaves nodes out that no clip box keeps anything of.</summary>
+        /// <param name="path">What will be written, and may be no part of the source.</param>
+        /// <returns>In the order of the source.</returns>
+        /// <exception cref="PointCloudException">A level is wanted, and there is no octree.</exception>
+        public static List<ExportRange> Choose(PointReader reader, string path, ExportSettings settings)
+        {
+            var ranges = All(reader, settings.LocalClips(), out bool hasLevels);
+            if (settings.Level >= 0 && !hasLevels)
+                throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
+                    "has no octree whose levels could be chosen: convert it first, or take a budget");
+            var files = new HashSet<string>();
+            var pointsOfLevel = new SortedDictionary<int, long>();
+            foreach (var range in ranges)
+            {
+                files.Add(reader.FileOfBlock(range.Range.Block, out _));
+                pointsOfLevel.TryGetValue(range.m_level, out long points);
+                pointsOfLevel[range.m_level] = points + range.Range.Count;
+            }
+            foreach (string file in files)
+                if (string.Equals(Path.GetFullPath(file), path, StringComparison.OrdinalIgnoreCase))
+                    throw new PointCloudException(FailureCode.WriteFailed, path, -1, "is the source, and would be overwritten");
+            return Join(ranges, ShareOfLevel(pointsOfLevel, settings));
+        }
+
+        static Dictionary<int, double> ShareOfLevel(SortedDictionary<int, long> pointsOfLevel, ExportSettings settings)
+        {
+            var shares = new Dictionary<int, double>();
+            long left = settings.Budget > 0 ? settings.Budget : long.MaxValue;
+            foreach (var level in pointsOfLevel)
+            {
+                bool isWanted = settings.Level < 0 || level.Key <= settings.Level;
+                shares[level.Key] = !isWanted ? 0 : Math.Min(1, left / (double)level.Value);
+                left -= isWanted ? Math.Min(left, level.Value) : 0;
+            }
+            return shares;
+        }
+
+        /// <summary>Drops what is not wanted, and reads parts of a block that follow one another in one go.</summary>
+        static List<ExportRange> Join(List<ExportRange> ranges, Dictionary<int, double> shareOfLevel)
+        {
+            var joined = new List<ExportRange>();
+            foreach (var range in ranges)
+            {
+                var next = range;
+                next.Share = shareOfLevel[range.m_level];
+                if (next.Share <= 0 || range.Range.Count == 0)
+                    continue;
+                var before = joined.Count > 0 ? joined[joined.Count - 1] : default;
+                if (joined.Count > 0 && before.Range.Block == range.Range.Block && before.Share == 1 && next.Share == 1)
+                {
+                    next.Range = new BlockRange(range.Range.Block, before.Range.First, before.Range.Count + range.Range.Count);
+                    joined.RemoveAt(joined.Count - 1);
+                }
+                joined.Add(next);
+            }
+            return joined;
+        }
+
+        static List<ExportRange> All(PointReader reader, LocalClip[] clips, out bool hasLevels)
+        {
+            var stored = reader as StoredReader;
+            hasLevels = stored != null || reader.Tree != null;
+            var nodeOfBlock = new int[reader.BlockCount];
+            for (int block = 0; block < nodeOfBlock.Length; block++)
+                nodeOfBlock[block] = -1;
+            for (int node = 0; node < (reader.Tree?.NodeCount ?? 0); node++)
+                if (reader.Tree[node].Block >= 0)
+                    nodeOfBlock[reader.Tree[node].Block] = node;
+            var order = new int[reader.BlockCount];
+            var places = new long[order.Length];
+            for (int block = 0; block < order.Length; block++)
+            {
+                order[block] = block;
+                places[block] = reader.PlaceOfBlock(block);
+            }
+            Array.Sort(places, order);
+
+            var ranges = new List<ExportRange>();
+            foreach (int block in order)
+            {
+                int points = reader.PointsInBlock(block);
+                if (stored != null && IsLeft(clips, stored.CubeOf(block)))
+                {
+                    int own = stored.OwnPointsOf(block), level = stored.LevelOf(block);
+                    ranges.Add(new ExportRange { Range = new BlockRange(block, 0, own), m_level = level });
+                    ranges.Add(new ExportRange { Range = new BlockRange(block, own, points - own), m_level = level + 1 });
+                }
+                else if (stored == null && (nodeOfBlock[block] < 0 || IsLeft(clips, CubeOf(reader, nodeOfBlock[block]))))
+                {
+                    // What no node names is below all of them.
+                    int level = !hasLevels ? 0 : nodeOfBlock[block] < 0 ? int.MaxValue : reader.Tree[nodeOfBlock[block]].Level;
+                    ranges.Add(new ExportRange { Range = new BlockRange(block, 0, points), m_level = level });
+                }
+            }
+            return ranges;
+        }
+
+        static BoundsGeo CubeOf(PointReader reader, int node)
+        {
+            var at = reader.Tree[node];
+            double edge = reader.Tree.EdgeOfLevel(at.Level);
+            var corner = reader.Tree.Cube.Min + new double3(at.Cell.x, at.Cell.y, at.Cell.z) * edge;
+            return new BoundsGeo(corner, corner + edge);
+        }
+
+        /// <summary>Whether clips may leave something of a box.</summary>
+        static unsafe bool IsLeft(LocalClip[] clips, BoundsGeo box)
+        {
+            // Writers round nodes' boxes: nothing is lost by a box that is a little larger.
+            var half = box.Size * (0.5 + 1e-6) + math.abs(box.Center) * 1e-14;
+            fixed (LocalClip* first = clips)
+                return LocalClip.Leave(first, clips.Length, box.Center, half);
+        }
+    }
+
+    /// <summary>What of a cloud is exported. The defaults are all of it.</summary>
+    internal sealed class ExportSettings
+    {
+        public IReadOnlyList<ClipBox> Clips = Array.Empty<ClipBox>();
+
+        /// <summary>The world of <see cref="Clips"/> = this * georeferenced position: without it, they are in the cloud's
+        /// coordinates.</summary>
+        public CloudPlacement WorldOfGeo = new CloudPlacement(double3x3.identity, default);
+
+        /// <summary>From 0 to 255; null for all.</summary>
+        public int[] Classes;
+
+        /// <summary>Beside the position; null for all.</summary>
+        public string[] Attributes;
+
+        /// <summary>The last level of the octree; -1 for all.</summary>
+        public int Level = -1;
+
+        /// <summary>The most points, spread over what the boxes leave: the first levels of an octree and a share of the next, or
+        /// an even share of any other source; 0 for all.</summary>
+        public long Budget;
+
+        /// <summary>See <see cref="Convert.ConvertSettings.AheadMs"/>.</summary>
+        public double AheadMs;
+
+        public LocalClip[] LocalClips()
+        {
+            var clips = new LocalClip[Clips.Count];
+            for (int i = 0; i < clips.Length; i++)
+                clips[i] = new LocalClip(Clips[i], WorldOfGeo);
+            return clips;
+        }
+    }
+
+    /// <summary>What an export has written.</summary>
+    internal sealed class ExportResult
+    {
+        public readonly long Points;
+
+        /// <summary>Points that were read, of those that could be chosen.</summary>
+        public readonly long PointsRead;
+
+        /// <summary>Wanted points whose position is no number, which have no place in the file.</summary>
+        public readonly long PointsLeftOut;
+        public readonly long Bytes;
+
+        /// <summary>The farthest that a coordinate was moved, in CRS units; 0 if they are the source's own numbers.</summary>
+        public readonly double PositionError;
+
+        /// <summary>One line each.</summary>
+        public readonly List<string> Warnings;
+
+        public ExportResult(ExportFormat format, in ExportState state, long bytes)
+        {
+            Points = state.Written;
+            PointsRead = state.Seen;
+            PointsLeftOut = state.LeftOut;
+            Bytes = bytes;
+            PositionError = state.WorstError;
+            Warnings = new List<string>(format.Warnings);
+            if (state.Clamped > 0)
+                Warnings.Add(NumberText.Of(state.Clamped) + " values are larger than their fields in LAS: the largest that " +
+                    "fits is written");
+        }
+    }
+}

@@ -1,0 +1,336 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Export
+{
+    /// <summary>LAS: of a LAS source the same point format, grid, header and records around the points; of any other LAS 1.4 in
+    /// the least point format that has the standard attributes, everything else as extra bytes.</summary>
+    internal class LasExport : ExportFormat
+    {
+        const int BufferBytes = 1 << 20;
+
+        /// <summary>Coordinates without a grid get this step, or a finer one; degrees <see cref="UsualDegrees"/>.</summary>
+        const double UsualStep = 0.001, UsualDegrees = 1e-7;
+
+        /// <summary>More bytes of records before the points than files have.</summary>
+        const long MostVlrBytes = 64 << 20;
+
+        const double MostSteps = uint.MaxValue - 1.0;
+        const ushort WktEncodingBit = 1 << 4;
+
+        readonly LasHeader m_header;
+        readonly List<byte[]> m_vlrs = new List<byte[]>();
+        readonly List<(long, long)> m_tail = new List<(long, long)>();
+        readonly bool m_isOnDegrees;
+
+        /// <summary>Where the waveforms begin in the tail; -1 without.</summary>
+        long m_waveformInTail = -1;
+        uint m_evlrs;
+
+        /// <param name="reader">Any thread: its file is opened besides.</param>
+        /// <param name="chosen">The attributes to keep beside the position; null for all.</param>
+        /// <param name="mostPoints">The most points that can come.</param>
+        public LasExport(PointReader reader, string[] chosen, long mostPoints)
+        {
+            var info = reader.Info;
+            m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
+            SetAxes(AttributeType.Int32);
+            var las = reader.Las;
+            m_header = las != null ? HeaderOf(las) : new LasHeader { VersionMinor = 4 };
+            m_header.GeneratingSoftware = "FastPoints";
+            if (mostPoints > uint.MaxValue && m_header.VersionMinor < 4)
+                m_header.VersionMinor = 4;
+            m_header.HeaderBytes = LasHeader.BytesOf(m_header.VersionMinor);
+            if (las == null)
+                m_header.PointFormat = FormatOf(info.Schema, chosen);
+            var format = LasPointFormat.Of(m_header.PointFormat);
+            ReturnMask = format.IsExtended ? 15 : 7;
+            RecordBytes = format.RecordBytes;
+            if (las != null && chosen == null)
+                TakeRecords(las);
+            else
+                MapColumns(info, format, chosen, las != null);
+            if (RecordBytes > ushort.MaxValue)
+                throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
+                    "a LAS record has at most 65,535 bytes, these attributes take " + NumberText.Of(RecordBytes));
+            m_header.RecordBytes = RecordBytes;
+            if (las != null)
+                CopyRecords(las, chosen == null);
+            else
+                AddCrs(info.Crs);
+            SetPosition(info);
+            BufferPoints = Math.Max(1, BufferBytes / RecordBytes);
+        }
+
+        public override IReadOnlyList<(long Offset, long Bytes)> Tail => m_tail;
+
+        public override bool NeedsBounds => Position.Kind != PositionKind.Same;
+
+        protected LasHeader Header => m_header;
+
+        protected int ExtraBytes => RecordBytes - LasPointFormat.Of(m_header.PointFormat).RecordBytes;
+
+        protected void AddVlr(byte[] vlr) => m_vlrs.Add(vlr);
+
+        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        {
+            var byReturn = new ulong[16];
+            unsafe
+            {
+                for (int i = 0; i < byReturn.Length; i++)
+                    byReturn[i] = written.ByReturn[i];
+            }
+            m_header.Count = (ulong)written.Written;
+            m_header.SetPoints(path, byReturn, written.Min, written.Max);
+            m_header.VlrCount = (uint)m_vlrs.Count;
+            m_header.EvlrCount = m_evlrs;
+            m_header.EvlrOffset = m_evlrs > 0 ? (ulong)pointsEnd : 0;
+            m_header.WaveformOffset = m_waveformInTail >= 0 ? (ulong)(pointsEnd + m_waveformInTail) : 0;
+            long bytes = m_header.HeaderBytes;
+            foreach (var vlr in m_vlrs)
+                bytes += vlr.Length;
+            m_header.PointsOffset = (uint)bytes;
+            var head = new byte[bytes];
+            m_header.ToBytes().CopyTo(head, 0);
+            int at = m_header.HeaderBytes;
+            foreach (var vlr in m_vlrs)
+            {
+                vlr.CopyTo(head, at);
+                at += vlr.Length;
+            }
+            return head;
+        }
+
+        /// <summary>The grid: the source's own if its numbers fit, moved if only their differences do; of floats, or of too wide
+        /// numbers, decimal steps.</summary>
+        public override void SetBounds(in ExportState measured)
+        {
+            var from = Position.From;
+            Position.To = from;
+            Position.Divisor = 1;
+            if (Position.Kind == PositionKind.Rounded)
+            {
+                SetDecimalGrid(new BoundsGeo(measured.MinGeo, measured.MaxGeo));
+            }
+            else if (measured.MinStored.X <= measured.MaxStored.X)
+            {
+                var size = measured.MaxStored - measured.MinStored;
+                double widest = math.cmax(new double3(size.X, size.Y, size.Z));
+                while (widest / Position.Divisor > MostSteps)
+                    Position.Divisor *= 10;
+                Position.Base = new Grid3(BaseOf(measured.MinStored.X, measured.MaxStored.X),
+                    BaseOf(measured.MinStored.Y, measured.MaxStored.Y), BaseOf(measured.MinStored.Z, measured.MaxStored.Z));
+                Position.To.Scale = from.Scale * Position.Divisor;
+                Position.To.Offset += from.Scale * new double3(Position.Base.X, Position.Base.Y, Position.Base.Z);
+            }
+            m_header.Scale = Position.To.Scale;
+            m_header.Offset = Position.To.Offset;
+        }
+
+        /// <summary>The number that becomes 0: a round one near the middle, unless all fit as they are.</summary>
+        long BaseOf(long min, long max)
+        {
+            if (Position.Divisor == 1 && min >= int.MinValue && max <= int.MaxValue)
+                return 0;
+            long middle = min + (max - min) / 2, round = (long)(1e6 * Position.Divisor), rounded = middle / round * round;
+            return (max - min) / Position.Divisor < MostSteps - 4e6 ? rounded : middle;
+        }
+
+        void SetDecimalGrid(BoundsGeo box)
+        {
+            if (box.IsEmpty)
+                box = new BoundsGeo(default, default);
+            double extent = Math.Min(double.MaxValue, math.cmax(box.Size));
+            double farthest = math.cmax(math.max(math.abs(box.Min), math.abs(box.Max)));
+            double step = m_isOnDegrees ? UsualDegrees : UsualStep;
+            if (extent > 0)
+                step = Math.Min(step, Math.Pow(10, Math.Floor(Math.Log10(extent)) - 6));
+            // Finer than the coordinates themselves is of no use.
+            if (farthest > 0)
+                step = Math.Max(step, Math.Pow(10, Math.Ceiling(Math.Log10(farthest)) - 16));
+            while (extent / step > MostSteps - 4e6)
+                step *= 10;
+            Position.To.Scale = new double3(step, step, step);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                bool fits = Math.Max(Math.Abs(box.Min[axis]), Math.Abs(box.Max[axis])) / step < int.MaxValue;
+                double round = 1e6 * step;
+                Position.To.Offset[axis] = fits ? 0 : Math.Round(box.Center[axis] / round) * round;
+            }
+        }
+
+        void SetPosition(SourceInfo info)
+        {
+            var kind = PositionKind.Same;
+            foreach (var axis in Axes)
+            {
+                var type = info.Schema[info.Schema.IndexOf(axis.Name)].Type;
+                if (type != AttributeType.Int32)
+                    kind = type == AttributeType.Int64 && kind != PositionKind.Rounded ? PositionKind.Whole
+                        : PositionKind.Rounded;
+            }
+            Position = new PositionChange { Kind = kind, From = info.Transform, To = info.Transform, Divisor = 1 };
+            m_header.Scale = info.Transform.Scale;
+            m_header.Offset = info.Transform.Offset;
+        }
+
+        static LasHeader HeaderOf(LasFile las)
+        {
+            var from = las.Header;
+            return new LasHeader
+            {
+                FileSourceId = from.FileSourceId,
+                GlobalEncoding = from.GlobalEncoding,
+                Guid = from.Guid,
+                VersionMinor = from.VersionMinor,
+                SystemIdentifier = from.SystemIdentifier,
+                CreationDay = from.CreationDay,
+                CreationYear = from.CreationYear,
+                PointFormat = from.PointFormat,
+                MinGpsTime = from.MinGpsTime,
+                MaxGpsTime = from.MaxGpsTime,
+                TimeOffset = from.TimeOffset,
+            };
+        }
+
+        /// <summary>The least format that has what is wanted. Only formats 0 to 5 have scan angles of whole degrees.</summary>
+        static int FormatOf(PointSchema schema, string[] chosen)
+        {
+            bool Has(string name, params AttributeType[] types)
+            {
+                int index = schema.IndexOf(name);
+                return index >= 0 && IsChosen(name, chosen) && Array.IndexOf(types, schema[index].Type) >= 0;
+            }
+            bool HasColor(string name) => Has(name, AttributeType.UInt8, AttributeType.UInt16);
+            bool color = HasColor(AttributeNames.Red) && HasColor(AttributeNames.Green) && HasColor(AttributeNames.Blue);
+            bool wave = Has(AttributeNames.WavePacketDescriptorIndex, AttributeType.UInt8);
+            bool infrared = HasColor(AttributeNames.NearInfrared);
+            if (!Has(AttributeNames.ScanAngle, AttributeType.Int8))
+                return wave ? (color || infrared ? 10 : 9) : color ? (infrared ? 8 : 7) : 6;
+            bool time = Has(AttributeNames.GpsTime, AttributeType.Float64, AttributeType.Float32);
+            return wave ? (color ? 5 : 4) : (time ? 1 : 0) + (color ? 2 : 0);
+        }
+
+        /// <summary>Records with every byte of the source's.</summary>
+        void TakeRecords(LasFile las)
+        {
+            RecordBytes = las.Layout.RecordBytes;
+            foreach (var field in las.Layout.Fields)
+                if (!IsAxis(field.Name))
+                    Columns.Add(new ExportColumn { From = field.Name, To = field });
+        }
+
+        void MapColumns(SourceInfo info, LasPointFormat format, string[] chosen, bool isLas)
+        {
+            var standard = new PointFields();
+            foreach (var field in format.Fields)
+                standard.Add(field);
+            var extra = new List<byte>();
+            foreach (var attribute in info.Schema)
+            {
+                if (IsAxis(attribute.Name) || !IsChosen(attribute.Name, chosen))
+                    continue;
+                var column = new ExportColumn { From = attribute.Name };
+                if (standard.TryFind(attribute.Name, out column.To) && Fits(attribute, column))
+                {
+                    if (column.To.IsBits && !isLas)
+                        column.Most = (1 << column.To.BitWidth) - 1;
+                    Columns.Add(column);
+                    continue;
+                }
+                if (column.To.Name != null)
+                    Warnings.Add(attribute.Name + " is " + attribute.Type + " here, which the field of LAS cannot hold: it is " +
+                        "written as extra bytes, and the field is 0");
+                column.To = new PointField(attribute.Name, attribute.Type, RecordBytes);
+                RecordBytes += attribute.Type.SizeOf();
+                extra.AddRange(LasExtraBytes.Entry(attribute));
+                Columns.Add(column);
+            }
+            if (extra.Count > ushort.MaxValue)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, info.Path, -1, "attributes beyond those of LAS",
+                    "at most " + ushort.MaxValue / LasExtraBytes.EntryBytes, extra.Count / LasExtraBytes.EntryBytes);
+            if (extra.Count > 0)
+                m_vlrs.Add(LasWriter.Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", extra.ToArray()));
+        }
+
+        /// <summary>Whether the field holds all values of the attribute's type.</summary>
+        bool Fits(PointAttribute attribute, ExportColumn column)
+        {
+            if (attribute.Scale != 1 || attribute.Offset != 0)
+                return false;
+            bool isColor = attribute.Name == AttributeNames.Red || attribute.Name == AttributeNames.Green ||
+                attribute.Name == AttributeNames.Blue;
+            if (isColor && attribute.Type == AttributeType.UInt8)
+            {
+                column.Scale = 257;
+                if (attribute.Name == AttributeNames.Red)
+                    Warnings.Add("colours of 8 bits are written times 257, since those of LAS have 16");
+                return true;
+            }
+            return attribute.Type == column.To.Type || attribute.Type.SizeOf() < 8 &&
+                AttributeTypes.Common(attribute.Type, column.To.Type) == column.To.Type;
+        }
+
+        /// <summary>Takes the records around the points over, as bytes: all but those that describe the points' compression, or
+        /// an octree that the export has no more.</summary>
+        void CopyRecords(LasFile las, bool keepsExtraBytes)
+        {
+            using var source = FileSource.Open(las.Info.Path);
+            long bytes = 0, tail = 0;
+            foreach (var vlr in las.Vlrs.Records)
+            {
+                long length = vlr.DataOffset + vlr.DataBytes - vlr.Offset;
+                if (vlr.UserId == LazFormat.UserId || vlr.UserId == "copc" ||
+                    !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
+                    continue;
+                if (vlr.IsExtended)
+                {
+                    if ((ulong)vlr.Offset == las.Header.WaveformOffset)
+                        m_waveformInTail = tail;
+                    m_tail.Add((vlr.Offset, length));
+                    tail += length;
+                    m_evlrs++;
+                }
+                else if ((bytes += length) <= MostVlrBytes)
+                {
+                    m_vlrs.Add(source.Read(vlr.Offset, (int)length, "VLR").Bytes);
+                }
+            }
+            if (bytes > MostVlrBytes)
+                Warnings.Add("records of more than 64 MiB lie before the points: what is beyond that is left out");
+            // LAS 1.3 has no list of such records, only the place of this one.
+            ulong waves = las.Header.WaveformOffset;
+            if (m_waveformInTail >= 0 || waves <= las.Header.PointsOffset ||
+                waves + LasVlr.ExtendedHeaderBytes > (ulong)source.Length)
+                return;
+            ulong data = source.Read((long)waves, LasVlr.ExtendedHeaderBytes, "waveform record").UInt64(20, "waveform bytes");
+            ulong room = (ulong)source.Length - waves - LasVlr.ExtendedHeaderBytes;
+            m_waveformInTail = tail;
+            m_tail.Add(((long)waves, LasVlr.ExtendedHeaderBytes + (long)Math.Min(data, room)));
+        }
+
+        void AddCrs(CoordinateSystem crs)
+        {
+            var wkt = Encoding.UTF8.GetBytes((crs.Wkt ?? "") + "\0");
+            if (crs.Wkt != null && wkt.Length <= ushort.MaxValue)
+            {
+                m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", wkt));
+                m_header.GlobalEncoding |= WktEncodingBit;
+            }
+            else if (crs.Epsg != 0 || crs.VerticalEpsg != 0)
+            {
+                m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord, "GeoTIFF keys",
+                    LasGeoKeys.Directory(crs)));
+            }
+            else if (crs.IsKnown)
+            {
+                Warnings.Add("the coordinate system is known by its name alone, which LAS has no place for: " + crs.Summary);
+            }
+        }
+    }
+}

@@ -1,0 +1,344 @@
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Export
+{
+    /// <summary>A slice of a block: chooses points, and appends them as records to the buffers, each behind the last of the slice
+    /// before; or only measures where the chosen points are.</summary>
+    [BurstCompile]
+    internal unsafe struct MakeRecordsJob : IJob
+    {
+        /// <summary>Points of a slice: below a millisecond for most records.</summary>
+        public const int SlicePoints = 8192;
+
+        /// <summary>Of the block's batch; the chosen points move to the front of the slice.</summary>
+        public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+        public PositionColumns Positions;
+        [ReadOnly] public NativeArray<PointColumn> AllColumns;
+
+        /// <summary>Columns that go into records as they are, and those of <see cref="Changed"/>.</summary>
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        [ReadOnly] public NativeArray<FieldCopy> ChangedCopies;
+        [ReadOnly] public NativeArray<ColumnChange> Changes;
+
+        /// <summary>Columns of a slice: x, y, z of 8 bytes each, then one for each change.</summary>
+        public NativeArray<byte> Changed;
+        public NativeArray<int> Chosen;
+        [ReadOnly] public NativeArray<LocalClip> Clips;
+
+        /// <summary>The classes that are wanted, a bit each; empty for all.</summary>
+        [ReadOnly] public NativeArray<ulong> Classes;
+        public PointColumn Classification;
+
+        /// <summary>Share of the range's points that are taken, evenly.</summary>
+        public double Share;
+        public PositionChange Position;
+
+        /// <summary>Where each buffer begins, in turn; empty to measure.</summary>
+        [ReadOnly] public NativeArray<ulong> Buffers;
+        public int BufferPoints;
+        public int RecordBytes;
+
+        /// <summary>Bits of the byte at 14 that are the return number; 0 where records are not those of LAS.</summary>
+        public int ReturnMask;
+        public NativeReference<ExportState> State;
+
+        /// <summary>Points that are written by this slice and all before it.</summary>
+        public NativeReference<long> Written;
+        public int First;
+        public int Count;
+
+        public void Execute()
+        {
+            var state = State.Value;
+            int count = math.min(Count, Result.Value.Points - First);
+            int chosen = count > 0 ? Choose(count, ref state) : 0;
+            if (chosen > 0 && Buffers.Length > 0)
+            {
+                if (chosen < count)
+                    for (int c = 0; c < AllColumns.Length; c++)
+                        Gather(AllColumns[c], chosen);
+                for (int c = 0; c < Changes.Length; c++)
+                    Change(Changes[c], chosen, ref state);
+                Append(chosen, ref state);
+            }
+            State.Value = state;
+            Written.Value = state.Written;
+        }
+
+        /// <summary>Lists the points that are wanted and have a place, and computes their positions if these change.</summary>
+        int Choose(int count, ref ExportState state)
+        {
+            const int run = ColumnValues.RunLength;
+            byte* columns = (byte*)Columns.GetUnsafePtr(), changed = (byte*)Changed.GetUnsafePtr();
+            int* chosen = (int*)Chosen.GetUnsafePtr();
+            double* x = stackalloc double[run], y = stackalloc double[run], z = stackalloc double[run];
+            double* classes = stackalloc double[run];
+            bool needsPlaces = Clips.Length > 0 || Position.Kind != PositionKind.Same;
+            int done = 0;
+            for (int first = 0; first < count; first += run)
+            {
+                int points = math.min(run, count - first);
+                if (needsPlaces)
+                    Positions.LoadGeo(columns, Position.From, First + first, points, x, y, z);
+                if (Classes.Length > 0)
+                    ColumnValues.ToDoubles(columns + Classification.OffsetBytes, Classification.Type, First + first, points,
+                        classes);
+                for (int i = 0; i < points; i++)
+                {
+                    state.Seen++;
+                    if (Share < 1 && math.floor(state.Seen * Share) == math.floor((state.Seen - 1) * Share))
+                        continue;
+                    if (Classes.Length > 0 && !IsWanted(classes[i]))
+                        continue;
+                    var place = needsPlaces ? new double3(x[i], y[i], z[i]) : default;
+                    if (Clips.Length > 0 && !IsInside(place))
+                        continue;
+                    if (Position.Kind != PositionKind.Same &&
+                        !Move(columns, First + first + i, place, changed, done, ref state))
+                        continue;
+                    chosen[done++] = First + first + i;
+                }
+            }
+            state.Chosen += done;
+            return done;
+        }
+
+        bool IsWanted(double c) => c >= 0 && c < 256 && (Classes[(int)c >> 6] >> ((int)c & 63) & 1) != 0;
+
+        /// <summary>Whether clips leave a position. A box holds its faces, whether it keeps or cuts: what rounding alone puts
+        /// outside counts as inside.</summary>
+        bool IsInside(double3 place)
+        {
+            bool isKept = false, doesAnyKeep = false;
+            var rounding = math.abs(place) * 4.5e-16;
+            for (int i = 0; i < Clips.Length; i++)
+            {
+                var clip = Clips[i];
+                var at = math.abs(math.mul(clip.ToBox, place) + clip.Offset);
+                var reach = math.abs(clip.ToBox.c0) * rounding.x + math.abs(clip.ToBox.c1) * rounding.y +
+                    math.abs(clip.ToBox.c2) * rounding.z;
+                bool isInside = math.all(at - reach <= 0.5);
+                if (isInside && clip.Cuts)
+                    return false;
+                doesAnyKeep |= !clip.Cuts;
+                isKept |= isInside;
+            }
+            return isKept || !doesAnyKeep;
+        }
+
+        /// <returns>Whether the point has a place in the file.</returns>
+        bool Move(byte* columns, int point, double3 place, byte* changed, int to, ref ExportState state)
+        {
+            if (Position.Kind == PositionKind.Geo)
+            {
+                for (int axis = 0; axis < 3; axis++)
+                    ((double*)(changed + axis * 8 * SlicePoints))[to] = place[axis];
+                return true;
+            }
+            if (!math.all(math.isfinite(place)))
+            {
+                state.LeftOut++;
+                return false;
+            }
+            if (Position.Kind == PositionKind.Whole)
+            {
+                var stored = new Grid3(((long*)(columns + Positions.X.OffsetBytes))[point],
+                    ((long*)(columns + Positions.Y.OffsetBytes))[point], ((long*)(columns + Positions.Z.OffsetBytes))[point]);
+                state.MinStored = Grid3.Min(state.MinStored, stored);
+                state.MaxStored = Grid3.Max(state.MaxStored, stored);
+                var from = stored - Position.Base;
+                place = new double3(from.X, from.Y, from.Z) / Position.Divisor;
+            }
+            else
+            {
+                state.MinGeo = math.min(state.MinGeo, place);
+                state.MaxGeo = math.max(state.MaxGeo, place);
+                place = (place - Position.To.Offset) / Position.To.Scale;
+            }
+            if (Buffers.Length == 0)
+                return true;
+            var rounded = math.floor(place + 0.5);
+            if (!math.all(rounded >= int.MinValue) || !math.all(rounded <= int.MaxValue))
+            {
+                state.LeftOut++;
+                return false;
+            }
+            var off = math.abs(rounded - place) * math.abs(Position.To.Scale);
+            state.WorstError = math.max(state.WorstError, math.max(off.x, math.max(off.y, off.z)));
+            for (int axis = 0; axis < 3; axis++)
+                ((int*)(changed + axis * 8 * SlicePoints))[to] = (int)rounded[axis];
+            return true;
+        }
+
+        void Gather(PointColumn column, int chosen)
+        {
+            byte* values = (byte*)Columns.GetUnsafePtr() + column.OffsetBytes;
+            int* from = (int*)Chosen.GetUnsafeReadOnlyPtr();
+            switch (column.Type.SizeOf())
+            {
+                case 1:
+                    for (int i = 0; i < chosen; i++)
+                        values[First + i] = values[from[i]];
+                    break;
+                case 2:
+                    for (int i = 0; i < chosen; i++)
+                        ((ushort*)values)[First + i] = ((ushort*)values)[from[i]];
+                    break;
+                case 4:
+                    for (int i = 0; i < chosen; i++)
+                        ((uint*)values)[First + i] = ((uint*)values)[from[i]];
+                    break;
+                default:
+                    for (int i = 0; i < chosen; i++)
+                        ((ulong*)values)[First + i] = ((ulong*)values)[from[i]];
+                    break;
+            }
+        }
+
+        void Change(in ColumnChange change, int chosen, ref ExportState state)
+        {
+            byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + change.From.OffsetBytes;
+            byte* to = (byte*)Changed.GetUnsafePtr() + change.To.OffsetBytes;
+            double* values = stackalloc double[ColumnValues.RunLength];
+            for (int first = 0; first < chosen; first += ColumnValues.RunLength)
+            {
+                int points = math.min(ColumnValues.RunLength, chosen - first);
+                ColumnValues.ToDoubles(from, change.From.Type, First + first, points, values);
+                for (int i = 0; i < points; i++)
+                {
+                    double value = values[i] * change.Scale + change.Offset;
+                    if (value > change.Most)
+                    {
+                        value = change.Most;
+                        state.Clamped++;
+                    }
+                    Put(to, change.To.Type, first + i, value);
+                }
+            }
+        }
+
+        static void Put(byte* column, AttributeType type, int index, double value)
+        {
+            switch (type)
+            {
+                case AttributeType.UInt8: column[index] = (byte)value; break;
+                case AttributeType.Int8: ((sbyte*)column)[index] = (sbyte)value; break;
+                case AttributeType.UInt16: ((ushort*)column)[index] = (ushort)value; break;
+                case AttributeType.Int16: ((short*)column)[index] = (short)value; break;
+                case AttributeType.UInt32: ((uint*)column)[index] = (uint)value; break;
+                case AttributeType.Int32: ((int*)column)[index] = (int)value; break;
+                case AttributeType.Float32: ((float*)column)[index] = (float)value; break;
+                default: ((double*)column)[index] = value; break;
+            }
+        }
+
+        void Append(int chosen, ref ExportState state)
+        {
+            for (int done = 0; done < chosen;)
+            {
+                int at = (int)(state.Written % BufferPoints);
+                int points = math.min(chosen - done, BufferPoints - at);
+                byte* records = (byte*)Buffers[(int)(state.Written / BufferPoints % Buffers.Length)] + (long)at * RecordBytes;
+                UnsafeUtility.MemClear(records, (long)points * RecordBytes);
+                PointRecords.FromColumns((byte*)Columns.GetUnsafeReadOnlyPtr(), First + done, points,
+                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, records, RecordBytes);
+                PointRecords.FromColumns((byte*)Changed.GetUnsafeReadOnlyPtr(), done, points,
+                    (FieldCopy*)ChangedCopies.GetUnsafeReadOnlyPtr(), ChangedCopies.Length, records, RecordBytes);
+                if (ReturnMask != 0)
+                    Account(records, points, ref state);
+                state.Written += points;
+                done += points;
+            }
+        }
+
+        void Account(byte* record, int points, ref ExportState state)
+        {
+            for (int i = 0; i < points; i++, record += RecordBytes)
+            {
+                var place = new int3(((int*)record)[0], ((int*)record)[1], ((int*)record)[2]);
+                state.Min = math.min(state.Min, place);
+                state.Max = math.max(state.Max, place);
+                state.ByReturn[record[14] & ReturnMask]++;
+            }
+        }
+    }
+
+    /// <summary>How positions of a source become those of a file.</summary>
+    internal enum PositionKind
+    {
+        /// <summary>The columns are copied.</summary>
+        Same,
+        /// <summary>64-bit whole numbers to 32-bit ones.</summary>
+        Whole,
+        /// <summary>Rounded to a grid of 32-bit whole numbers.</summary>
+        Rounded,
+        /// <summary>Georeferenced, as doubles.</summary>
+        Geo,
+    }
+
+    /// <summary>The change of positions. Blittable.</summary>
+    internal struct PositionChange
+    {
+        public PositionKind Kind;
+        public PositionTransform From;
+        public PositionTransform To;
+
+        /// <summary>Of whole numbers: out = (in - <see cref="Base"/>) / <see cref="Divisor"/>.</summary>
+        public Grid3 Base;
+        public double Divisor;
+    }
+
+    /// <summary>A column whose values go into records in another type. Blittable.</summary>
+    internal struct ColumnChange
+    {
+        public PointColumn From;
+        public PointColumn To;
+        public double Scale;
+        public double Offset;
+
+        /// <summary>Larger values become this one, and are counted.</summary>
+        public double Most;
+    }
+
+    /// <summary>What an export has seen and written so far. Blittable.</summary>
+    internal unsafe struct ExportState
+    {
+        public long Seen;
+        public long Chosen;
+        public long Written;
+
+        /// <summary>Points whose position is no number, or has no place in the file.</summary>
+        public long LeftOut;
+        public long Clamped;
+
+        /// <summary>The farthest that a coordinate was moved, in CRS units.</summary>
+        public double WorstError;
+        public Grid3 MinStored;
+        public Grid3 MaxStored;
+        public double3 MinGeo;
+        public double3 MaxGeo;
+
+        /// <summary>Of the records of LAS.</summary>
+        public int3 Min;
+        public int3 Max;
+        public fixed ulong ByReturn[16];
+
+        public static ExportState None => new ExportState
+        {
+            MinStored = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
+            MaxStored = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+            MinGeo = BoundsGeo.Empty.Min,
+            MaxGeo = BoundsGeo.Empty.Max,
+            Min = new int3(int.MaxValue, int.MaxValue, int.MaxValue),
+            Max = new int3(int.MinValue, int.MinValue, int.MinValue),
+        };
+    }
+}

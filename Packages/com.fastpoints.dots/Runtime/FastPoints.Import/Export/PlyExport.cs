@@ -1,0 +1,96 @@
+using System;
+using System.Text;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+
+namespace FastPoints.Export
+{
+    /// <summary>Binary little-endian PLY: georeferenced coordinates as doubles, or the source's own floats; each attribute in its
+    /// type, scaled ones as their values.</summary>
+    internal sealed class PlyExport : ExportFormat
+    {
+        const int BufferBytes = 1 << 20;
+
+        /// <summary>Digits of the largest count.</summary>
+        const int CountDigits = 20;
+
+        /// <summary>By type: PLY has no 64-bit integers.</summary>
+        static readonly string[] s_types =
+        {
+            "uchar", "char", "ushort", "short", "uint", "int", "double", "double", "float", "double",
+        };
+
+        readonly StringBuilder m_properties = new StringBuilder();
+        readonly string m_crs;
+
+        public PlyExport(SourceInfo info, string[] chosen)
+        {
+            var schema = info.Schema;
+            bool isSingle = true;
+            foreach (var attribute in schema)
+                isSingle &= !IsAxis(attribute.Name) || attribute.Type == AttributeType.Float32;
+            var transform = info.Transform;
+            isSingle &= transform.Scale.Equals(PositionTransform.Identity.Scale) && transform.Offset.Equals(default);
+            SetAxes(isSingle ? AttributeType.Float32 : AttributeType.Float64);
+            Position = new PositionChange { Kind = isSingle ? PositionKind.Same : PositionKind.Geo, From = transform };
+            foreach (var axis in Axes)
+                Add(axis, axis.Name);
+            foreach (var attribute in schema)
+            {
+                if (IsAxis(attribute.Name) || !IsChosen(attribute.Name, chosen))
+                    continue;
+                bool isWide = attribute.Type == AttributeType.Int64 || attribute.Type == AttributeType.UInt64;
+                bool isScaled = attribute.Scale != 1 || attribute.Offset != 0;
+                var field = new PointField(attribute.Name, isWide || isScaled ? AttributeType.Float64 : attribute.Type,
+                    RecordBytes);
+                Columns.Add(new ExportColumn
+                {
+                    From = attribute.Name,
+                    To = field,
+                    Scale = attribute.Scale,
+                    Offset = attribute.Offset,
+                });
+                if (isWide)
+                    Warnings.Add(attribute.Name + ": PLY has no 64-bit whole numbers: written as doubles, exact to 2^53");
+                Add(field, attribute.Name);
+            }
+            BufferPoints = Math.Max(1, BufferBytes / RecordBytes);
+            m_crs = info.Crs.Summary == null ? "" : "comment CRS " + Plain(info.Crs.Summary, ' ') + "\n";
+        }
+
+        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        {
+            string count = NumberText.Of(written.Written);
+            return Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\ncomment written by FastPoints " +
+                new string('.', CountDigits - count.Length) + "\n" + m_crs + "element vertex " + count + "\n" + m_properties +
+                "end_header\n");
+        }
+
+        void Add(PointField field, string name)
+        {
+            RecordBytes += field.Type.SizeOf();
+            m_properties.Append("property ").Append(s_types[(int)field.Type]).Append(' ').Append(Plain(NameOf(name), '_'))
+                .Append('\n');
+        }
+
+        /// <summary>The usual name, as <see cref="PlyNames"/> reads it.</summary>
+        static string NameOf(string name) => name switch
+        {
+            AttributeNames.X or AttributeNames.Y or AttributeNames.Z or AttributeNames.Red or AttributeNames.Green or
+                AttributeNames.Blue or AttributeNames.Alpha or AttributeNames.Intensity => name.ToLowerInvariant(),
+            AttributeNames.NormalX => "nx",
+            AttributeNames.NormalY => "ny",
+            AttributeNames.NormalZ => "nz",
+            _ => name,
+        };
+
+        static string Plain(string text, char blank)
+        {
+            var plain = new StringBuilder();
+            foreach (char c in text)
+                plain.Append(c > ' ' && c < 127 ? c : blank);
+            return plain.ToString();
+        }
+    }
+}

@@ -1,0 +1,334 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Export
+{
+    /// <summary>A converted cloud as a source: positions are the grid's whole numbers, a block is a node with its guests, in the
+    /// order of the files.</summary>
+    internal sealed class StoredReader : PointReader
+    {
+        readonly CloudFolder m_folder;
+
+        /// <summary>The upper nodes, then those of each chunk.</summary>
+        readonly List<NodeTable> m_tables = new List<NodeTable>();
+        readonly List<string> m_paths = new List<string>();
+        readonly List<StoredBlock> m_blocks = new List<StoredBlock>();
+        int m_mostPoints = 1;
+
+        StoredReader(CloudFolder folder) => m_folder = folder;
+
+        void Load()
+        {
+            var folder = m_folder;
+            m_tables.Add(folder.Upper);
+            m_paths.Add(Path.GetFullPath(folder.UpperPath));
+            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
+            {
+                m_tables.Add(folder.LoadTable(chunk));
+                m_paths.Add(Path.GetFullPath(folder.ChunkPath(chunk)));
+            }
+            long first = 0;
+            for (int file = 0; file < m_tables.Count; file++)
+            {
+                int begin = m_blocks.Count;
+                var blockOfNode = new int[m_tables[file].Nodes.Length];
+                for (int n = 0; n < blockOfNode.Length; n++)
+                {
+                    var node = m_tables[file].Nodes[n];
+                    bool isGuest = node.Host != n;
+                    blockOfNode[n] = isGuest ? blockOfNode[node.Host] : m_blocks.Count;
+                    if (!isGuest)
+                        m_blocks.Add(new StoredBlock { File = file, Node = n, OwnPoints = node.PointCount });
+                    var block = m_blocks[blockOfNode[n]];
+                    block.Points += node.PointCount;
+                    m_blocks[blockOfNode[n]] = block;
+                }
+                for (int b = begin; b < m_blocks.Count; b++)
+                {
+                    var block = m_blocks[b];
+                    block.FirstPoint = first;
+                    m_blocks[b] = block;
+                    first += block.Points;
+                    m_mostPoints = Math.Max(m_mostPoints, block.Points);
+                }
+            }
+            Info = Describe(folder, first);
+        }
+
+        /// <exception cref="PointCloudException">It is no cloud, is still being built, or is damaged.</exception>
+        public static StoredReader Open(string path)
+        {
+            var reader = new StoredReader(CloudFolder.Open(path));
+            try
+            {
+                if (reader.Manifest.IsBuilding)
+                    throw new PointCloudException(FailureCode.Unsupported, path, -1, "this cloud is still being built");
+                reader.Load();
+                return reader;
+            }
+            catch
+            {
+                reader.DisposeUnread();
+                throw;
+            }
+        }
+
+        public CloudManifest Manifest => m_folder.Manifest;
+
+        public override int BlockCount => m_blocks.Count;
+
+        public override int MaxPointsPerBlock => m_mostPoints;
+
+        public override long FirstPointOfBlock(int block) => m_blocks[block].FirstPoint;
+
+        public override int PointsInBlock(int block) => m_blocks[block].Points;
+
+        /// <summary>Points of the node itself, which come before those of its guests.</summary>
+        public int OwnPointsOf(int block) => m_blocks[block].OwnPoints;
+
+        /// <summary>0 for the root. Guests are a level below.</summary>
+        public int LevelOf(int block) => Manifest.Root.SideLog2 - NodeOf(block).SideLog2;
+
+        /// <summary>The node's cube, which holds its guests too.</summary>
+        public BoundsGeo CubeOf(int block)
+        {
+            var cube = NodeOf(block).Cube;
+            var end = cube.Corner + new Grid3(cube.Side, cube.Side, cube.Side);
+            return new BoundsGeo(Manifest.Grid.ToGeo(cube.Corner), Manifest.Grid.ToGeo(end));
+        }
+
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            var place = m_blocks[block];
+            byteOffset = m_tables[place.File].Planes[place.Node * m_tables[place.File].PlaneCount].OffsetBytes;
+            return m_paths[place.File];
+        }
+
+        public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint / 2;
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new StoredRead(this, wanted, capacity, allocator);
+
+        public override void DisposeUnread()
+        {
+            // The first table is the folder's.
+            for (int file = 1; file < m_tables.Count; file++)
+                m_tables[file].Dispose();
+            m_tables.Clear();
+            m_folder.Dispose();
+        }
+
+        NodeRecord NodeOf(int block) => m_tables[m_blocks[block].File].Nodes[m_blocks[block].Node];
+
+        static SourceInfo Describe(CloudFolder folder, long points)
+        {
+            var manifest = folder.Manifest;
+            var attributes = new List<PointAttribute>();
+            foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
+                attributes.Add(new PointAttribute(axis, AttributeType.Int64));
+            attributes.AddRange(manifest.Attributes);
+            return new SourceInfo
+            {
+                Path = folder.FolderPath,
+                Format = "FastPoints",
+                Version = NumberText.Of((long)StoreFormat.Version),
+                PointsClaimed = (ulong)manifest.Points,
+                PointsReadable = points,
+                HasBoundsClaimed = manifest.Points > 0,
+                BoundsClaimed = manifest.BoundsGeo,
+                Transform = new PositionTransform { Scale = manifest.Grid.Step, Offset = manifest.Grid.Origin },
+                Schema = new PointSchema(attributes),
+                Crs = new CoordinateSystem
+                {
+                    Name = manifest.CrsName,
+                    Wkt = manifest.CrsWkt,
+                    Epsg = manifest.CrsEpsg,
+                    VerticalEpsg = manifest.CrsVerticalEpsg,
+                    MetresPerUnit = manifest.MetresPerUnit,
+                },
+            };
+        }
+
+        struct StoredBlock
+        {
+            public int File;
+            public int Node;
+            public int OwnPoints;
+            public int Points;
+            public long FirstPoint;
+        }
+
+        /// <summary>Reads the wanted planes of a node in one piece, which they are in the file.</summary>
+        sealed class StoredRead : SlotRead
+        {
+            readonly StoredReader m_reader;
+            readonly NativeFileRead m_file = new NativeFileRead(0, Allocator.Persistent);
+            readonly List<int> m_planes = new List<int> { StoreLayout.PositionPlane };
+            NativeArray<PlaneShape> m_shapes;
+            NativeArray<PlaneRange> m_ranges;
+            NativeArray<StoredTarget> m_targets;
+
+            public StoredRead(StoredReader reader, PointSchema wanted, int capacity, Allocator allocator)
+                : base(reader, wanted, capacity, allocator)
+            {
+                m_reader = reader;
+                var layout = reader.m_folder.Layout;
+                var targets = new List<StoredTarget>();
+                for (int axis = 0; axis < 3; axis++)
+                    AddTarget(targets, 0, axis, new StoredColumn { Type = AttributeType.Int64, Divisor = 1 },
+                        reader.Info.Schema[axis].Name);
+                for (int p = 1; p < layout.Planes.Count; p++)
+                {
+                    int before = targets.Count;
+                    var plane = layout.Planes[p];
+                    for (int c = 0; c < plane.ColumnCount && plane.AverageOf < 0; c++)
+                        AddTarget(targets, m_planes.Count, c, layout.Columns[plane.FirstColumn + c],
+                            layout.Attributes[layout.AttributeOfColumn[plane.FirstColumn + c]].Name);
+                    if (targets.Count > before)
+                        m_planes.Add(p);
+                }
+                m_targets = new NativeArray<StoredTarget>(targets.ToArray(), allocator);
+                m_shapes = new NativeArray<PlaneShape>(m_planes.Count, allocator);
+                m_ranges = new NativeArray<PlaneRange>(m_planes.Count, allocator);
+            }
+
+            void AddTarget(List<StoredTarget> targets, int plane, int column, StoredColumn stored, string name)
+            {
+                int index = Points.Schema.IndexOf(name);
+                if (index >= 0)
+                    targets.Add(new StoredTarget { Plane = plane, Column = column, Stored = stored, To = Points.Column(index) });
+            }
+
+            protected override JobHandle Schedule(BlockRange range)
+            {
+                var block = m_reader.m_blocks[range.Block];
+                var table = m_reader.m_tables[block.File];
+                var node = table.Nodes[block.Node];
+                for (int p = 0; p < m_planes.Count; p++)
+                {
+                    m_ranges[p] = table.Planes[block.Node * table.PlaneCount + m_planes[p]];
+                    m_shapes[p] = m_reader.m_folder.Layout.ShapeOf(m_planes[p], node.IsWide);
+                }
+                long first = m_ranges[0].OffsetBytes;
+                var last = m_ranges[m_planes.Count - 1];
+                long bytes = last.OffsetBytes + last.LengthBytes - first;
+                m_file.Reserve(bytes);
+                return new DecodeStoredJob
+                {
+                    File = m_file.Buffer,
+                    FileOffset = first,
+                    Ranges = m_ranges,
+                    Shapes = m_shapes,
+                    Targets = m_targets,
+                    HostedBlocks = node.HostedBlocks,
+                    Corner = node.Corner,
+                    First = range.First,
+                    Count = range.Count,
+                    Columns = Points.Bytes,
+                    Result = Result,
+                }.Schedule(Behind(m_file.Begin(m_reader.m_paths[block.File], first, (int)bytes)));
+            }
+
+            protected override void EndRead()
+            {
+                m_file.End();
+                if (Result.Value.Error != 0)
+                    throw new PointCloudException(FailureCode.BadInput, m_reader.FileOfBlock(Range.Block, out _),
+                        Result.Value.ErrorOffset, "the node's data is damaged: its hash does not fit");
+            }
+
+            protected override void Cancel() => m_file.Cancel();
+
+            protected override void DisposeMemory()
+            {
+                m_file.Dispose();
+                if (!m_targets.IsCreated)
+                    return;
+                m_targets.Dispose();
+                m_shapes.Dispose();
+                m_ranges.Dispose();
+            }
+        }
+    }
+
+    /// <summary>Where a column of a stored node goes. Blittable.</summary>
+    internal struct StoredTarget
+    {
+        /// <summary>Among the wanted planes; 0 for the position.</summary>
+        public int Plane;
+        public int Column;
+        public StoredColumn Stored;
+        public PointColumn To;
+    }
+
+    /// <summary>Checks the planes of a node, and unpacks some of its points into columns.</summary>
+    [BurstCompile]
+    internal unsafe struct DecodeStoredJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> File;
+
+        /// <summary>Where the bytes begin in the file.</summary>
+        public long FileOffset;
+        [ReadOnly] public NativeArray<PlaneRange> Ranges;
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+        [ReadOnly] public NativeArray<StoredTarget> Targets;
+        public int HostedBlocks;
+        public Grid3 Corner;
+        public int First;
+        public int Count;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+
+        public void Execute()
+        {
+            var file = (byte*)File.GetUnsafeReadOnlyPtr() - FileOffset;
+            for (int p = 0; p < Ranges.Length; p++)
+            {
+                byte* plane = file + Ranges[p].OffsetBytes;
+                if (ContentHash.Of(plane, Ranges[p].LengthBytes) == Ranges[p].Hash &&
+                    PlaneView.IsSound(plane, Ranges[p].LengthBytes, Shapes[p], HostedBlocks))
+                    continue;
+                Result.Value = new DecodeResult { Error = 1, ErrorOffset = Ranges[p].OffsetBytes };
+                return;
+            }
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            for (int t = 0; t < Targets.Length; t++)
+            {
+                var target = Targets[t];
+                var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], HostedBlocks);
+                int size = target.To.Type.SizeOf();
+                byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
+                long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
+                int at = 0;
+                for (int b = 0; b < HostedBlocks && at < First + Count; b++)
+                {
+                    int points = view.PointsOf(b), begin = math.max(0, First - at);
+                    int end = math.min(points, First + Count - at);
+                    at += points;
+                    if (begin >= end)
+                        continue;
+                    view.UnpackWide(b, target.Column, values);
+                    if (target.Plane == 0)
+                    {
+                        for (int i = begin; i < end; i++, to += size)
+                            *(long*)to = corner + (long)values[i];
+                        continue;
+                    }
+                    for (int i = begin; i < end; i++, to += size)
+                        OrderedBits.Store(values[i] * (ulong)target.Stored.Divisor, target.Stored.Type, to);
+                }
+            }
+            Result.Value = new DecodeResult { Points = Count };
+        }
+    }
+}
