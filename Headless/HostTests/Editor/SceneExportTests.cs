@@ -103,7 +103,7 @@ public sealed class SceneExportTests : EditorFixture
         // The scene's boxes are floats.
         var middle = new double3(center.x, center.y, center.z);
         var edges = new double3(size.x, size.y, size.z);
-        int least = Count(middle, edges - new double3(1e-3, 1e-3, 1e-3)), most = Count(middle, edges + new double3(1e-3, 1e-3, 1e-3));
+        int least = Count(middle, edges - 1e-3), most = Count(middle, edges + 1e-3);
         Assert.That(least, Is.GreaterThan(0).And.LessThan(Points));
         Assert.That(cuts ? Points - written : written, Is.InRange(least, most));
     }

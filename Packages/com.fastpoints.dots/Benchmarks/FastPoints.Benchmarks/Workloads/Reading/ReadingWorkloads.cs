@@ -30,6 +30,11 @@ namespace FastPoints.Benchmarks
                 schema => schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z));
             yield return new ReadCopyWorkload("laz layered read and copy", laz);
 
+            yield return new ExportWorkload("export las", "laz layered", laz, ".las");
+            yield return new ExportWorkload("export laz layered", "laz layered", laz, ".laz");
+            yield return new ExportWorkload("export laz pointwise", "laz pointwise", Sample(BenchmarkSamples.LazPointwise),
+                ".laz");
+
             foreach (var (name, find) in new (string, Func<WorkloadContext, string>)[]
             {
                 ("laz pointwise", Sample(BenchmarkSamples.LazPointwise)),
