@@ -40,7 +40,7 @@ namespace FastPoints.Editor
             var shown = Shown(cloud, out var clips);
             if (shown == null)
             {
-                Debug.LogError("FastPoints: " + cloud.name + " is not shown yet: nothing says where its points are");
+                Debug.LogError("FastPoints: " + cloud.gameObject.name + " is not shown yet: nothing says where its points are");
                 return null;
             }
             try
@@ -48,7 +48,7 @@ namespace FastPoints.Editor
                 var sources = SourcesOf(cloud, shown, imports);
                 var taken = new List<string>(Directory.GetFileSystemEntries(folder));
                 taken.AddRange(imports.Exports.Promised);
-                string path = new FreeNames(folder, ".laz", taken).Next(cloud.name);
+                string path = new FreeNames(folder, ".laz", taken).Next(cloud.gameObject.name);
                 imports.Exports.Begin(sources, path, new ExportSettings
                 {
                     Clips = clips,

@@ -179,6 +179,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
+        [Category("Smoke")]
         public void Run_BoxesClassesAndShares_OnlyTheirPoints()
         {
             using var source = Grid();
