@@ -21,11 +21,9 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     [OneTimeTearDown]
     public void DeleteCloud() => m_scratch?.Dispose();
 
-    /// <param name="hasCompute">Otherwise the engine copies nodes.</param>
-    StreamContext Stream(bool hasCompute, long limitBytes, int bankBytes, int bytesPerUpload)
+    StreamContext Stream(long limitBytes, int bankBytes, int bytesPerUpload)
     {
-        var copyPages = hasCompute ? new GpuShaders().CopyPages : null;
-        var stream = new StreamContext(new GraphicsNodePool(copyPages, limitBytes, bankBytes, bytesPerUpload));
+        var stream = new StreamContext(new GraphicsNodePool(new GpuShaders().CopyPages, limitBytes, bankBytes, bytesPerUpload));
         stream.Settings.Selection.FinestSpacingPx = 0.1f;
         stream.Settings.UploadBytesPerFrame = bytesPerUpload;
         var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
@@ -101,13 +99,11 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     }
 
     /// <summary>In a pool too small for the cloud, nodes come and go over one another.</summary>
-    [TestCase(true, 1 << 18)]
-    [TestCase(true, 1 << 12)]
-    [TestCase(false, 1 << 18)]
-    [TestCase(false, 1 << 12)]
-    public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(bool hasCompute, int bytesPerUpload)
+    [TestCase(1 << 18)]
+    [TestCase(1 << 12)]
+    public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(int bytesPerUpload)
     {
-        using var stream = Stream(hasCompute, 3 << 19, 1 << 19, bytesPerUpload);
+        using var stream = Stream(3 << 19, 1 << 19, bytesPerUpload);
         int evicted = 0;
         for (int place = 0; place < 12; place++)
         {
@@ -132,7 +128,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         HeadlessGraphics.FramesBehind = 5;
         try
         {
-            using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
+            using var stream = Stream(3 << 19, 1 << 19, 1 << 16);
             int uploaded = 0;
             for (int step = 0; step < 400; step++)
             {
@@ -159,7 +155,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     [Test]
     public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
     {
-        using var stream = Stream(true, 4 << 20, 1 << 19, 1 << 18);
+        using var stream = Stream(4 << 20, 1 << 19, 1 << 18);
         stream.Settings.Selection.FinestSpacingPx = 0;
         Rest(stream, Above(stream));
         long allocated = stream.Pool.AllocatedBytes, used = HeadlessGraphics.UsedBytes;
@@ -178,7 +174,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     [Test]
     public void Record_FrameAfterFrame_MakesNoGarbage()
     {
-        using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
+        using var stream = Stream(3 << 19, 1 << 19, 1 << 16);
         var shaders = new GpuShaders();
         using var materials = new PointMaterials(shaders.Points, shaders.Compose);
         using var sizes = new SizeTree();

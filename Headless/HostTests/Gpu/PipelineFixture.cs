@@ -22,6 +22,9 @@ public abstract class PipelineFixture : GraphicsFixture
 
     private protected PipelineHost Pipeline { get; private set; }
 
+    /// <summary>Whether a compute shader draws points of one pixel.</summary>
+    protected virtual bool HasRaster => false;
+
     protected void Begin(string pipeline) => Pipeline = PipelineHost.Make(pipeline);
 
     [OneTimeSetUp]
@@ -47,7 +50,8 @@ public abstract class PipelineFixture : GraphicsFixture
         Group.Begin(shaders.CreatePool(64 << 20, 8 << 20, 1 << 20));
         Group.Stream.Settings.Selection.SmallestNodePx = 0;
         Group.Stream.Settings.Selection.FinestSpacingPx = 0;
-        PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream)
+        PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream,
+            HasRaster ? shaders.Raster : null)
         {
             Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
         };

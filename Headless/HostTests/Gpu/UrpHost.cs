@@ -34,7 +34,9 @@ sealed class UrpHost : PipelineHost
         resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
         var cameraData = frame.GetOrCreate<UniversalCameraData>();
         cameraData.camera = camera;
-        cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;
+        var description = camera.targetTexture.descriptor;
+        (description.width, description.height) = (camera.pixelWidth, camera.pixelHeight);
+        cameraData.cameraTargetDescriptor = description;
         cameraData.xrRendering = camera.stereoEnabled;
         cameraData.Eye = Eye;
         foreach (var pass in m_renderer.Passes)

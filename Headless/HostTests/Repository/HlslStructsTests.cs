@@ -13,13 +13,25 @@ public sealed class HlslStructsTests
         Assert.That(text, Is.EqualTo(
             "// Written by RepoTools hlsl from FastPoints.HostTests.Repository.PlantedRecord: 40 bytes.\n" +
             "#ifndef FASTPOINTS_PLANTED_RECORD_INCLUDED\n#define FASTPOINTS_PLANTED_RECORD_INCLUDED\n\n" +
+            "#include \"../PointLists.hlsl\"\n\n" +
             "struct PlantedRecord\n{\n" +
             "    float3 Corner;   // 0, 12\n" +
             "    uint FirstPoint; // 12, 4\n" +
             "    int2 Size;       // 16, 8\n" +
             "    uint Shape;      // 24, 4\n" +
             "    uint Widths[3];  // 28, 12\n" +
-            "};\n\n#endif\n"));
+            "};\n\n" +
+            "// at: where it begins in the lists, in bytes.\n" +
+            "PlantedRecord FastPointsPlantedRecordAt(uint at)\n{\n" +
+            "    PlantedRecord loaded;\n" +
+            "    loaded.Corner = asfloat(_FastPointsLists.Load3(at + 0u));\n" +
+            "    loaded.FirstPoint = _FastPointsLists.Load(at + 12u);\n" +
+            "    loaded.Size = asint(_FastPointsLists.Load2(at + 16u));\n" +
+            "    loaded.Shape = _FastPointsLists.Load(at + 24u);\n" +
+            "    loaded.Widths[0] = _FastPointsLists.Load(at + 28u);\n" +
+            "    loaded.Widths[1] = _FastPointsLists.Load(at + 32u);\n" +
+            "    loaded.Widths[2] = _FastPointsLists.Load(at + 36u);\n" +
+            "    return loaded;\n}\n\n#endif\n"));
     }
 
     [TestCase(typeof(PlantedWithByte), "Width: no System.Byte in HLSL")]

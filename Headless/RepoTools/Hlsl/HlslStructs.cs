@@ -1,11 +1,12 @@
 namespace FastPoints.RepoTools.Hlsl;
 
-/// <summary>The HLSL twin of a struct that lies in a StructuredBuffer. HLSL packs such a buffer without gaps and has nothing
-/// below 32 bits, so only such fields are taken; then both sides have the same offsets and stride.</summary>
+/// <summary>The HLSL twin of a struct that lies in the raw buffer of a draw's lists, and what loads it from there: by words,
+/// without gaps, and with nothing below 32 bits.</summary>
 public static class HlslStructs
 {
     public const string Attribute = "GenerateHlslAttribute";
     private const int LargestStride = 2048;
+    private const string Prefix = "FastPoints", Lists = "../PointLists.hlsl";
 
     public static string Compose(TypeDefinition type)
     {
@@ -29,11 +30,25 @@ public static class HlslStructs
             (i > 0 && char.IsUpper(c) ? "_" : "") + char.ToUpperInvariant(c))) + "_INCLUDED";
         var text = new StringBuilder();
         text.Append($"// Written by RepoTools hlsl from {type.FullName}: {layout.Size} bytes.\n");
-        text.Append($"#ifndef {guard}\n#define {guard}\n\nstruct {type.Name}\n{{\n");
+        text.Append($"#ifndef {guard}\n#define {guard}\n\n#include \"{Lists}\"\n\nstruct {type.Name}\n{{\n");
         foreach ((string declaration, LaidOutField field) in lines)
             text.Append(declaration.PadRight(width)).Append($" // {field.Offset}, {field.Size}\n");
-        text.Append("};\n\n#endif\n");
+        text.Append($"}};\n\n// at: where it begins in the lists, in bytes.\n{type.Name} {Prefix}{type.Name}At(uint at)\n{{\n");
+        text.Append($"    {type.Name} loaded;\n");
+        foreach ((string declaration, LaidOutField field) in lines)
+            for (int i = 0; i < field.Count; i++)
+                text.Append(LoadOf(field, HlslType(field, type), i));
+        text.Append("    return loaded;\n}\n\n#endif\n");
         return text.ToString();
+    }
+
+    private static string LoadOf(LaidOutField field, string type, int element)
+    {
+        string lanes = char.IsDigit(type[^1]) ? type[^1..] : "";
+        int at = field.Offset + element * (field.Size / field.Count);
+        string load = $"_FastPointsLists.Load{lanes}(at + {at}u)";
+        string value = type.TrimEnd('2', '3', '4') switch { "float" => $"asfloat({load})", "int" => $"asint({load})", _ => load };
+        return $"    loaded.{field.Name}{(field.Count > 1 ? $"[{element}]" : "")} = {value};\n";
     }
 
     private static string HlslType(LaidOutField field, TypeDefinition owner)

@@ -6,7 +6,18 @@ public enum CustomPassInjectionPoint { AfterOpaqueAndSky = 6 }
 
 public class HDCamera
 {
+    public struct ViewConstants
+    {
+        /// <summary>Without a translation: what is drawn is relative to the camera.</summary>
+        public Matrix4x4 viewMatrix;
+
+        /// <summary>The device's for a texture, jittered.</summary>
+        public Matrix4x4 projMatrix;
+        public Vector3 worldSpaceCameraPos;
+    }
+
     public Camera camera;
+    public ViewConstants mainViewConstants;
 
     public int actualWidth => camera.pixelWidth;
     public int actualHeight => camera.pixelHeight;

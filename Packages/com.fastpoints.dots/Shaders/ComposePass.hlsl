@@ -82,10 +82,21 @@ struct FastPointsComposed
     float Depth : SV_Depth;
 };
 
-// A triangle that covers the picture.
-float4 FastPointsComposeVertex(uint vertex : SV_VertexID) : SV_POSITION
+struct FastPointsPlace
 {
-    return float4(vertex == 1u ? 3.0 : -1.0, vertex == 2u ? 3.0 : -1.0, 0.5, 1.0);
+    float4 PositionClip : SV_POSITION;
+
+    // In the layer, from 0 to 1, row by row as it lies there: the picture may be any part of its target.
+    float2 InLayer : TEXCOORD0;
+};
+
+// A triangle that covers the picture.
+FastPointsPlace FastPointsComposeVertex(uint vertex : SV_VertexID)
+{
+    FastPointsPlace place;
+    place.PositionClip = float4(vertex == 1u ? 3.0 : -1.0, vertex == 2u ? 3.0 : -1.0, 0.5, 1.0);
+    place.InLayer = 0.5 + 0.5 * place.PositionClip.xy * float2(1.0, _FastPointsFlip.x * FastPointsFlip());
+    return place;
 }
 
 // How far the eight pixels around lie before this one, in pixels.
@@ -140,9 +151,9 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
     depth /= count;
 }
 
-FastPointsComposed FastPointsComposeFragment(float4 position : SV_POSITION)
+FastPointsComposed FastPointsComposeFragment(FastPointsPlace place)
 {
-    int2 pixel = int2(position.xy);
+    int2 pixel = int2(place.InLayer * _FastPointsScreenPx);
     float4 color = FastPointsColorAt(pixel);
     float2 depth = FastPointsDepthAt(pixel);
     if (color.w == 0.0 && _FastPointsFillsHoles != 0u)

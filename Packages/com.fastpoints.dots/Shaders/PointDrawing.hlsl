@@ -15,12 +15,6 @@
 #define FASTPOINTS_COLOR_WRAPPED 2u
 #define FASTPOINTS_COLOR_PLACE 3u
 
-StructuredBuffer<GpuNode> _FastPointsNodes;
-StructuredBuffer<GpuCloud> _FastPointsClouds;
-
-// By block: index of its node.
-ByteAddressBuffer _FastPointsNodeOfInstance;
-
 // The first of the draw's blocks.
 uint _FastPointsFirstInstance;
 
@@ -169,8 +163,9 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     instance >>= 1;
 #endif
     instance += _FastPointsFirstInstance;
-    GpuNode node = _FastPointsNodes[_FastPointsNodeOfInstance.Load(instance * 4u)];
-    GpuCloud cloud = _FastPointsClouds[node.Cloud];
+    uint number = _FastPointsLists.Load(_FastPointsNodeOfInstanceAt + instance * 4u);
+    GpuNode node = FastPointsGpuNodeAt(_FastPointsNodesAt + number * 96u);
+    GpuCloud cloud = FastPointsGpuCloudAt(_FastPointsCloudsAt + node.Cloud * 112u);
     uint blockIndex = instance - node.FirstInstance;
     FastPointsBlock block = FastPointsOpenBlock(node.PositionWord, node.IsWide != 0u ? 8u : 5u, blockIndex);
     FastPointsPoint loaded;

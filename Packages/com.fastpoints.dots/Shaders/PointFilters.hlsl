@@ -7,7 +7,6 @@
 #include "Generated/GpuCloud.hlsl"
 
 #if defined(FASTPOINTS_CLIPPED)
-StructuredBuffer<GpuClipBox> _FastPointsClipBoxes;
 uint _FastPointsClipBoxCount;
 
 // Boxes that cut take away what is in them; of the others, what is in any is left.
@@ -17,7 +16,7 @@ bool FastPointsIsLeftByClips(float3 seen)
     bool isKept = false, doesAnyKeep = false, isCut = false;
     for (uint i = 0u; i < _FastPointsClipBoxCount; i++)
     {
-        GpuClipBox box = _FastPointsClipBoxes[i];
+        GpuClipBox box = FastPointsGpuClipBoxAt(_FastPointsClipBoxesAt + i * 64u);
         float4 place = float4(seen, 1.0);
         float3 inBox = abs(float3(dot(box.RowX, place), dot(box.RowY, place), dot(box.RowZ, place)));
         bool isIn = max(inBox.x, max(inBox.y, inBox.z)) <= 0.5;

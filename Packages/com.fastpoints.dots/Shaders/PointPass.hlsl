@@ -8,7 +8,7 @@
 #define FASTPOINTS_DISCS
 
 // What the clip space's z and w become with one unit along the view's direction, in x and y;
-// z: units of a pixel at a depth of one.
+// z: units of a pixel at a depth of one; w: 1 for OpenGL.
 float4 _FastPointsForwardClip;
 #endif
 
@@ -42,7 +42,7 @@ struct FastPointsVaryings
     float4 PositionClip : SV_POSITION;
     nointerpolation float3 Color : TEXCOORD0;
 #if defined(FASTPOINTS_DISCS)
-    // From -1 to 1 over the square.
+    // The disc is where it is no longer than 1.
     float2 Corner : TEXCOORD1;
 #endif
 #if defined(FASTPOINTS_PARABOLOIDS)
@@ -66,10 +66,16 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 {
     FastPointsVaryings varyings;
 #if defined(FASTPOINTS_IS_QUAD)
-    FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex / 6u);
-    // Two triangles: 0, 1, 2 and 3, 4, 5.
-    uint of = vertex % 6u;
-    float2 corner = float2(of == 1u || of >= 4u ? 1.0 : -1.0, of == 2u || of == 3u || of == 5u ? 1.0 : -1.0);
+#if defined(FASTPOINTS_DISCS)
+    // One triangle around the disc.
+    FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex / 3u);
+    uint of = vertex % 3u;
+    float2 corner = of == 0u ? float2(0.0, 2.0) : float2(of == 1u ? -1.7320508 : 1.7320508, -1.0);
+#else
+    // PointMaterials.SquareIndices make two triangles of a square's corners.
+    FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex / 4u);
+    float2 corner = float2((vertex & 1u) != 0u ? 1.0 : -1.0, (vertex & 2u) != 0u ? 1.0 : -1.0);
+#endif
 #if defined(FASTPOINTS_BLENDING)
     drawn.PositionClip = FastPointsMoveNearer(drawn);
 #endif
@@ -90,6 +96,9 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #endif
 #if defined(FASTPOINTS_STEREO)
     varyings.Slice = FastPointsEyeOf(instance);
+#endif
+#if !defined(FASTPOINTS_LAYERED) && !defined(FASTPOINTS_BLENDING)
+    drawn.PositionClip.y *= FastPointsFlip();
 #endif
     varyings.PositionClip = drawn.PositionClip;
     varyings.Color = drawn.Color;
@@ -122,6 +131,8 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
     behind = dot(varyings.Corner, varyings.Corner) * varyings.Middle.z;
     deviceDepth = (varyings.Middle.x + behind * _FastPointsForwardClip.x)
         / (varyings.Middle.y + behind * _FastPointsForwardClip.y);
+    // OpenGL's clip space goes from -1 to 1, and what is written from 0 to 1.
+    deviceDepth = deviceDepth * (1.0 - 0.5 * _FastPointsForwardClip.w) + 0.5 * _FastPointsForwardClip.w;
     targets.DeviceDepth = deviceDepth;
 #endif
     targets.Color = float4(varyings.Color, 1.0);

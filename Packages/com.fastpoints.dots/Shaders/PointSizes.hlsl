@@ -15,13 +15,16 @@ float4 _FastPointsSize;
 float2 _FastPointsSizeLimitsPx;
 
 #if defined(FASTPOINTS_ADAPTIVE)
-StructuredBuffer<GpuSizeNode> _FastPointsSizeNodes;
+GpuSizeNode FastPointsSizeNode(uint number)
+{
+    return FastPointsGpuSizeNodeAt(_FastPointsSizeNodesAt + number * 8u);
+}
 
 // The distance between points at a place.
 // place: of the point in its node's cube, from 0 to 1.
 float FastPointsGapAt(uint node, float3 place)
 {
-    GpuSizeNode at = _FastPointsSizeNodes[node];
+    GpuSizeNode at = FastPointsSizeNode(node);
     for (int level = 0; level < FASTPOINTS_MOST_LEVELS; level++)
     {
         place *= 2.0;
@@ -30,7 +33,7 @@ float FastPointsGapAt(uint node, float3 place)
         uint octant = uint(upper.x + 2.0 * upper.y + 4.0 * upper.z);
         if ((at.Children >> octant & 1u) == 0u)
             break;
-        at = _FastPointsSizeNodes[(at.Children >> 8) + countbits(at.Children & ((1u << octant) - 1u))];
+        at = FastPointsSizeNode((at.Children >> 8) + countbits(at.Children & ((1u << octant) - 1u)));
     }
     return at.Gap;
 }

@@ -2,6 +2,8 @@
 #ifndef FASTPOINTS_POINT_VALUES_INCLUDED
 #define FASTPOINTS_POINT_VALUES_INCLUDED
 
+#include "PointLists.hlsl"
+
 // FastPoints.Points.AttributeType.
 #define FASTPOINTS_UINT8 0u
 #define FASTPOINTS_INT8 1u
@@ -13,9 +15,6 @@
 #define FASTPOINTS_INT64 7u
 #define FASTPOINTS_FLOAT32 8u
 #define FASTPOINTS_FLOAT64 9u
-
-// Tables of 256 sRGB colours, one behind the other: red, green, blue, alpha from the lowest byte.
-ByteAddressBuffer _FastPointsPalettes;
 
 // A value of up to 32 bits.
 float FastPointsValue(uint bits, uint type)
@@ -62,9 +61,10 @@ float3 FastPointsUnpackColor(uint color)
     return float3(color & 0xFFu, color >> 8 & 0xFFu, color >> 16 & 0xFFu) / 255.0;
 }
 
+// Palettes are tables of 256 sRGB colours, one behind the other: red, green, blue, alpha from the lowest byte.
 float3 FastPointsLookUp(uint palette, uint entry)
 {
-    return FastPointsUnpackColor(_FastPointsPalettes.Load((palette * 256u + entry) * 4u));
+    return FastPointsUnpackColor(_FastPointsLists.Load((palette * 256u + entry) * 4u));
 }
 
 // IEC 61966-2-1. No colour is below 0; abs tells Direct3D's compiler, which warns of pow otherwise.

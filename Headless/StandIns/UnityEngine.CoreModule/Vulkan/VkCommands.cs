@@ -157,6 +157,11 @@ static unsafe partial class Vk
     internal static extern void vkCmdDraw(IntPtr commandBuffer, uint vertexCount, uint instanceCount, uint firstVertex,
         uint firstInstance);
     [DllImport(Library)]
+    internal static extern void vkCmdBindIndexBuffer(IntPtr commandBuffer, ulong buffer, ulong offset, uint indexType);
+    [DllImport(Library)]
+    internal static extern void vkCmdDrawIndexedIndirect(IntPtr commandBuffer, ulong buffer, ulong offset, uint drawCount,
+        uint stride);
+    [DllImport(Library)]
     internal static extern void vkCmdDrawIndirect(IntPtr commandBuffer, ulong buffer, ulong offset, uint drawCount, uint stride);
     [DllImport(Library)]
     internal static extern void vkCmdDispatch(IntPtr commandBuffer, uint groupCountX, uint groupCountY, uint groupCountZ);

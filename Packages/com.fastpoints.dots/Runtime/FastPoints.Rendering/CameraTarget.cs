@@ -6,15 +6,20 @@ namespace FastPoints.Rendering
     /// <summary>Where a pipeline's pass draws one camera's picture, and from which viewpoint.</summary>
     public struct CameraTarget
     {
-        /// <summary>The pass has set it already, with all slices if there are several. A style that needs a layer of its own sets
-        /// it again, with the whole picture as the viewport.</summary>
+        /// <summary>Set after uploads, with all slices if there are several.</summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
 
         /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
 
-        /// <summary>Width of the target; a pipeline may make it larger or smaller than the camera's picture.</summary>
+        /// <summary>Whether it may be the screen in place of a texture: only the engine knows, when it draws.</summary>
+        internal bool MayBeScreen;
+
+        /// <summary>Whether the picture is the lower left part of a target that is larger.</summary>
+        internal bool IsPart;
+
+        /// <summary>Width of the picture; a pipeline may make it larger or smaller than the camera's.</summary>
         public int WidthPx;
         public int HeightPx;
 
@@ -32,8 +37,8 @@ namespace FastPoints.Rendering
                 Color = color,
                 Depth = depth,
                 IsTexture = true,
-                WidthPx = camera.pixelWidth,
-                HeightPx = camera.pixelHeight,
+                WidthPx = camera.scaledPixelWidth,
+                HeightPx = camera.scaledPixelHeight,
                 Eye = hasBothEyes ? EyeMatrices.Of(camera, Camera.StereoscopicEye.Left) : EyeMatrices.Of(camera),
                 HasBothEyes = hasBothEyes,
                 RightEye = hasBothEyes ? EyeMatrices.Of(camera, Camera.StereoscopicEye.Right) : default,

@@ -68,6 +68,8 @@ namespace FastPoints.Rendering
                 IsLinear = QualitySettings.activeColorSpace == ColorSpace.Linear,
                 Color = target.Color,
                 Depth = target.Depth,
+                IsPart = target.IsPart,
+                MayBeScreen = target.MayBeScreen,
             };
         }
 

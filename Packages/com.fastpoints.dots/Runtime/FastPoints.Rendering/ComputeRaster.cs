@@ -18,7 +18,6 @@ namespace FastPoints.Rendering
 
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;
-        GraphicsBuffer m_noClips;
 
         /// <param name="shader">The package's RasterPoints.compute.</param>
         public ComputeRaster(ComputeShader shader)
@@ -40,7 +39,7 @@ namespace FastPoints.Rendering
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);
             long bytes = (long)view.WidthPx * view.HeightPx * BytesPerPixel;
-            return SystemInfo.supportsComputeShaders && SystemInfo.graphicsUVStartsAtTop &&
+            return SystemInfo.graphicsUVStartsAtTop &&
                 bytes > 0 && bytes <= Math.Min(NodePool.LargestBankBytes, SystemInfo.maxGraphicsBufferSize) &&
                 Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
         }
@@ -53,11 +52,10 @@ namespace FastPoints.Rendering
             return new Vector4(Vector3.Dot(z, view.Forward), z.w, Vector3.Dot(w, view.Forward), w.w);
         }
 
-        /// <param name="buffers">The buffers that draws read; the bank is set here.</param>
-        public void Record(CommandBuffer commands, in RenderView view, DrawList list, in RasterBuffers buffers,
-            GraphicsNodePool pool)
+        /// <param name="lists">What was written of <paramref name="list"/>.</param>
+        public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer lists, GraphicsNodePool pool)
         {
-            MakeBuffers(view);
+            MakePixels(view);
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             commands.SetComputeVectorParam(m_shader, ShaderNames.Forward, view.Forward);
             commands.SetComputeVectorParam(m_shader, ShaderNames.EyeOffset, view.EyeOffset);
@@ -71,11 +69,7 @@ namespace FastPoints.Rendering
             {
                 int kernel = m_kernels[pass];
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.PixelsOut, Pixels);
-                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Nodes, buffers.Nodes);
-                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Clouds, buffers.Clouds);
-                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.NodeOfInstance, buffers.NodeOfInstance);
-                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Palettes, buffers.Palettes);
-                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.ClipBoxes, buffers.ClipBoxes ?? m_noClips);
+                lists.Set(commands, m_shader, kernel);
                 for (int i = 0; i < list.Draws.Length; i++)
                     Dispatch(commands, kernel, list.Draws[i], pool);
             }
@@ -85,8 +79,6 @@ namespace FastPoints.Rendering
         {
             Pixels?.Dispose();
             Pixels = null;
-            m_noClips?.Dispose();
-            m_noClips = null;
         }
 
         void Dispatch(CommandBuffer commands, int kernel, in BankDraw draw, GraphicsNodePool pool)
@@ -99,29 +91,13 @@ namespace FastPoints.Rendering
             commands.DispatchCompute(m_shader, kernel, across, (draw.InstanceCount + across - 1) / across, 1);
         }
 
-        void MakeBuffers(in RenderView view)
+        void MakePixels(in RenderView view)
         {
             int words = view.WidthPx * view.HeightPx * (BytesPerPixel / sizeof(uint));
-            if (Pixels == null || Pixels.count != words)
-            {
-                Pixels?.Dispose();
-                Pixels = new GraphicsBuffer(GraphicsBuffer.Target.Raw, words, sizeof(uint));
-            }
-            if (m_noClips == null)
-                m_noClips = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1,
-                    Unity.Collections.LowLevel.Unsafe.UnsafeUtility.SizeOf<GpuClipBox>());
+            if (Pixels != null && Pixels.count == words)
+                return;
+            Pixels?.Dispose();
+            Pixels = new GraphicsBuffer(GraphicsBuffer.Target.Raw, words, sizeof(uint));
         }
-    }
-
-    /// <summary>The buffers that a <see cref="ComputeRaster"/> reads for one camera's draws.</summary>
-    struct RasterBuffers
-    {
-        public GraphicsBuffer Nodes;
-        public GraphicsBuffer Clouds;
-        public GraphicsBuffer NodeOfInstance;
-        public GraphicsBuffer Palettes;
-
-        /// <summary>Null if there are none.</summary>
-        public GraphicsBuffer ClipBoxes;
     }
 }

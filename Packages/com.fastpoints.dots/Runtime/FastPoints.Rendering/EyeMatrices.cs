@@ -17,14 +17,15 @@ namespace FastPoints.Rendering
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)
                 return Of(camera, (Camera.StereoscopicEye)camera.stereoActiveEye);
-            var place = camera.transform.position;
-            return new EyeMatrices
-            {
-                View = camera.worldToCameraMatrix,
-                Projection = camera.projectionMatrix,
-                PlaceWorld = new double3(place.x, place.y, place.z),
-            };
+            return Of(camera.worldToCameraMatrix, camera.projectionMatrix, camera.transform.position);
         }
+
+        internal static EyeMatrices Of(in Matrix4x4 view, in Matrix4x4 projection, Vector3 place) => new EyeMatrices
+        {
+            View = view,
+            Projection = projection,
+            PlaceWorld = new double3(place.x, place.y, place.z),
+        };
 
         public static EyeMatrices Of(Camera camera, Camera.StereoscopicEye eye) =>
             Of(camera.GetStereoViewMatrix(eye), camera.GetStereoProjectionMatrix(eye));

@@ -12,12 +12,14 @@ namespace FastPoints.Rendering
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
 
-        readonly PoolUpload m_upload;
+        /// <summary>A bank and <see cref="ListBuffer"/>.</summary>
+        const int VertexBuffers = 2;
+
+        readonly StagingRing m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();
         long m_frame;
 
-        /// <param name="copyPages">The package's CopyPages.compute; if it is null, or the device has no compute shaders, the
-        /// engine copies nodes.</param>
+        /// <param name="copyPages">The package's CopyPages.compute.</param>
         /// <param name="limitBytes">Limit of the banks; upload buffers (<see cref="UploadBytes"/>) come on top.</param>
         /// <param name="bankBytes">No node may be larger.</param>
         /// <param name="bytesPerUpload">The usual upload of one frame.</param>
@@ -25,10 +27,14 @@ namespace FastPoints.Rendering
             int bytesPerUpload = 4 << 20)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
-            int pages = PagesFor(bytesPerUpload);
-            bool hasCompute = copyPages != null && SystemInfo.supportsComputeShaders;
-            m_upload = hasCompute ? new StagingRing(copyPages, pages) : (PoolUpload)new DirectUpload(pages);
+            m_upload = new StagingRing(copyPages, PagesFor(bytesPerUpload));
         }
+
+        /// <summary>Why this device can neither keep nor draw points; null if it can.</summary>
+        public static string WhyNot =>
+            !SystemInfo.supportsComputeShaders ? SystemInfo.graphicsDeviceType + " has no compute shaders here"
+            : SystemInfo.maxComputeBufferInputsVertex < VertexBuffers
+                ? SystemInfo.graphicsDeviceType + " gives vertex shaders fewer than two storage buffers here" : null;
 
         /// <summary>Bytes of the buffers that uploads go through.</summary>
         public long UploadBytes => m_upload.AllocatedBytes;

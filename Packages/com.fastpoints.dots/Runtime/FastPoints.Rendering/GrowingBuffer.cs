@@ -20,21 +20,28 @@ namespace FastPoints.Rendering
             m_strideBytes = strideBytes;
         }
 
-        /// <summary>Null until something was written.</summary>
+        /// <summary>Null until room was made.</summary>
         public GraphicsBuffer Buffer { get; private set; }
 
-        /// <summary>Records that the buffer has these values from here on.</summary>
-        public void Write<T>(CommandBuffer commands, NativeArray<T> values) where T : unmanaged
+        /// <summary>Makes room.</summary>
+        /// <returns>Whether the buffer is a new one, which holds nothing.</returns>
+        public bool Reserve(long bytes)
         {
-            if (values.Length == 0)
-                return;
-            long bytes = (long)values.Length * UnsafeUtility.SizeOf<T>();
-            if (Buffer == null || (long)Buffer.count * m_strideBytes < bytes)
-            {
-                Dispose();
-                Buffer = new GraphicsBuffer(m_target, math.ceilpow2((int)(bytes / m_strideBytes)), m_strideBytes);
-            }
-            commands.SetBufferData(Buffer, values, 0, 0, values.Length);
+            if (Buffer != null && (long)Buffer.count * m_strideBytes >= bytes)
+                return false;
+            Dispose();
+            long most = SystemInfo.maxGraphicsBufferSize / m_strideBytes;
+            long count = (bytes + m_strideBytes - 1) / m_strideBytes;
+            Buffer = new GraphicsBuffer(m_target, (int)math.max(count, math.min(math.ceilpow2((int)count), most)), m_strideBytes);
+            return true;
+        }
+
+        /// <summary>Records that the buffer has these values from here on.</summary>
+        /// <param name="atByte">A multiple of a value's size.</param>
+        public void Write<T>(CommandBuffer commands, NativeArray<T> values, int atByte = 0) where T : unmanaged
+        {
+            if (values.Length > 0)
+                commands.SetBufferData(Buffer, values, 0, atByte / UnsafeUtility.SizeOf<T>(), values.Length);
         }
 
         public void Dispose()

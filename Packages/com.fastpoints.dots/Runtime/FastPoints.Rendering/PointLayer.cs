@@ -57,7 +57,7 @@ namespace FastPoints.Rendering
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)
         {
-            SetTarget(commands, view);
+            m_properties.SetVector(ShaderNames.Flip, view.Flip);
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.ScalePx, new Vector4(view.ScalePx, view.IsOrthographic ? 1 : 0, 0, 0));
             m_properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
@@ -71,7 +71,8 @@ namespace FastPoints.Rendering
         {
             // -1 stands for all slices.
             commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, (int)view.Eye - 1);
-            commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
+            if (view.IsPart)
+                commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
         }
 
         static RenderTextureDescriptor Describe(in RenderView view, GraphicsFormat color, GraphicsFormat depth) =>

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Store;
 using UnityEngine;
 
 namespace FastPoints.Rendering
@@ -7,12 +8,15 @@ namespace FastPoints.Rendering
     /// recorded, so one material could not draw two looks in a frame. Materials are made on first use.</summary>
     public sealed class PointMaterials : IDisposable
     {
+        static readonly int[] s_corners = { 0, 1, 2, 2, 1, 3 };
+
         readonly Shader m_points;
         readonly Shader m_compose;
         readonly Material[] m_ofVariant = new Material[PointVariant.Count];
         Material m_composingLayer;
         Material m_composingPixels;
         Material m_composingSums;
+        GraphicsBuffer m_squareIndices;
 
         /// <param name="points">The package's Points.shader.</param>
         /// <param name="compose">The package's Compose.shader.</param>
@@ -24,7 +28,26 @@ namespace FastPoints.Rendering
             Raster = raster;
         }
 
+        internal const int IndicesOfSquare = 6;
+
         internal ComputeShader Raster { get; }
+
+        /// <summary>Two triangles of four vertices for each point of a block: by an index buffer the GPU computes a vertex that
+        /// both have once.</summary>
+        internal GraphicsBuffer SquareIndices
+        {
+            get
+            {
+                if (m_squareIndices != null)
+                    return m_squareIndices;
+                var indices = new ushort[PlaneShape.MaxPointsPerBlock * IndicesOfSquare];
+                for (int i = 0; i < indices.Length; i++)
+                    indices[i] = (ushort)(i / IndicesOfSquare * 4 + s_corners[i % IndicesOfSquare]);
+                m_squareIndices = new GraphicsBuffer(GraphicsBuffer.Target.Index, indices.Length, sizeof(ushort));
+                m_squareIndices.SetData(indices);
+                return m_squareIndices;
+            }
+        }
 
         /// <summary>Draws points of a style.</summary>
         /// <param name="isClipped">Whether there are clip boxes.</param>
@@ -67,6 +90,8 @@ namespace FastPoints.Rendering
             Destroy(ref m_composingLayer);
             Destroy(ref m_composingPixels);
             Destroy(ref m_composingSums);
+            m_squareIndices?.Dispose();
+            m_squareIndices = null;
         }
 
         static Material Make(Shader shader) => new Material(shader) { hideFlags = HideFlags.HideAndDontSave };

@@ -14,30 +14,18 @@ namespace FastPoints.Rendering
     /// instance is a block. Main thread, no garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
-        /// <summary>Vertices of a point that is drawn as two triangles; a point primitive has one.</summary>
-        const int VerticesOfQuad = 6;
-
         /// <summary>A pass of Points.shader.</summary>
         const int BlendingPass = 1;
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
         readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
-        readonly GrowingBuffer m_nodes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuNode>());
-        readonly GrowingBuffer m_clouds = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuCloud>());
-        readonly GrowingBuffer m_nodeOfInstance = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
+        readonly ListBuffer m_lists = new ListBuffer();
         readonly GrowingBuffer m_arguments = new GrowingBuffer(GraphicsBuffer.Target.IndirectArguments,
-            GraphicsBuffer.IndirectDrawArgs.size);
-        readonly GrowingBuffer m_sizeNodes =
-            new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuSizeNode>());
-        readonly GrowingBuffer m_clipBoxes =
-            new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuClipBox>());
+            GraphicsBuffer.IndirectDrawIndexedArgs.size);
         readonly PointLayer m_layer = new PointLayer();
         readonly ComputeRaster m_raster;
-        readonly GrowingBuffer m_palettes = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
-        NativeList<GraphicsBuffer.IndirectDrawArgs> m_drawArguments;
-        NativeArray<uint> m_colors;
-        bool m_arePalettesWritten;
+        NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
         /// <param name="materials">All cameras' renderers may share them.</param>
         /// <param name="pool">The pool of the streams' clouds; this renderer does not dispose it.</param>
@@ -49,8 +37,7 @@ namespace FastPoints.Rendering
             m_pool = pool;
             m_materials = materials;
             m_raster = materials.Raster != null ? new ComputeRaster(materials.Raster) : null;
-            m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawArgs>(Allocator.Persistent);
-            m_colors = Picture.Palettes.CreateAll(Allocator.Persistent);
+            m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawIndexedArgs>(Allocator.Persistent);
         }
 
         /// <summary>What the last <see cref="Prepare"/> listed to draw, and how clouds look.</summary>
@@ -67,17 +54,44 @@ namespace FastPoints.Rendering
         public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style) =>
             List.Build(stream, left, style.IsAdaptive, right);
 
-        /// <summary>Records the draws into the current target.</summary>
+        /// <summary>Records the draws into the view's target, which it sets after its uploads.</summary>
         public void Record(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
                 return;
-            WriteBuffers(commands, view.Style, 1);
-            RecordEye(commands, view);
+            RecordBefore(commands, view);
+            PointLayer.SetTarget(commands, view);
+            RecordInto(commands, view);
         }
 
-        /// <summary>Records the draws for both eyes of a headset into the two slices of the target, all of which is set. Both are
-        /// drawn at once (single-pass instanced: each block is two instances), or one eye after the other if the style draws
+        /// <summary>Records what does not draw into the view's target: uploads, and points that a layer or a compute shader
+        /// collects. While the target is set, each of these makes a GPU that draws in tiles store and load all of it.</summary>
+        internal void RecordBefore(CommandBuffer commands, in RenderView view)
+        {
+            if (List.Draws.Length == 0)
+                return;
+            WriteBuffers(commands, view.Style, 1);
+            RecordLayer(commands, view);
+        }
+
+        /// <summary>Records the draws into whatever target is set, after <see cref="RecordBefore"/>.</summary>
+        internal void RecordInto(CommandBuffer commands, in RenderView view)
+        {
+            if (List.Draws.Length == 0)
+                return;
+            if (IsComputed(view))
+                m_layer.Compose(commands, view, m_materials.ComposePixels, m_raster);
+            else if (view.Style.IsLayered)
+                m_layer.End(commands, view, view.Style.IsBlended ? m_materials.ComposeSums : m_materials.ComposeLayer);
+            else
+            {
+                Set(view);
+                DrawBanks(commands, view.Style, false);
+            }
+        }
+
+        /// <summary>Records the draws for both eyes of a headset into the two slices of the target. Both are drawn at once
+        /// (single-pass instanced: each block is two instances), or one eye after the other if the style draws
         /// through a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.</summary>
         /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
         public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right)
@@ -93,6 +107,7 @@ namespace FastPoints.Rendering
             WriteBuffers(commands, left.Style, isAtOnce ? 2 : 1);
             if (isAtOnce)
             {
+                PointLayer.SetTarget(commands, left);
                 Set(left);
                 m_properties.SetMatrix(ShaderNames.RightViewProjection, right.ViewProjection);
                 m_properties.SetVector(ShaderNames.RightForward, right.Forward);
@@ -111,75 +126,52 @@ namespace FastPoints.Rendering
         void RecordSlice(CommandBuffer commands, RenderView view, TargetEye eye)
         {
             view.Eye = eye;
+            RecordLayer(commands, view);
             PointLayer.SetTarget(commands, view);
-            RecordEye(commands, view);
+            RecordInto(commands, view);
         }
 
         bool IsComputed(in RenderView view) =>
             view.Style.Shape == PointShape.Pixel && m_raster != null && ComputeRaster.CanDraw(view);
 
-        void RecordEye(CommandBuffer commands, in RenderView view)
+        void RecordLayer(CommandBuffer commands, in RenderView view)
         {
             if (IsComputed(view))
             {
-                m_raster.Record(commands, view, List, Buffers, m_pool);
-                m_layer.Compose(commands, view, m_materials.ComposePixels, m_raster);
+                m_raster.Record(commands, view, List, m_lists, m_pool);
                 return;
             }
+            if (!view.Style.IsLayered)
+                return;
             Set(view);
-            if (view.Style.IsLayered)
-                m_layer.Begin(commands, view);
+            m_layer.Begin(commands, view);
             DrawBanks(commands, view.Style, false);
-            if (view.Style.IsBlended)
-            {
-                m_layer.BeginBlending(commands, view);
-                DrawBanks(commands, view.Style, false, BlendingPass);
-            }
-            if (view.Style.IsLayered)
-                m_layer.End(commands, view, view.Style.IsBlended ? m_materials.ComposeSums : m_materials.ComposeLayer);
+            if (!view.Style.IsBlended)
+                return;
+            m_layer.BeginBlending(commands, view);
+            DrawBanks(commands, view.Style, false, BlendingPass);
         }
-
-        RasterBuffers Buffers => new RasterBuffers
-        {
-            Nodes = m_nodes.Buffer,
-            Clouds = m_clouds.Buffer,
-            NodeOfInstance = m_nodeOfInstance.Buffer,
-            Palettes = m_palettes.Buffer,
-            ClipBoxes = List.ClipBoxes.Length > 0 ? m_clipBoxes.Buffer : null,
-        };
 
         public void Dispose()
         {
             if (!m_drawArguments.IsCreated)
                 return;
             List.Dispose();
-            m_nodes.Dispose();
-            m_clouds.Dispose();
-            m_nodeOfInstance.Dispose();
+            m_lists.Dispose();
             m_arguments.Dispose();
-            m_palettes.Dispose();
-            m_sizeNodes.Dispose();
             m_raster?.Dispose();
-            m_clipBoxes.Dispose();
             m_drawArguments.Dispose();
-            m_colors.Dispose();
         }
 
         void Set(in RenderView view)
         {
             var size = view.Style.Size;
             float perGap = size.IsConstant ? 0 : size.Value * view.ScalePx;
-            m_properties.SetBuffer(ShaderNames.Nodes, m_nodes.Buffer);
-            m_properties.SetBuffer(ShaderNames.Clouds, m_clouds.Buffer);
-            m_properties.SetBuffer(ShaderNames.NodeOfInstance, m_nodeOfInstance.Buffer);
-            m_properties.SetBuffer(ShaderNames.Palettes, m_palettes.Buffer);
-            if (view.Style.IsAdaptive)
-                m_properties.SetBuffer(ShaderNames.SizeNodes, m_sizeNodes.Buffer);
-            if (List.ClipBoxes.Length > 0)
-                m_properties.SetBuffer(ShaderNames.ClipBoxes, m_clipBoxes.Buffer);
+            m_lists.Set(m_properties);
             m_properties.SetInteger(ShaderNames.ClipBoxCount, List.ClipBoxes.Length);
             m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
+            m_properties.SetVector(ShaderNames.Flip, view.Flip);
             m_properties.SetVector(ShaderNames.Forward, view.Forward);
             m_properties.SetVector(ShaderNames.EyeOffset, view.EyeOffset);
             if (view.Style.Shape == PointShape.Paraboloid || view.Style.IsBlended)
@@ -193,7 +185,7 @@ namespace FastPoints.Rendering
 
         static Vector4 ForwardClip(in RenderView view) => new Vector4(
             Vector3.Dot(view.ViewProjection.GetRow(2), view.Forward), Vector3.Dot(view.ViewProjection.GetRow(3), view.Forward),
-            1 / view.ScalePx, 0);
+            1 / view.ScalePx, SystemInfo.graphicsUVStartsAtTop ? 0 : 1);
 
         void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo, int pass = 0)
         {
@@ -202,33 +194,36 @@ namespace FastPoints.Rendering
             for (int i = 0; i < List.Draws.Length; i++)
             {
                 var draw = List.Draws[i];
+                int at = i * GraphicsBuffer.IndirectDrawIndexedArgs.size;
                 m_properties.SetBuffer(ShaderNames.Bank, m_pool.BufferOf(draw.Bank));
                 m_properties.SetInteger(ShaderNames.FirstInstance, draw.FirstInstance);
-                commands.DrawProceduralIndirect(Matrix4x4.identity, material, pass, topology, m_arguments.Buffer,
-                    i * GraphicsBuffer.IndirectDrawArgs.size, m_properties);
+                if (style.Shape == PointShape.Square)
+                    commands.DrawProceduralIndirect(m_materials.SquareIndices, Matrix4x4.identity, material, pass, topology,
+                        m_arguments.Buffer, at, m_properties);
+                else
+                    commands.DrawProceduralIndirect(Matrix4x4.identity, material, pass, topology, m_arguments.Buffer, at,
+                        m_properties);
             }
         }
 
+        /// <summary>Vertices of a point, or indices: squares have four vertices, other shapes a triangle around them.</summary>
+        static int VerticesOf(PointShape shape) =>
+            shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3;
+
         void WriteBuffers(CommandBuffer commands, in PointStyle style, int eyes)
         {
-            int vertices = PlaneShape.MaxPointsPerBlock * (style.Shape == PointShape.Pixel ? 1 : VerticesOfQuad);
+            int vertices = PlaneShape.MaxPointsPerBlock * VerticesOf(style.Shape);
             m_drawArguments.Clear();
+            // Draws without indices read the first four numbers: the others and all starts are 0.
             for (int i = 0; i < List.Draws.Length; i++)
-                m_drawArguments.Add(new GraphicsBuffer.IndirectDrawArgs
+                m_drawArguments.Add(new GraphicsBuffer.IndirectDrawIndexedArgs
                 {
-                    vertexCountPerInstance = (uint)vertices,
+                    indexCountPerInstance = (uint)vertices,
                     instanceCount = (uint)(List.Draws[i].InstanceCount * eyes),
                 });
+            m_arguments.Reserve((long)m_drawArguments.Length * GraphicsBuffer.IndirectDrawIndexedArgs.size);
             m_arguments.Write(commands, m_drawArguments.AsArray());
-            m_nodes.Write(commands, List.Nodes);
-            m_clouds.Write(commands, List.Clouds);
-            m_nodeOfInstance.Write(commands, List.NodeOfInstance);
-            m_clipBoxes.Write(commands, List.ClipBoxes);
-            if (style.IsAdaptive)
-                m_sizeNodes.Write(commands, List.SizeNodes);
-            if (!m_arePalettesWritten)
-                m_palettes.Write(commands, m_colors);
-            m_arePalettesWritten = true;
+            m_lists.Write(commands, List);
         }
     }
 }

@@ -118,28 +118,44 @@ namespace FastPoints.Rendering
                     CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
         }
 
-        /// <summary>Records the clouds as a camera sees them, into the current target.</summary>
+        /// <summary>Records the clouds as a camera sees them, into its target.</summary>
         public void Record(CommandBuffer commands, Camera camera, in CameraTarget target)
+        {
+            var renderer = Prepare(camera, target, out var view);
+            if (!target.HasBothEyes)
+            {
+                renderer.Record(commands, view);
+                return;
+            }
+            var right = CameraViews.RenderViewOf(target, target.RightEye);
+            right.Style = Style;
+            var offset = target.RightEye.PlaceWorld - target.Eye.PlaceWorld;
+            right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
+            renderer.RecordBothEyes(commands, view, right);
+        }
+
+        /// <summary>The same where the engine sets the target: what comes before it, and what draws into it.</summary>
+        public void Record(CommandBuffer before, CommandBuffer into, Camera camera, in CameraTarget target)
+        {
+            var renderer = Prepare(camera, target, out var view);
+            renderer.RecordBefore(before, view);
+            renderer.RecordInto(into, view);
+        }
+
+        PointRenderer Prepare(Camera camera, in CameraTarget target, out RenderView view)
         {
             RecordedPictures++;
             var renderer = Seen(camera).Renderer;
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
             var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
-            var view = CameraViews.RenderViewOf(target, target.Eye);
+            view = CameraViews.RenderViewOf(target, target.Eye);
             view.Style = Style;
-            if (!target.HasBothEyes)
-            {
+            if (target.HasBothEyes)
+                renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), Style);
+            else
                 renderer.Prepare(Stream, seen, Style);
-                renderer.Record(commands, view);
-                return;
-            }
-            renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), Style);
-            var right = CameraViews.RenderViewOf(target, target.RightEye);
-            right.Style = Style;
-            var offset = target.RightEye.PlaceWorld - target.Eye.PlaceWorld;
-            right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
-            renderer.RecordBothEyes(commands, view, right);
+            return renderer;
         }
 
         public void Dispose()

@@ -26,12 +26,20 @@ namespace FastPoints.Rendering
         /// <summary>Whether colours are written as linear light (a project in linear colour space) instead of sRGB.</summary>
         public bool IsLinear;
 
-        /// <summary>The target, which is set already. A style that needs a layer of its own sets it again, with the whole picture
-        /// as the viewport.</summary>
+        /// <summary>The target, which is set when uploads are done.</summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
+
+        /// <summary>Whether the picture is the lower left part of a target that is larger.</summary>
+        internal bool IsPart;
+
+        /// <summary>Whether the target may turn out to be the screen, whose rows run the other way from a texture's.</summary>
+        internal bool MayBeScreen;
         public PointStyle Style;
+
+        /// <summary>Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.</summary>
+        internal readonly Vector4 Flip => new Vector4(SystemInfo.graphicsUVStartsAtTop ? -1 : 1, MayBeScreen ? 1 : 0, 0, 0);
     }
 
     /// <summary>The slice of a target to draw into.</summary>

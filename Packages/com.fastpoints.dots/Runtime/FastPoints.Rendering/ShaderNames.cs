@@ -7,14 +7,15 @@ namespace FastPoints.Rendering
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
         public static readonly int BankOut = Shader.PropertyToID("_FastPointsBankOut");
         public static readonly int ClipBoxCount = Shader.PropertyToID("_FastPointsClipBoxCount");
-        public static readonly int ClipBoxes = Shader.PropertyToID("_FastPointsClipBoxes");
-        public static readonly int Clouds = Shader.PropertyToID("_FastPointsClouds");
+        public static readonly int ClipBoxesAt = Shader.PropertyToID("_FastPointsClipBoxesAt");
+        public static readonly int CloudsAt = Shader.PropertyToID("_FastPointsCloudsAt");
         public static readonly int DeviceOfDepth = Shader.PropertyToID("_FastPointsDeviceOfDepth");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
         public static readonly int EyeOffset = Shader.PropertyToID("_FastPointsEyeOffset");
         public static readonly int FillsHoles = Shader.PropertyToID("_FastPointsFillsHoles");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
         public static readonly int FirstPage = Shader.PropertyToID("_FastPointsFirstPage");
+        public static readonly int Flip = Shader.PropertyToID("_FastPointsFlip");
         public static readonly int Forward = Shader.PropertyToID("_FastPointsForward");
         public static readonly int ForwardClip = Shader.PropertyToID("_FastPointsForwardClip");
         public static readonly int GroupsPerRow = Shader.PropertyToID("_FastPointsGroupsPerRow");
@@ -24,10 +25,10 @@ namespace FastPoints.Rendering
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");
         public static readonly int LayerDevice = Shader.PropertyToID("_FastPointsLayerDevice");
         public static readonly int LayerSums = Shader.PropertyToID("_FastPointsLayerSums");
-        public static readonly int NodeOfInstance = Shader.PropertyToID("_FastPointsNodeOfInstance");
-        public static readonly int Nodes = Shader.PropertyToID("_FastPointsNodes");
+        public static readonly int Lists = Shader.PropertyToID("_FastPointsLists");
+        public static readonly int NodeOfInstanceAt = Shader.PropertyToID("_FastPointsNodeOfInstanceAt");
+        public static readonly int NodesAt = Shader.PropertyToID("_FastPointsNodesAt");
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
-        public static readonly int Palettes = Shader.PropertyToID("_FastPointsPalettes");
         public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
         public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
         public static readonly int RightEyeOffset = Shader.PropertyToID("_FastPointsRightEyeOffset");
@@ -37,7 +38,7 @@ namespace FastPoints.Rendering
         public static readonly int ScreenPx = Shader.PropertyToID("_FastPointsScreenPx");
         public static readonly int Size = Shader.PropertyToID("_FastPointsSize");
         public static readonly int SizeLimitsPx = Shader.PropertyToID("_FastPointsSizeLimitsPx");
-        public static readonly int SizeNodes = Shader.PropertyToID("_FastPointsSizeNodes");
+        public static readonly int SizeNodesAt = Shader.PropertyToID("_FastPointsSizeNodesAt");
         public static readonly int Staging = Shader.PropertyToID("_FastPointsStaging");
         public static readonly int ViewProjection = Shader.PropertyToID("_FastPointsViewProjection");
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -8,7 +9,7 @@ namespace FastPoints.Rendering
 {
     /// <summary>Uploads through mapped buffers in turn, from which a compute shader copies. A buffer is reused only when the GPU
     /// has certainly read it.</summary>
-    internal sealed unsafe class StagingRing : PoolUpload
+    internal sealed unsafe class StagingRing : IDisposable
     {
         /// <summary>The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where
         /// the GPU reports its progress, it may lag further.</summary>
@@ -35,7 +36,8 @@ namespace FastPoints.Rendering
             m_endOfBank = new NativeList<int>(Allocator.Persistent);
         }
 
-        public override long AllocatedBytes
+        /// <summary>Bytes of its own memory.</summary>
+        public long AllocatedBytes
         {
             get
             {
@@ -46,7 +48,8 @@ namespace FastPoints.Rendering
             }
         }
 
-        public override bool TryBegin(long frame)
+        /// <returns>Whether this frame has memory to write to.</returns>
+        public bool TryBegin(long frame)
         {
             if (m_isSent[m_next] && !HasBeenRead(frame))
                 return false;
@@ -55,9 +58,12 @@ namespace FastPoints.Rendering
             return true;
         }
 
-        public override byte* Take(PoolRange run) => m_buffers[m_next].Take(run);
+        /// <summary>Room for one more node, or null. The first always has room.</summary>
+        public byte* Take(PoolRange run) => m_buffers[m_next].Take(run);
 
-        public override void End(List<GraphicsBuffer> banks, long frame)
+        /// <summary>Ends the upload after everything is written: later draws find it in the pool.</summary>
+        /// <param name="banks">The pool's buffers.</param>
+        public void End(List<GraphicsBuffer> banks, long frame)
         {
             m_buffers[m_next].CopyTo(banks, m_copyPages, m_kernel, m_endOfBank);
             m_freeAtFrame[m_next] = frame + FramesInFlight;
@@ -68,7 +74,7 @@ namespace FastPoints.Rendering
             m_next = (m_next + 1) % m_buffers.Length;
         }
 
-        public override void Dispose()
+        public void Dispose()
         {
             if (!m_endOfBank.IsCreated)
                 return;

@@ -2,6 +2,8 @@
 #ifndef FASTPOINTS_GPU_CLOUD_INCLUDED
 #define FASTPOINTS_GPU_CLOUD_INCLUDED
 
+#include "../PointLists.hlsl"
+
 struct GpuCloud
 {
     float3 StepX;        // 0, 12
@@ -17,5 +19,24 @@ struct GpuCloud
     uint4 HiddenLow;     // 80, 16
     uint4 HiddenHigh;    // 96, 16
 };
+
+// at: where it begins in the lists, in bytes.
+GpuCloud FastPointsGpuCloudAt(uint at)
+{
+    GpuCloud loaded;
+    loaded.StepX = asfloat(_FastPointsLists.Load3(at + 0u));
+    loaded.ColorSource = _FastPointsLists.Load(at + 12u);
+    loaded.StepY = asfloat(_FastPointsLists.Load3(at + 16u));
+    loaded.ColumnTypes = _FastPointsLists.Load(at + 28u);
+    loaded.StepZ = asfloat(_FastPointsLists.Load3(at + 32u));
+    loaded.Columns = _FastPointsLists.Load(at + 44u);
+    loaded.ValuePerStep = asfloat(_FastPointsLists.Load3(at + 48u));
+    loaded.Bias = asfloat(_FastPointsLists.Load(at + 60u));
+    loaded.Scale = asfloat(_FastPointsLists.Load3(at + 64u));
+    loaded.ClassDivisor = _FastPointsLists.Load(at + 76u);
+    loaded.HiddenLow = _FastPointsLists.Load4(at + 80u);
+    loaded.HiddenHigh = _FastPointsLists.Load4(at + 96u);
+    return loaded;
+}
 
 #endif

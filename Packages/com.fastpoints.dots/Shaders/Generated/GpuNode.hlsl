@@ -2,6 +2,8 @@
 #ifndef FASTPOINTS_GPU_NODE_INCLUDED
 #define FASTPOINTS_GPU_NODE_INCLUDED
 
+#include "../PointLists.hlsl"
+
 struct GpuNode
 {
     uint3 Anchor;        // 0, 12
@@ -19,5 +21,26 @@ struct GpuNode
     float3 CubesPerStep; // 80, 12
     uint ClassWord;      // 92, 4
 };
+
+// at: where it begins in the lists, in bytes.
+GpuNode FastPointsGpuNodeAt(uint at)
+{
+    GpuNode loaded;
+    loaded.Anchor = _FastPointsLists.Load3(at + 0u);
+    loaded.PositionWord = _FastPointsLists.Load(at + 12u);
+    loaded.AnchorHigh = _FastPointsLists.Load3(at + 16u);
+    loaded.ColorWord = _FastPointsLists.Load(at + 28u);
+    loaded.AnchorView = asfloat(_FastPointsLists.Load3(at + 32u));
+    loaded.AnchorValue = asfloat(_FastPointsLists.Load(at + 44u));
+    loaded.FirstInstance = _FastPointsLists.Load(at + 48u);
+    loaded.Cloud = _FastPointsLists.Load(at + 52u);
+    loaded.IsWide = _FastPointsLists.Load(at + 56u);
+    loaded.Tint = _FastPointsLists.Load(at + 60u);
+    loaded.AnchorInCube = asfloat(_FastPointsLists.Load3(at + 64u));
+    loaded.SizeNode = _FastPointsLists.Load(at + 76u);
+    loaded.CubesPerStep = asfloat(_FastPointsLists.Load3(at + 80u));
+    loaded.ClassWord = _FastPointsLists.Load(at + 92u);
+    return loaded;
+}
 
 #endif

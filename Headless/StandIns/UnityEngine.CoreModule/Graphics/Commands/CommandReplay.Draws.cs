@@ -4,6 +4,7 @@ sealed unsafe partial class CommandReplay
 {
     static readonly int s_view = PropertyNames.IdOf("unity_MatrixV");
     static readonly int s_projection = PropertyNames.IdOf("glstate_matrix_projection");
+    static readonly int s_projectionParams = PropertyNames.IdOf("_ProjectionParams");
     static readonly int s_viewProjection = PropertyNames.IdOf("unity_MatrixVP");
     static readonly int s_objectToWorld = PropertyNames.IdOf("unity_ObjectToWorld");
     static readonly int s_worldToObject = PropertyNames.IdOf("unity_WorldToObject");
@@ -31,17 +32,31 @@ sealed unsafe partial class CommandReplay
         var scope = new PropertyScope((PropertySheet)command.Y, material.Sheet, pass.Shader.Defaults);
         ulong pipeline =
             program.Pipeline(new PipelineKey(m_targets, pass.State.Evaluate(scope), TopologyOf((MeshTopology)command.B)));
+        int argumentBytes = command.Indices != null ? GraphicsBuffer.IndirectDrawIndexedArgs.size
+            : GraphicsBuffer.IndirectDrawArgs.size;
         GpuBuffer arguments = command.Kind == CommandKind.DrawIndirect
-            ? Arguments((GraphicsBuffer)command.Z, command.C, GraphicsBuffer.IndirectDrawArgs.size) : null;
+            ? Arguments((GraphicsBuffer)command.Z, command.C, argumentBytes) : null;
         ResourceBinder.MakeTextures(m_recording, m_targets, program.Layout, scope);
         m_targets.Open(m_recording);
         m_targets.SetViewport(m_recording, m_viewport);
         Vk.vkCmdBindPipeline(m_recording.Commands, VkPipelineBindPoint.Graphics, pipeline);
         m_binder.Bind(m_recording, VkPipelineBindPoint.Graphics, program.Name, program.Layout, scope);
-        if (arguments != null)
+        if (command.Indices != null)
+            DrawIndexed(command.Indices, arguments, command.C);
+        else if (arguments != null)
             Vk.vkCmdDrawIndirect(m_recording.Commands, arguments.Handle, (ulong)command.C, 1, 0);
         else
             Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
+    }
+
+    void DrawIndexed(GraphicsBuffer indices, GpuBuffer arguments, int offset)
+    {
+        if ((indices.target & GraphicsBuffer.Target.Index) == 0)
+            throw new InvalidOperationException($"{indices.Label} was not made with Target.Index");
+        GpuBuffer memory = indices.ForDevice();
+        memory.LastUse = m_recording.Number;
+        Vk.vkCmdBindIndexBuffer(m_recording.Commands, memory.Handle, 0, (uint)(indices.stride == 2 ? 0 : 1));
+        Vk.vkCmdDrawIndexedIndirect(m_recording.Commands, arguments.Handle, (ulong)offset, 1, 0);
     }
 
     static VkPrimitiveTopology TopologyOf(MeshTopology topology) => topology switch

@@ -46,6 +46,8 @@ sealed unsafe partial class CommandReplay
         }
     }
 
+    internal void ReleaseTemporaries() => m_temporaries.ReleaseAll();
+
     void Do(CommandBuffer buffer)
     {
         m_buffer = buffer;
@@ -164,6 +166,10 @@ sealed unsafe partial class CommandReplay
                 m_targets.SetDepth(target.Depth);
         }
         m_viewport = m_targets.IsSet ? m_targets.Complete() : default;
+        // Rows of textures begin at the picture's lowest, those of screens at its topmost.
+        bool isScreen = m_targets.IsSet &&
+            m_temporaries.Resolve(m_buffer.Targets[command.Data]) is RenderTexture { IsScreen: true };
+        PropertySheet.Global.Set(s_projectionParams, PropertyValue.Of(new Vector4(isScreen ? 1 : -1, 0, 0, 0)));
     }
 
     void CheckTarget(string what)

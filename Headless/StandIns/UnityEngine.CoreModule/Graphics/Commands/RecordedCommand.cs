@@ -34,6 +34,7 @@ struct RecordedCommand
     internal object X;
     internal object Y;
     internal object Z;
+    internal GraphicsBuffer Indices;
     internal int A;
     internal int B;
     internal int C;

@@ -25,6 +25,16 @@ sealed class TemporaryTextures
         return found;
     }
 
+    internal void ReleaseAll()
+    {
+        foreach ((int name, RenderTexture texture) in m_byName)
+        {
+            PropertySheet.Global.Set(name, (Texture)null);
+            m_idle.Add(texture);
+        }
+        m_byName.Clear();
+    }
+
     internal void Release(int name)
     {
         if (m_byName.Remove(name, out RenderTexture texture))

@@ -39,8 +39,21 @@ public sealed class Camera : Behaviour
     public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => Eyes[(int)eye].Projection;
 
     public RenderTexture targetTexture { get; set; }
-    public int pixelWidth => targetTexture == null ? 0 : targetTexture.width;
-    public int pixelHeight => targetTexture == null ? 0 : targetTexture.height;
+
+    /// <summary>A host's screen, where there is no <see cref="targetTexture"/>: its first row is the picture's topmost.</summary>
+    internal RenderTexture Screen { get; set; }
+
+    /// <summary>The part of the screen that it draws into, from the lower left; null for all of it.</summary>
+    internal Rect? Part { get; set; }
+
+    /// <summary>A host's dynamic resolution.</summary>
+    internal float DynamicScale { get; set; } = 1;
+
+    public int pixelWidth => (int)(Part?.width ?? (Target == null ? 0 : Target.width));
+    public int pixelHeight => (int)(Part?.height ?? (Target == null ? 0 : Target.height));
+    public int scaledPixelWidth => (int)(pixelWidth * DynamicScale);
+    public int scaledPixelHeight => (int)(pixelHeight * DynamicScale);
+    RenderTexture Target => targetTexture != null ? targetTexture : Screen;
 
     public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Add((evt, buffer));
     public CommandBuffer[] GetCommandBuffers(CameraEvent evt) =>
@@ -55,13 +68,18 @@ public sealed class Camera : Behaviour
         onPreCull?.Invoke(this);
         using (var target = new CommandBuffer())
         {
-            target.SetRenderTarget(targetTexture);
+            target.SetRenderTarget(Target);
             target.ClearRenderTarget(true, true, backgroundColor);
             Graphics.ExecuteCommandBuffer(target);
             target.Clear();
-            target.SetRenderTarget(targetTexture);
-            foreach (var (_, commands) in m_commands)
-                Graphics.Execute(target, commands, targetTexture);
+            // Each finds the camera's target and viewport set, whatever the one before it has drawn into.
+            target.SetRenderTarget(BuiltinRenderTextureType.CameraTarget);
+            if (Part is Rect part)
+                target.SetViewport(new Rect(part.x, Target.IsScreen ? Target.height - part.y - part.height : part.y,
+                    scaledPixelWidth, scaledPixelHeight));
+            foreach (var (_, commands) in m_commands.OrderBy(c => c.Event))
+                Graphics.Execute(target, commands, Target);
+            Graphics.EndCamera();
         }
     }
 

@@ -16,7 +16,12 @@ public class Graphics
         buffer.CheckReleased();
         s_replay ??= new CommandReplay(GpuDevice.Current);
         s_replay.Run(buffer, before, cameraTarget);
+        if (cameraTarget == null)
+            s_replay.ReleaseTemporaries();
     }
+
+    /// <summary>What a camera's command buffers have not released goes with its picture.</summary>
+    internal static void EndCamera() => s_replay?.ReleaseTemporaries();
 
     /// <summary>Has passed when the device has done all that was asked of it until now.</summary>
     public static GraphicsFence CreateGraphicsFence(GraphicsFenceType fenceType, SynchronisationStageFlags stage)

@@ -31,4 +31,17 @@ public sealed partial class GraphicsBuffer
         public uint startVertex { get; set; }
         public uint startInstance { get; set; }
     }
+
+    /// <summary>The same with an index buffer.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct IndirectDrawIndexedArgs
+    {
+        public const int size = 20;
+
+        public uint indexCountPerInstance { get; set; }
+        public uint instanceCount { get; set; }
+        public uint startIndex { get; set; }
+        public uint baseVertexIndex { get; set; }
+        public uint startInstance { get; set; }
+    }
 }

@@ -1,3 +1,5 @@
+using FastPoints.Headless.Graphics;
+
 namespace UnityEngine;
 
 /// <summary>What the device can; with none, as on a server without graphics: nothing.</summary>
@@ -5,7 +7,12 @@ public sealed class SystemInfo
 {
     public static string graphicsDeviceName => GpuDevice.TryGet(out _)?.Name ?? "Null Device";
     public static GraphicsDeviceType graphicsDeviceType => HasDevice ? GraphicsDeviceType.Vulkan : GraphicsDeviceType.Null;
-    public static bool supportsComputeShaders => HasDevice;
+    public static bool supportsComputeShaders => HasDevice && !HeadlessGraphics.HasNoCompute;
+
+    /// <summary>Storage buffers of a vertex shader.</summary>
+    public static int maxComputeBufferInputsVertex =>
+        HeadlessGraphics.VertexBuffers ?? (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
+
     public static bool supportsGraphicsFence => HasDevice;
     public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
 

@@ -1,3 +1,3 @@
 namespace UnityEngine.Rendering;
 
-public enum CameraEvent { AfterForwardOpaque = 11 }
+public enum CameraEvent { BeforeForwardOpaque = 10, AfterForwardOpaque = 11 }

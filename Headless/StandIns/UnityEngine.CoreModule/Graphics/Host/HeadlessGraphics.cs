@@ -55,6 +55,12 @@ public static class HeadlessGraphics
         }
     }
 
+    /// <summary>A device without compute shaders, as WebGL 2: what takes them is refused.</summary>
+    public static bool HasNoCompute { get; set; }
+
+    /// <summary>A device that gives vertex shaders so many storage buffers; null: as it is.</summary>
+    public static int? VertexBuffers { get; set; }
+
     /// <summary>What the validation layer has said since the last call: nothing, or there is a fault.</summary>
     public static string[] TakeValidationMessages() => ValidationLog.Take();
 

@@ -38,6 +38,19 @@ public partial class CommandBuffer
 
     /// <param name="argsOffset">Where the GraphicsBuffer.IndirectDrawArgs begin, in bytes.</param>
     public void DrawProceduralIndirect(Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology,
+        GraphicsBuffer bufferWithArgs, int argsOffset, MaterialPropertyBlock properties) =>
+        AddIndirect(null, matrix, material, shaderPass, topology, bufferWithArgs, argsOffset, properties);
+
+    /// <param name="argsOffset">Where the GraphicsBuffer.IndirectDrawIndexedArgs begin, in bytes.</param>
+    public void DrawProceduralIndirect(GraphicsBuffer indexBuffer, Matrix4x4 matrix, Material material, int shaderPass,
+        MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset, MaterialPropertyBlock properties)
+    {
+        if (indexBuffer == null)
+            throw new ArgumentNullException(nameof(indexBuffer));
+        AddIndirect(indexBuffer, matrix, material, shaderPass, topology, bufferWithArgs, argsOffset, properties);
+    }
+
+    void AddIndirect(GraphicsBuffer indices, in Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology,
         GraphicsBuffer bufferWithArgs, int argsOffset, MaterialPropertyBlock properties)
     {
         CheckMaterial(material);
@@ -49,6 +62,7 @@ public partial class CommandBuffer
             X = material,
             Y = AddSheet(properties),
             Z = bufferWithArgs,
+            Indices = indices,
             A = shaderPass,
             B = (int)topology,
             C = argsOffset,

@@ -137,10 +137,12 @@ namespace FastPoints.Entities
             if (m_cannotDraw)
                 return false;
             var resources = PointCloudResources.Load();
-            if (resources == null)
+            string whyNot = resources == null ? "the package's " + PointCloudResources.Path + " is not there"
+                : GraphicsNodePool.WhyNot;
+            if (whyNot != null)
             {
                 m_cannotDraw = true;
-                Debug.LogWarning("Point clouds are not drawn: the package's " + PointCloudResources.Path + " is not there");
+                Debug.LogWarning("Point clouds are not drawn: " + whyNot);
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));

@@ -4,15 +4,17 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering.BuiltIn
 {
-    /// <summary>Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded again
-    /// before each picture. It needs no setup.</summary>
+    /// <summary>Draws the clouds in the Built-in pipeline: command buffers in each camera, before and after opaque meshes,
+    /// recorded again before each picture. The second draws into what the camera has set, be it the screen, a part of it or a
+    /// texture. It needs no setup.</summary>
     internal static class BuiltInPass
     {
-        const CameraEvent Place = CameraEvent.AfterForwardOpaque;
+        const CameraEvent Before = CameraEvent.BeforeForwardOpaque, Into = CameraEvent.AfterForwardOpaque;
         const string Name = "FastPoints";
 
         static readonly List<Camera> s_cameras = new List<Camera>();
-        static readonly List<CommandBuffer> s_commands = new List<CommandBuffer>();
+        static readonly List<(CommandBuffer Before, CommandBuffer Into)> s_commands =
+            new List<(CommandBuffer Before, CommandBuffer Into)>();
 
         /// <summary>Works with domain reload off, too: adding twice adds once.</summary>
         [BeginsPass]
@@ -30,8 +32,11 @@ namespace FastPoints.Rendering.BuiltIn
             for (int i = 0; i < s_cameras.Count; i++)
             {
                 if (s_cameras[i] != null)
-                    s_cameras[i].RemoveCommandBuffer(Place, s_commands[i]);
-                s_commands[i].Dispose();
+                {
+                    s_cameras[i].RemoveCommandBuffer(Before, s_commands[i].Before);
+                    s_cameras[i].RemoveCommandBuffer(Into, s_commands[i].Into);
+                }
+                Dispose(i);
             }
             s_cameras.Clear();
             s_commands.Clear();
@@ -46,17 +51,19 @@ namespace FastPoints.Rendering.BuiltIn
             // A camera that draws clouds no more would go on with its last commands.
             if (!isDrawn && !s_cameras.Contains(camera))
                 return;
-            var commands = CommandsFor(camera);
-            commands.Clear();
+            var (before, into) = CommandsFor(camera);
+            before.Clear();
+            into.Clear();
             var scene = PointScene.Current;
             if (scene == null || !isDrawn)
                 return;
             scene.Announce(camera);
-            scene.Record(commands, camera,
-                CameraTarget.Of(camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget));
+            var target = CameraTarget.Of(camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget);
+            target.MayBeScreen = true;
+            scene.Record(before, into, camera, target);
         }
 
-        static CommandBuffer CommandsFor(Camera camera)
+        static (CommandBuffer Before, CommandBuffer Into) CommandsFor(Camera camera)
         {
             for (int i = s_cameras.Count - 1; i >= 0; i--)
             {
@@ -64,19 +71,31 @@ namespace FastPoints.Rendering.BuiltIn
                     return s_commands[i];
                 if (s_cameras[i] != null)
                     continue;
-                s_commands[i].Dispose();
+                Dispose(i);
                 s_commands.RemoveAt(i);
                 s_cameras.RemoveAt(i);
             }
-            // A camera that outlives a reload of scripts, as a scene view's, still has the buffer from before.
-            foreach (var old in camera.GetCommandBuffers(Place))
-                if (old.name == Name)
-                    camera.RemoveCommandBuffer(Place, old);
-            var commands = new CommandBuffer { name = Name };
-            camera.AddCommandBuffer(Place, commands);
+            var commands = (AddTo(camera, Before), AddTo(camera, Into));
             s_cameras.Add(camera);
             s_commands.Add(commands);
             return commands;
+        }
+
+        static CommandBuffer AddTo(Camera camera, CameraEvent place)
+        {
+            // A camera that outlives a reload of scripts, as a scene view's, still has the buffer from before.
+            foreach (var old in camera.GetCommandBuffers(place))
+                if (old.name == Name)
+                    camera.RemoveCommandBuffer(place, old);
+            var commands = new CommandBuffer { name = Name };
+            camera.AddCommandBuffer(place, commands);
+            return commands;
+        }
+
+        static void Dispose(int camera)
+        {
+            s_commands[camera].Before.Dispose();
+            s_commands[camera].Into.Dispose();
         }
     }
 }

@@ -36,12 +36,25 @@ namespace FastPoints.Rendering.Hdrp
             if (scene == null || !PointScene.IsDrawn(camera))
                 return;
             scene.Announce(camera);
-            CoreUtils.SetRenderTarget(ctx.cmd, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, ClearFlag.None);
             bool hasBothEyes = camera.stereoEnabled && ctx.cameraColorBuffer.rt.volumeDepth > 1;
             var target = CameraTarget.Of(camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, hasBothEyes);
+            if (!hasBothEyes)
+                target.Eye = EyeOf(ctx.hdCamera);
+            target.IsPart = true;
             target.WidthPx = ctx.hdCamera.actualWidth;
             target.HeightPx = ctx.hdCamera.actualHeight;
             scene.Record(ctx.cmd, camera, target);
+        }
+
+        /// <summary>The eye that HDRP draws, with the jitter of its temporal anti-aliasing. Its matrix is the device's for a
+        /// texture: of that the first two rows are taken, and depth from the camera.</summary>
+        static EyeMatrices EyeOf(HDCamera camera)
+        {
+            ref readonly var view = ref camera.mainViewConstants;
+            var projection = camera.camera.projectionMatrix;
+            projection.SetRow(0, view.projMatrix.GetRow(0));
+            projection.SetRow(1, view.projMatrix.GetRow(1) * (SystemInfo.graphicsUVStartsAtTop ? -1 : 1));
+            return EyeMatrices.Of(view.viewMatrix, projection, view.worldSpaceCameraPos);
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.RenderGraphModule;
@@ -61,15 +62,16 @@ namespace FastPoints.Rendering.Urp
         static void Draw(PassData data, UnsafeGraphContext context)
         {
             var commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
-            commands.SetRenderTarget(data.Color, data.Depth, 0, CubemapFace.Unknown, -1);
             var camera = data.CameraData;
             var size = camera.cameraTargetDescriptor;
             // Both eyes of a headset are drawn into two slices.
             bool hasBothEyes = camera.camera.stereoEnabled && size.volumeDepth > 1;
             var target = CameraTarget.Of(camera.camera, data.Color, data.Depth, hasBothEyes);
             target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
-            target.WidthPx = size.width;
-            target.HeightPx = size.height;
+            // Render scale is in the descriptor, dynamic resolution is not.
+            var scaled = camera.camera;
+            target.WidthPx = (int)((long)size.width * scaled.scaledPixelWidth / Math.Max(1, scaled.pixelWidth));
+            target.HeightPx = (int)((long)size.height * scaled.scaledPixelHeight / Math.Max(1, scaled.pixelHeight));
             if (camera.xrRendering)
             {
                 // Where a headset's eyes are drawn in turn, Camera.stereoActiveEye does not say which one this is.

@@ -1,0 +1,173 @@
+using FastPoints.Cli.Draw;
+
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>What commands draw into, and what comes before it.</summary>
+public sealed class TargetTests : PipelineFixture
+{
+    const int ScreenWidthPx = 400, ScreenHeightPx = 300;
+
+    protected override bool HasRaster => true;
+
+    /// <summary>Of the Built-in pipeline: the rows of a screen run the other way from a texture's.</summary>
+    [TestCase("discs")]
+    [TestCase("squares")]
+    [TestCase("pixels")]
+    [TestCase("lit")]
+    [TestCase("splats")]
+    public void Render_OntoTheScreenOrAPartOfIt_IsThePictureInATexture(string style)
+    {
+        var camera = LookingCamera(style, out var texture);
+        var wanted = Render(camera);
+        Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
+        Assert.That(Rows(Drawn(camera), WidthPx, 0, 0, isScreen: false), Is.EqualTo(wanted.Rgba));
+
+        var screen = new RenderTexture(ScreenWidthPx, ScreenHeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        camera.Part = new Rect(50, 20, WidthPx, HeightPx);
+        camera.targetTexture = screen;
+        Assert.That(Rows(Drawn(camera), ScreenWidthPx, 50, 20, isScreen: false), Is.EqualTo(wanted.Rgba), "a part of a texture");
+        screen.IsScreen = true;
+        camera.targetTexture = null;
+        camera.Screen = screen;
+        byte[] drawn = Drawn(camera);
+        byte[] onScreen = Rows(drawn, ScreenWidthPx, 50, 100, isScreen: true);
+        // Triangles that are upside down have other edges where a pixel's middle lies on one.
+        double most = style == "squares" ? 0.012 : style == "discs" ? 0.001 : 0;
+        var pixels = Enumerable.Range(0, WidthPx * HeightPx)
+            .Select(i => (Is: BitConverter.ToUInt32(onScreen, i * 4), Wanted: BitConverter.ToUInt32(wanted.Rgba, i * 4)))
+            .ToList();
+        double covered = pixels.Count(p => (p.Wanted & 0xFFFFFF) != 0);
+        Assert.That(pixels.Count(p => p.Is != p.Wanted) / covered, Is.LessThanOrEqualTo(most), "a part of the screen");
+        Assert.That(drawn.Count(b => b != 0), Is.EqualTo(onScreen.Count(b => b != 0)), "nothing beside it");
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        texture.Release();
+        screen.Release();
+    }
+
+    /// <summary>A camera of twice the size whose picture has half of its pixels.</summary>
+    [TestCase(nameof(BuiltInHost), "lit")]
+    [TestCase(nameof(BuiltInHost), "pixels")]
+    [TestCase(nameof(BuiltInHost), "discs")]
+    [TestCase(nameof(UrpHost), "splats")]
+    [TestCase(nameof(UrpHost), "pixels")]
+    [TestCase(nameof(UrpHost), "discs")]
+    public void Render_DynamicResolution_IsThePictureOfThatSize(string pipeline, string style)
+    {
+        var camera = LookingCamera(style, out var texture, pipeline);
+        var wanted = Render(camera);
+        camera.Part = new Rect(0, 0, WidthPx * 2, HeightPx * 2);
+        camera.DynamicScale = 0.5f;
+        Assert.That(Rows(Drawn(camera), WidthPx, 0, 0, isScreen: false), Is.EqualTo(wanted.Rgba));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        texture.Release();
+    }
+
+    /// <summary>HDRP jitters its own matrix, and not the camera's.</summary>
+    [Test]
+    public void Render_HdrpWithJitter_IsThePictureOfACameraThatIsJittered()
+    {
+        var camera = LookingCamera("discs", out var texture, nameof(HdrpHost));
+        Render(camera);
+        var jitter = new Vector2(0.4f / WidthPx, -0.7f / HeightPx) * 2;
+        ((HdrpHost)Pipeline).Jitter = jitter;
+        byte[] drawn = Drawn(camera);
+        ((HdrpHost)Pipeline).Jitter = default;
+        byte[] still = Drawn(camera);
+        var jittered = camera.projectionMatrix;
+        jittered.m02 += jitter.x;
+        jittered.m12 += jitter.y;
+        camera.projectionMatrix = jittered;
+        Assert.That(drawn, Is.EqualTo(Drawn(camera)).And.Not.EqualTo(still));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        texture.Release();
+    }
+
+    /// <summary>A GPU that draws in tiles stores and loads all of its target where something else comes between draws.</summary>
+    [TestCase("squares")]
+    [TestCase("adaptive")]
+    [TestCase("pixels")]
+    [TestCase("lit")]
+    [TestCase("splats")]
+    public void Record_UploadsAndLayers_ComeBeforeTheTarget(string style)
+    {
+        var camera = LookingCamera(style, out var texture);
+        Render(camera);
+        using var commands = new CommandBuffer();
+        Scene.Record(commands, camera, CameraTarget.Of(camera, texture, texture));
+        var kinds = commands.Commands.Select(c => c.Kind).ToList();
+        int set = kinds.LastIndexOf(CommandKind.SetTarget);
+        Assert.That(commands.Commands.FindIndex(c =>
+            c.Kind == CommandKind.SetTarget && commands.Targets[c.Data].Texture == texture), Is.EqualTo(set), "it is set once");
+        var before = kinds.Take(set);
+        Assert.That(before, Has.Member(CommandKind.Upload));
+        Assert.That(before, style is "lit" or "splats" ? Has.Member(CommandKind.DrawIndirect)
+            : style == "pixels" ? Has.Member(CommandKind.Dispatch) : Has.No.Member(CommandKind.DrawIndirect));
+        Assert.That(kinds.Skip(set + 1).Where(k => k != CommandKind.ReleaseTemporary).Distinct(), Is.EqualTo(new[]
+        {
+            style is "squares" or "adaptive" ? CommandKind.DrawIndirect : CommandKind.Draw,
+        }));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        texture.Release();
+    }
+
+    /// <summary>A device draws clouds, or one warning says why not, and nothing is thrown, however many frames come.</summary>
+    [TestCase(true, null, "compute shaders")]
+    [TestCase(false, 1, "storage buffers")]
+    [TestCase(false, 2, null)]
+    public void Update_DeviceThatLacksSomething_WarnsOnce(bool hasNoCompute, int? vertexBuffers, string what)
+    {
+        var logged = new List<string>();
+        var sink = Debug.s_sink;
+        Debug.s_sink = (type, text) => logged.Add(text);
+        HeadlessGraphics.HasNoCompute = hasNoCompute;
+        HeadlessGraphics.VertexBuffers = vertexBuffers;
+        var shaders = new GpuShaders();
+        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
+        (resources.Points, resources.Compose, resources.CopyPages) = (shaders.Points, shaders.Compose, shaders.CopyPages);
+        Resources.Assets[PointCloudResources.Path] = resources;
+        using var world = new World("without");
+        try
+        {
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup));
+            var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            world.EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
+            for (int frame = 0; frame < 5; frame++)
+                world.Update();
+            Assert.That(group.Stream, what == null ? Is.Not.Null : Is.Null);
+            Assert.That(logged.Where(l => l.StartsWith("Point clouds are not drawn")),
+                what == null ? Is.Empty : Has.One.Contains(what));
+            Assert.That(group.WantsFrame, Is.EqualTo(what == null));
+        }
+        finally
+        {
+            HeadlessGraphics.HasNoCompute = false;
+            HeadlessGraphics.VertexBuffers = null;
+            Debug.s_sink = sink;
+            Resources.Assets.Clear();
+        }
+    }
+
+    Camera LookingCamera(string style, out RenderTexture texture, string pipeline = nameof(BuiltInHost))
+    {
+        Scene.Style = StereoPassTests.StyleOf(style);
+        Begin(pipeline);
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb }, out _);
+        texture = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        return CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
+            Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), texture);
+    }
+
+    byte[] Drawn(Camera camera)
+    {
+        RenderOnce(camera);
+        var request = AsyncGPUReadback.Request(camera.targetTexture != null ? camera.targetTexture : camera.Screen);
+        request.WaitForCompletion();
+        return request.GetData<byte>().ToArray();
+    }
+
+    // A picture's rows, the topmost first, of what lies in memory with it or the other way round.
+    static byte[] Rows(byte[] all, int widthPx, int x, int y, bool isScreen) =>
+        Enumerable.Range(0, HeightPx).SelectMany(row =>
+            all.Skip(((y + (isScreen ? row : HeightPx - 1 - row)) * widthPx + x) * 4).Take(WidthPx * 4)).ToArray();
+}

@@ -1,0 +1,70 @@
+using System;
+using FastPoints.Gpu;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>What a camera's draws read beside the points, in one buffer (PointLists.hlsl): some devices give vertex shaders
+    /// no more than four.</summary>
+    internal sealed class ListBuffer : IDisposable
+    {
+        readonly GrowingBuffer m_buffer = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
+        NativeArray<uint> m_colors = Picture.Palettes.CreateAll(Allocator.Persistent);
+        int m_endByte, m_nodesAt, m_cloudsAt, m_nodeOfInstanceAt, m_sizeNodesAt, m_clipBoxesAt;
+
+        public void Write(CommandBuffer commands, DrawList list)
+        {
+            m_endByte = m_colors.Length * sizeof(uint);
+            m_nodesAt = Place(list.Nodes);
+            m_cloudsAt = Place(list.Clouds);
+            m_nodeOfInstanceAt = Place(list.NodeOfInstance);
+            m_sizeNodesAt = Place(list.SizeNodes);
+            m_clipBoxesAt = Place(list.ClipBoxes);
+            if (m_buffer.Reserve(m_endByte))
+                m_buffer.Write(commands, m_colors);
+            m_buffer.Write(commands, list.Nodes, m_nodesAt);
+            m_buffer.Write(commands, list.Clouds, m_cloudsAt);
+            m_buffer.Write(commands, list.NodeOfInstance, m_nodeOfInstanceAt);
+            m_buffer.Write(commands, list.SizeNodes, m_sizeNodesAt);
+            m_buffer.Write(commands, list.ClipBoxes, m_clipBoxesAt);
+        }
+
+        public void Set(MaterialPropertyBlock properties)
+        {
+            properties.SetBuffer(ShaderNames.Lists, m_buffer.Buffer);
+            properties.SetInteger(ShaderNames.NodesAt, m_nodesAt);
+            properties.SetInteger(ShaderNames.CloudsAt, m_cloudsAt);
+            properties.SetInteger(ShaderNames.NodeOfInstanceAt, m_nodeOfInstanceAt);
+            properties.SetInteger(ShaderNames.SizeNodesAt, m_sizeNodesAt);
+            properties.SetInteger(ShaderNames.ClipBoxesAt, m_clipBoxesAt);
+        }
+
+        public void Set(CommandBuffer commands, ComputeShader shader, int kernel)
+        {
+            commands.SetComputeBufferParam(shader, kernel, ShaderNames.Lists, m_buffer.Buffer);
+            commands.SetComputeIntParam(shader, ShaderNames.NodesAt, m_nodesAt);
+            commands.SetComputeIntParam(shader, ShaderNames.CloudsAt, m_cloudsAt);
+            commands.SetComputeIntParam(shader, ShaderNames.NodeOfInstanceAt, m_nodeOfInstanceAt);
+            commands.SetComputeIntParam(shader, ShaderNames.ClipBoxesAt, m_clipBoxesAt);
+        }
+
+        public void Dispose()
+        {
+            m_buffer.Dispose();
+            if (m_colors.IsCreated)
+                m_colors.Dispose();
+        }
+
+        /// <summary>Buffers are written in whole values: a list begins at a multiple of its values' size.</summary>
+        int Place<T>(NativeArray<T> values) where T : unmanaged
+        {
+            int size = UnsafeUtility.SizeOf<T>();
+            int at = (m_endByte + size - 1) / size * size;
+            m_endByte = checked(at + values.Length * size);
+            return at;
+        }
+    }
+}
