@@ -114,10 +114,10 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Parse_UnknownType_IsUnsupportedAndNamed()
         {
-            var failure = Failure("ply\nformat ascii 1.0\nelement vertex 1\nproperty bool x\nend_header\n");
+            var failure = Failure("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n");
             Assert.That(failure.Code, Is.EqualTo(FailureCode.Unsupported));
             Assert.That(failure.ByteOffset, Is.EqualTo(38));
-            Assert.That(failure.Message, Does.Contain("\"bool\""));
+            Assert.That(failure.Message, Does.Contain("\"half\""));
         }
 
         [Test]
