@@ -64,8 +64,7 @@ namespace FastPoints.Draw
                 PointsDrawn = batch.Count;
                 progress?.Begin("draw");
                 yield return Work.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
-                yield return Work.Of(SamplePicture.Draw(canvas, batch, Plan, progress));
-                yield return Work.Of(SamplePicture.Resolve(canvas, batch, Plan, m_options.Background));
+                yield return Work.Of(SamplePicture.DrawAndResolve(canvas, batch, Plan, m_options.Background, progress));
                 Image = canvas.ToImage();
             }
             progress?.End();

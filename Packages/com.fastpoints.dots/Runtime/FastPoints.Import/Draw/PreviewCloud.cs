@@ -78,8 +78,8 @@ namespace FastPoints.Draw
                         yield return Work.Of(SamplePicture.CloseSurfaces(canvas, Density,
                             (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan));
                 }
-                yield return Work.Of(SamplePicture.Draw(canvas, Sample.Points, Plan, progress));
-                yield return Work.Of(SamplePicture.Resolve(canvas, Sample.Points, Plan, m_options.Picture.Background));
+                yield return Work.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
+                    progress));
                 Image = canvas.ToImage();
             }
             progress?.End();

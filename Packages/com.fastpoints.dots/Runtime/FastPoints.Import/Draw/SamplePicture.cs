@@ -16,11 +16,23 @@ namespace FastPoints.Draw
         const int PointsPerSlice = 1 << 17;
 
         /// <summary>Work for a pump: draws the points on top of what the canvas has.</summary>
-        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress)
+        /// <param name="then">Schedules what comes behind it, if anything does.</param>
+        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
+            Func<JobHandle, JobHandle> then = null)
         {
             var drawing = plan.DrawingOf(points, canvas);
-            yield return Work.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) =>
-                canvas.ScheduleDraw(points, first, end - first, drawing, after)));
+            var all = default(JobHandle);
+            try
+            {
+                yield return Work.Of(Slices.Schedule(0, points.Count, PointsPerSlice, (first, end, after) =>
+                    canvas.ScheduleDraw(points, first, end - first, drawing, after), 1, default, drawn => all = drawn));
+                all = then == null ? all : then(all);
+                yield return all;
+            }
+            finally
+            {
+                all.Complete();
+            }
             progress?.Report(1, points.Count, 0);
         }
 
@@ -33,16 +45,8 @@ namespace FastPoints.Draw
             canvas.UseSize(plan.SizePx);
             if (!plan.WantsAutoSize || points.Count == 0)
                 yield break;
-            yield return Work.Of(Draw(canvas, points, plan, null));
-            var measured = canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, default);
-            try
-            {
-                yield return measured;
-            }
-            finally
-            {
-                measured.Complete();
-            }
+            yield return Work.Of(Draw(canvas, points, plan, null,
+                drawn => canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, drawn)));
             plan.SizePx = canvas.TypicalSizePx;
             canvas.Clear();
         }
@@ -80,6 +84,11 @@ namespace FastPoints.Draw
                 cells.Dispose();
             }
         }
+
+        /// <summary>Work for a pump: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>
+        public static IEnumerator<Work> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            uint background, StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
+                canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, drawn, plan.FillsHoles));
 
         /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
         public static IEnumerator<Work> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)

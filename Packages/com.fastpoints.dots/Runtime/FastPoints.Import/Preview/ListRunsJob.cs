@@ -10,7 +10,8 @@ namespace FastPoints.Preview
     {
         public RunPlan Plan;
 
-        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has reached.</summary>
+        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has reached. The next wave may have ranks
+        /// already.</summary>
         [ReadOnly] public NativeArray<int> Ranks;
 
         /// <summary>Range of the strata to examine.</summary>
@@ -29,7 +30,7 @@ namespace FastPoints.Preview
             for (int stratum = First; stratum < End; stratum++)
             {
                 int rank = Ranks[stratum] - 1;
-                if (rank < 0)
+                if (rank < 0 || rank >= RunCount)
                     continue;
                 int count = Plan.PointsOf(stratum, rank);
                 Runs.Add(new SampleRun

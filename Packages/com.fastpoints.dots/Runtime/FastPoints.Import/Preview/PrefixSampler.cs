@@ -46,7 +46,7 @@ namespace FastPoints.Preview
             }
         }
 
-        private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
+        private protected override IEnumerator<Work> Read(int wanted, int next, int slots, StageProgress progress)
         {
             if (Reader.PrefixesAreSpread && !Reader.BlocksAreKnown)
                 yield return Work.Of(FindPrefixes(wanted));
@@ -95,7 +95,8 @@ namespace FastPoints.Preview
             Report(m_progress);
         }
 
-        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
+        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs, JobHandle after,
+            Action<JobHandle> scheduled)
         {
             // This is the file's order, which is not that in which lines were found by jumping.
             m_taken.Sort((a, b) => a.Block == b.Block ? a.First.CompareTo(b.First)

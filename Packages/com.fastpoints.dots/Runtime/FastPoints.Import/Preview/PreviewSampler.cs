@@ -5,6 +5,7 @@ using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
@@ -55,6 +56,9 @@ namespace FastPoints.Preview
 
         private protected long BytesRead { get; set; }
 
+        /// <summary>What fills the places up to <see cref="EndPlace"/>, where <see cref="Read"/> has not awaited it.</summary>
+        private protected JobHandle Filling { get; set; }
+
         /// <summary>Number of places in the sample that the waves so far have reached.</summary>
         private protected int EndPlace { get; set; }
 
@@ -84,17 +88,12 @@ namespace FastPoints.Preview
                 for (int wave = 0; EndPlace < Buffer.Places; wave++)
                 {
                     int first = EndPlace;
-                    bool isLast = wave >= s_waves.Length || s_waves[wave] >= LeastShareOfLast * Buffer.Places;
-                    yield return Work.Of(Read(isLast ? Buffer.Places : s_waves[wave], slots, progress));
+                    int wanted = PlacesOf(wave);
+                    bool isLast = wanted == Buffer.Places;
+                    yield return Work.Of(Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
                     if (EndPlace > first)
                     {
-                        yield return Work.Of(Buffer.Close(Reader.Info.Transform, first, EndPlace));
-                        if (m_sample.StandsForStretches)
-                        {
-                            m_sample.RunList.Clear();
-                            yield return Work.Of(ListRuns(m_sample.RunList));
-                            yield return Work.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace));
-                        }
+                        yield return Work.Of(Close(first));
                         RaiseWave();
                         Report(progress);
                         // The wave belongs to the code that steps the work until the next step.
@@ -110,14 +109,50 @@ namespace FastPoints.Preview
             }
         }
 
+        /// <summary>The places that a wave is to reach.</summary>
+        int PlacesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= LeastShareOfLast * Buffer.Places ? Buffer.Places
+            : s_waves[wave];
+
         /// <summary>Work for a pump: reads more points into the following places, and moves <see cref="EndPlace"/> behind
         /// them.</summary>
         /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
-        private protected abstract IEnumerator<Work> Read(int wanted, int slots, StageProgress progress);
+        /// <param name="next">The same of the wave after this one, which may be prepared; 0 for none.</param>
+        private protected abstract IEnumerator<Work> Read(int wanted, int next, int slots, StageProgress progress);
+
+        /// <summary>When <see cref="Filling"/> has ended.</summary>
+        /// <exception cref="PointCloudException">A read failed.</exception>
+        private protected virtual void EndReads() { }
 
         /// <summary>Work for a pump: lists what the waves so far have read, by place.</summary>
         /// <param name="runs">An empty list to fill.</param>
-        private protected abstract IEnumerator<Work> ListRuns(NativeList<SampleRun> runs);
+        /// <param name="after">What its jobs come behind.</param>
+        /// <param name="scheduled">Receives the handle of all jobs.</param>
+        private protected abstract IEnumerator<Work> ListRuns(NativeList<SampleRun> runs, JobHandle after,
+            Action<JobHandle> scheduled);
+
+        /// <summary>Work for a pump: all that makes a sample of a wave's places, in one chain behind what fills them.</summary>
+        IEnumerator<Work> Close(int first)
+        {
+            var all = Filling;
+            try
+            {
+                yield return Work.Of(Buffer.ScheduleClose(Reader.Info.Transform, first, EndPlace, all, closed => all = closed));
+                if (m_sample.StandsForStretches)
+                {
+                    m_sample.RunList.Clear();
+                    yield return Work.Of(ListRuns(m_sample.RunList, all, listed => all = listed));
+                    yield return Work.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace, EndPlace, all));
+                }
+                yield return all;
+            }
+            finally
+            {
+                all.Complete();
+            }
+            Filling = default;
+            EndReads();
+            Buffer.EndClose();
+        }
 
         /// <summary>Frees what <see cref="Read"/> needs and awaits jobs in flight. May be called twice.</summary>
         private protected abstract void Free();

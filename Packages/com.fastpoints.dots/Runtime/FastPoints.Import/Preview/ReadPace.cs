@@ -21,7 +21,7 @@ namespace FastPoints.Preview
 
         /// <summary>Requests in flight: enough to keep a worker busy from frame to frame, and so that slow ones take as long
         /// as one.</summary>
-        const int UsualSlots = 24, SlowSlots = 32;
+        const int UsualSlots = 40, SlowSlots = 48;
 
         /// <summary>Bytes that a slow disk reads in a second after seeking: a gap that takes less time than another read is read
         /// along.</summary>
@@ -42,10 +42,10 @@ namespace FastPoints.Preview
 
         public int Slots => IsSlow ? SlowSlots : UsualSlots;
 
-        /// <summary>Number of runs in one request, if there are so many in all: slow requests must not wait for each
-        /// other.</summary>
+        /// <summary>Number of runs in one request, if there are so many in all: so few that all are in flight at once, and half
+        /// as many where they are slow, since slow requests must not wait for each other.</summary>
         public int RunsPerRequest(int runs, int slots, int least, int most) =>
-            Math.Max(IsSlow ? 1 : least, Math.Min(most, runs / (2 * slots)));
+            Math.Max(IsSlow ? 1 : least, Math.Min(most, IsSlow ? runs / (2 * slots) : (runs + slots - 1) / slots));
 
         /// <summary>The largest gap that is read along.</summary>
         /// <param name="secondsPerRead">The time of reads that lie far apart, with several in flight.</param>

@@ -196,6 +196,8 @@ namespace FastPoints.Preview
             var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
             var gathered = new NativeReference<int>(Allocator.Persistent);
             var others = new NativeReference<DecodeResult>(Allocator.Persistent);
+            var all = default(JobHandle);
+            PreviewSample composed = null;
             try
             {
                 yield return Work.Of(Slices.Run(0, m_strata.Count, SampleBuffer.PlacesPerSlice, (first, end, after) =>
@@ -213,7 +215,7 @@ namespace FastPoints.Preview
                     }.Schedule(after)));
                 others.Value = new DecodeResult { Points = Math.Min(m_others.Count, drawn.Places - gathered.Value) };
                 int ownPoints = gathered.Value, otherPoints = others.Value.Points;
-                yield return Work.Of(Slices.Run(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                yield return Work.Of(Slices.Schedule(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
                     new CopyPrefixJob
                     {
                         Decoded = m_others.Points.Bytes,
@@ -225,11 +227,16 @@ namespace FastPoints.Preview
                         FirstPlace = ownPoints,
                         Sample = drawn.Points.Bytes,
                         Filled = drawn.Filled,
-                    }.Schedule(after)));
-                yield return Work.Of(drawn.Close(m_reader.Info.Transform, 0, ownPoints + otherPoints));
-                Replace(drawn.TakeSample(m_reader.Info.Transform));
-                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, m_sample.RunList));
-                yield return Work.Of(drawn.MoveRuns(m_sample.RunList, ownPoints));
+                    }.Schedule(after), 1, default, copied => all = copied));
+                yield return Work.Of(drawn.ScheduleClose(m_reader.Info.Transform, 0, ownPoints + otherPoints, all,
+                    closed => all = closed));
+                composed = drawn.ShareSample(m_reader.Info.Transform);
+                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, composed.RunList));
+                yield return Work.Of(drawn.MoveRuns(composed.RunList, composed.RunList.Length, ownPoints, all));
+                drawn.EndClose();
+                drawn.Measure(composed);
+                Replace(composed);
+                composed = null;
                 m_sample.StandsForStretches = true;
                 m_sample.IsOfBlockPrefixes = m_plan.IsSliced;
                 m_sample.PointsInSource = m_reader.PointCount;
@@ -238,9 +245,11 @@ namespace FastPoints.Preview
             }
             finally
             {
+                all.Complete();
                 gathered.Dispose();
                 others.Dispose();
                 drawn.Dispose();
+                composed?.Dispose();
             }
         }
 

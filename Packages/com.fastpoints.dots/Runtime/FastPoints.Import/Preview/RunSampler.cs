@@ -16,7 +16,7 @@ namespace FastPoints.Preview
     {
         /// <summary>Runs in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
         /// thread as long to begin as any other.</summary>
-        const int MaxRunsPerRequest = 1024, MinRunsPerRequest = 16;
+        const int MaxRunsPerRequest = 1536, MinRunsPerRequest = 16;
 
         /// <summary>Runs in one slice of planning and listing them: about 2 ms of managed code.</summary>
         const int RunsPerSlice = 1 << 14;
@@ -32,8 +32,18 @@ namespace FastPoints.Preview
         NativeArray<int> m_ranks;
         NativeReference<int> m_nextPlace;
         NativeList<PointRun> m_runs;
+
+        /// <summary>Those of the wave after this one, up to <see cref="m_plannedEnd"/>: found while this one is read.</summary>
+        NativeList<PointRun> m_nextRuns;
+        SlotRing m_ring;
+        StageProgress m_progress;
+        bool m_isFirstWave = true;
         int m_endRank;
+        int m_plannedEnd;
         int m_gapBytes;
+        long m_stretches;
+        long m_waveBegun;
+        long m_waveEnded;
 
         public RunSampler(PointReader reader, int wanted, uint seed)
             : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
@@ -47,7 +57,7 @@ namespace FastPoints.Preview
             m_plan = plan;
         }
 
-        private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
+        private protected override IEnumerator<Work> Read(int wanted, int next, int slots, StageProgress progress)
         {
             if (m_reads == null)
             {
@@ -57,8 +67,16 @@ namespace FastPoints.Preview
             int end = m_plan.RunsFor(wanted);
             if (end == m_endRank)
                 yield break;
-            yield return Work.Of(PlanWave(m_endRank, end));
-            yield return Work.Of(ReadRuns(progress));
+            if (m_plannedEnd != end)
+                yield return Work.Of(PlanWave(m_endRank, end));
+            yield return Filling;
+            Filling.Complete();
+            (m_runs, m_nextRuns) = (m_nextRuns, m_runs);
+            m_progress = progress;
+            yield return Work.Of(BeginReads());
+            int nextEnd = m_plan.RunsFor(next);
+            if (nextEnd > end)
+                yield return Work.Of(PlanWave(end, nextEnd));
             m_endRank = end;
             EndPlace = m_plan.PlaceOf(end);
         }
@@ -107,72 +125,94 @@ namespace FastPoints.Preview
             m_ranks = new NativeArray<int>(m_plan.RunCount, Allocator.Persistent);
             m_nextPlace = new NativeReference<int>(Allocator.Persistent);
             m_runs = new NativeList<PointRun>(MaxRunsPerRequest, Allocator.Persistent);
+            m_nextRuns = new NativeList<PointRun>(MaxRunsPerRequest, Allocator.Persistent);
             m_reads = new RunRead[slots];
-            int slotBytes = Math.Max(SlotBytes, m_plan.MaxStretchPoints * Reader.Info.RecordBytes);
-            for (int i = 0; i < slots; i++)
-                m_reads[i] = Reader.CreateRunRead(Buffer.Points, MaxRunsPerRequest, slotBytes, Allocator.Persistent);
+            m_ring = new SlotRing(slots);
         }
 
-        /// <summary>Work for a pump: finds the wave's runs, in the file's order.</summary>
+        /// <summary>Work for a pump: schedules what finds the next wave's runs, in the file's order, and what comes of
+        /// it.</summary>
         IEnumerator<Work> PlanWave(int firstRank, int endRank)
         {
-            m_runs.Clear();
-            yield return Work.Of(Slices.Run(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
+            var runs = m_nextRuns;
+            runs.Clear();
+            m_plannedEnd = endRank;
+            var planned = default(JobHandle);
+            yield return Work.Of(Slices.Schedule(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
             {
                 Order = m_plan.Order,
                 NextPlace = m_nextPlace,
                 FirstRank = first,
                 EndRank = end,
                 Ranks = m_ranks,
-            }.Schedule(after)));
-            yield return Work.Of(Slices.Run(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
+            }.Schedule(after), 1, default, ranked => planned = ranked));
+            yield return Work.Of(Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
             {
                 Plan = m_plan,
                 FirstRank = firstRank,
                 Ranks = m_ranks,
                 First = first,
                 End = end,
-                Runs = m_runs,
+                Runs = runs,
                 Filled = Buffer.Filled,
-            }.Schedule(after)));
+            }.Schedule(after), 1, planned, all => Filling = JobHandle.CombineDependencies(Filling, all)));
+            JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Reads the planned runs into their places.</summary>
-        IEnumerator<Work> ReadRuns(StageProgress progress)
+        /// <summary>Begins to read the planned runs into their places.</summary>
+        IEnumerator<Work> BeginReads()
         {
             var runs = m_runs.AsArray();
-            var ring = new SlotRing(m_reads.Length);
             int most = m_pace.RunsPerRequest(runs.Length, m_reads.Length, MinRunsPerRequest, MaxRunsPerRequest);
-            bool isFirstWave = m_endRank == 0;
-            long stretches = 0, begun = ReadClock.Now, ended = begun;
-            int next = 0;
-            while (next < runs.Length || !ring.IsEmpty)
+            int slotBytes = Math.Max(SlotBytes, m_plan.MaxStretchPoints * Reader.Info.RecordBytes);
+            m_waveBegun = m_waveEnded = ReadClock.Now;
+            m_stretches = 0;
+            for (int next = 0; next < runs.Length;)
             {
-                if (ring.IsFull || next == runs.Length)
+                if (m_ring.IsFull)
                 {
-                    var oldest = m_reads[ring.Oldest];
-                    yield return oldest.Decoded;
-                    oldest.Complete();
-                    ring.End();
-                    BytesRead += oldest.BytesRead;
-                    stretches += oldest.Stretches;
-                    ended = Math.Max(ended, oldest.Ended);
-                    Report(progress);
+                    yield return m_reads[m_ring.Oldest].Decoded;
+                    EndRead();
                     continue;
                 }
-                next += m_reads[ring.Begin()].Begin(runs, next, most, m_gapBytes);
+                int slot = m_ring.Begin();
+                var read = m_reads[slot] ??= Reader.CreateRunRead(Buffer.Points, MaxRunsPerRequest, slotBytes,
+                    Allocator.Persistent);
+                next += read.Begin(runs, next, most, m_gapBytes);
+                Filling = JobHandle.CombineDependencies(Filling, read.Decoded);
                 JobHandle.ScheduleBatchedJobs();
+                // The pump looks at its budget.
+                yield return default;
             }
-            // This measures the first wave, whose runs lie far apart: when gaps are read along, a stretch takes longer for its
-            // bytes.
-            if (isFirstWave)
-                m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(begun, ended) / stretches);
         }
 
-        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
+        void EndRead()
+        {
+            var oldest = m_reads[m_ring.Oldest];
+            oldest.Complete();
+            m_ring.End();
+            BytesRead += oldest.BytesRead;
+            m_stretches += oldest.Stretches;
+            m_waveEnded = Math.Max(m_waveEnded, oldest.Ended);
+            Report(m_progress);
+        }
+
+        private protected override void EndReads()
+        {
+            while (!m_ring.IsEmpty)
+                EndRead();
+            // The first wave is measured, whose runs lie far apart: when gaps are read along, a stretch takes longer for its
+            // bytes.
+            if (m_isFirstWave)
+                m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(m_waveBegun, m_waveEnded) / m_stretches);
+            m_isFirstWave = false;
+        }
+
+        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs, JobHandle after,
+            Action<JobHandle> scheduled)
         {
             runs.Capacity = Math.Max(runs.Capacity, m_endRank);
-            return Slices.Run(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new ListRunsJob
+            return Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, before) => new ListRunsJob
             {
                 Plan = m_plan,
                 Ranks = m_ranks,
@@ -181,11 +221,12 @@ namespace FastPoints.Preview
                 RunCount = m_endRank,
                 PointsInSource = Reader.PointCount,
                 Runs = runs,
-            }.Schedule(after));
+            }.Schedule(before), 1, after, scheduled);
         }
 
         private protected override void Free()
         {
+            Filling.Complete();
             if (m_reads != null)
                 foreach (var read in m_reads)
                     read?.Dispose();
@@ -196,6 +237,8 @@ namespace FastPoints.Preview
                 m_nextPlace.Dispose();
             if (m_runs.IsCreated)
                 m_runs.Dispose();
+            if (m_nextRuns.IsCreated)
+                m_nextRuns.Dispose();
         }
     }
 

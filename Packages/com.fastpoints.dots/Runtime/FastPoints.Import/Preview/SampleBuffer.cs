@@ -69,52 +69,70 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: closes the gaps, after everything that fills places.</summary>
-        public IEnumerator<Work> Close(PositionTransform transform) => Close(transform, 0, Places);
-
-        /// <summary>The same for the places after those that are closed.</summary>
-        public IEnumerator<Work> Close(PositionTransform transform, int begin, int end)
+        public IEnumerator<Work> Close(PositionTransform transform)
         {
-            yield return Work.Of(Slices.Run(begin, end, PlacesPerSlice, (first, stop, after) => new CompactSampleJob
+            var all = default(JobHandle);
+            try
             {
-                Filled = m_filled,
-                Columns = m_columns,
-                Sample = Points.Bytes,
-                Positions = PositionColumns.Of(Points),
-                Transform = transform,
-                First = first,
-                Count = stop - first,
-                State = m_state,
-            }.Schedule(after)));
-            Points.Count = m_state.Value.Kept;
+                yield return Work.Of(ScheduleClose(transform, 0, Places, default, closed => all = closed));
+                yield return all;
+            }
+            finally
+            {
+                all.Complete();
+            }
+            EndClose();
         }
+
+        /// <summary>Work for a pump: schedules the same for the places after those that are closed.</summary>
+        /// <param name="after">What its jobs come behind.</param>
+        /// <param name="scheduled">Receives the handle of all; when it has ended, call <see cref="EndClose"/>.</param>
+        public IEnumerator<Work> ScheduleClose(PositionTransform transform, int begin, int end, JobHandle after,
+            Action<JobHandle> scheduled) => Slices.Schedule(begin, end, PlacesPerSlice, (first, stop, before) =>
+                new CompactSampleJob
+                {
+                    Filled = m_filled,
+                    Columns = m_columns,
+                    Sample = Points.Bytes,
+                    Positions = PositionColumns.Of(Points),
+                    Transform = transform,
+                    First = first,
+                    Count = stop - first,
+                    State = m_state,
+                }.Schedule(before), 1, after, scheduled);
+
+        public void EndClose() => Points.Count = m_state.Value.Kept;
 
         /// <summary>Work for a pump: runs of places become runs of points; after
         /// <see cref="Close(PositionTransform)"/>.</summary>
         /// <param name="runs">Runs within the closed places.</param>
+        /// <param name="most">The most that there may be of them.</param>
         /// <param name="end">The end of these places.</param>
-        public IEnumerator<Work> MoveRuns(NativeList<SampleRun> runs, int end)
+        /// <param name="after">What its jobs come behind; it is complete in the end.</param>
+        public IEnumerator<Work> MoveRuns(NativeList<SampleRun> runs, int most, int end, JobHandle after)
         {
             var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             pointOfPlace[0] = 0;
             try
             {
-                yield return Work.Of(Slices.Run(0, end, PlacesPerSlice, (first, stop, after) => new NumberPlacesJob
+                yield return Work.Of(Slices.Schedule(0, end, PlacesPerSlice, (first, stop, before) => new NumberPlacesJob
                 {
                     Filled = m_filled,
                     First = first,
                     End = stop,
                     PointOfPlace = pointOfPlace,
-                }.Schedule(after)));
-                yield return Work.Of(Slices.Run(0, runs.Length, PlacesPerSlice, (first, stop, after) => new MoveRunsJob
+                }.Schedule(before), 1, after, numbered => after = numbered));
+                yield return Work.Of(Slices.Run(0, most, PlacesPerSlice, (first, stop, before) => new MoveRunsJob
                 {
                     PointOfPlace = pointOfPlace,
                     First = first,
                     End = stop,
                     Runs = runs,
-                }.Schedule(after)));
+                }.Schedule(before), 1, after));
             }
             finally
             {
+                after.Complete();
                 pointOfPlace.Dispose();
             }
         }
@@ -163,12 +181,14 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<int> PointOfPlace;
 
         public int First;
+
+        /// <summary>It may be behind the last run.</summary>
         public int End;
         public NativeList<SampleRun> Runs;
 
         public void Execute()
         {
-            for (int i = First; i < End; i++)
+            for (int i = First; i < End && i < Runs.Length; i++)
             {
                 var run = Runs[i];
                 int end = PointOfPlace[run.First + run.Count];

@@ -118,7 +118,8 @@ namespace FastPoints.Preview
         public IEnumerator<Work> Thin(SampleBuffer own)
         {
             int count = m_count.Value, places = own.Places;
-            yield return Work.Of(Slices.Run(0, places, SampleBuffer.PlacesPerSlice, (first, end, after) => new MarkCellsJob
+            var marked = default(JobHandle);
+            yield return Work.Of(Slices.Schedule(0, places, SampleBuffer.PlacesPerSlice, (first, end, after) => new MarkCellsJob
             {
                 Sample = own.Points.Bytes,
                 Filled = own.Filled,
@@ -128,7 +129,7 @@ namespace FastPoints.Preview
                 End = end,
                 Cells = m_cells,
                 Table = m_table,
-            }.Schedule(after)));
+            }.Schedule(after), 1, default, all => marked = all));
             yield return Work.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, after) => new KeepEmptyCellsJob
             {
                 Columns = m_columns,
@@ -140,7 +141,7 @@ namespace FastPoints.Preview
                 Cells = m_cells,
                 Table = m_table,
                 Kept = m_count,
-            }.Schedule(after)));
+            }.Schedule(after), 1, marked));
         }
 
         public void Dispose()
