@@ -122,7 +122,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         var center = streams.Ranges.Robust.Center;
         Compare(streams, camera, "size-" + size + (isRound ? "-round" : ""));
         Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
-            streams.Ranges.Robust.Size.y), "size-" + size + (isRound ? "-round" : "") + "-flat");
+            2 * streams.Ranges.Robust.Size.y), "size-" + size + (isRound ? "-round" : "") + "-flat");
     }
 
     [TestCase("1", false)]
@@ -138,7 +138,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         Compare(streams, streams.Plan.Camera, "edl-" + size);
         var center = streams.Ranges.Robust.Center;
         Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
-            streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
+            2 * streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
     }
 
     [TestCase(0)]

@@ -218,6 +218,21 @@ public sealed class PipelinePassTests : PipelineFixture
         target.Release();
     }
 
+    /// <summary>As cameras that scripts make: what a user saves is not changed by looking at it.</summary>
+    [TestCase(CameraType.Game)]
+    [TestCase(CameraType.SceneView)]
+    public void Render_CameraOfUrpWithoutData_IsDrawnAndGetsNone(CameraType kind)
+    {
+        using var host = new UrpHost();
+        var camera = LookingCamera(out var target);
+        camera.cameraType = kind;
+        host.Render(camera);
+        Assert.That(host.PassCount, Is.EqualTo(1));
+        Assert.That(camera.gameObject.GetComponent<UnityEngine.Rendering.Universal.UniversalAdditionalCameraData>() == null);
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
     [Test]
     public void Render_OverlayCameraOfUrp_DrawsWhereItIsAskedTo()
     {
@@ -229,7 +244,7 @@ public sealed class PipelinePassTests : PipelineFixture
             RenderOnce(camera);
             return Scene.NextViews.Length > 0;
         }
-        var data = UnityEngine.Rendering.Universal.CameraExtensions.GetUniversalAdditionalCameraData(camera);
+        var data = camera.gameObject.AddComponent<UnityEngine.Rendering.Universal.UniversalAdditionalCameraData>();
         Assert.That(IsSeen(), Is.True);
         data.renderType = UnityEngine.Rendering.Universal.CameraRenderType.Overlay;
         Assert.That(IsSeen(), Is.False, "overlay");

@@ -38,16 +38,6 @@ public class UniversalAdditionalCameraData : MonoBehaviour
         (GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer;
 }
 
-public static class CameraExtensions
-{
-    /// <summary>Added where the camera has none.</summary>
-    public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera)
-    {
-        var data = camera.gameObject.GetComponent<UniversalAdditionalCameraData>();
-        return data != null ? data : camera.gameObject.AddComponent<UniversalAdditionalCameraData>();
-    }
-}
-
 public abstract class UniversalResourceDataBase : ContextItem { }
 
 public class UniversalResourceData : UniversalResourceDataBase

@@ -100,6 +100,8 @@ namespace FastPoints.Entities
         public Entity Entity => m_entity.Value;
 
         /// <summary>The origin that the cloud lies by: of its parents; null if there is none.</summary>
+        // Reloads of scripts keep private fields as well.
+        [field: NonSerialized]
         internal PointCloudOrigin Origin { get; private set; }
 
         /// <summary>The error of opening the cloud, in one line; null if there was none.</summary>

@@ -101,6 +101,9 @@ namespace FastPoints.Preview
                 {
                     if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
                         continue;
+                    // A wave never shows less than what it follows.
+                    if (share < 1 && m_plan.IsSliced && m_before != null && share * m_strata.Count < m_before.Count)
+                        continue;
                     m_isLastWave = share == 1;
                     m_progress = progress;
                     for (var next = NextRanges(share); next.Count > 0; next = NextRanges(share))

@@ -107,18 +107,21 @@ namespace FastPoints.Rendering.Urp
         static void Enqueue(ScriptableRenderContext context, Camera camera)
         {
             var scene = PointScene.Current;
-            if (scene == null || !(GraphicsSettings.currentRenderPipeline is UniversalRenderPipelineAsset))
+            if (scene == null || !(GraphicsSettings.currentRenderPipeline is UniversalRenderPipelineAsset pipeline))
                 return;
             if (IsWithoutRenderGraph())
                 return;
-            var cameraData = camera.GetUniversalAdditionalCameraData();
-            if (!PointScene.IsDrawn(camera, cameraData.renderType == CameraRenderType.Overlay))
+            // The pipeline's own getter would add the component to cameras of the user's scene.
+            bool hasData = camera.TryGetComponent<UniversalAdditionalCameraData>(out var cameraData);
+            if (!PointScene.IsDrawn(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
                 return;
             scene.Announce(camera);
             if (s_pass == null)
                 s_pass = new UrpPass();
             s_pass.m_camera = camera;
-            cameraData.scriptableRenderer?.EnqueuePass(s_pass);
+            // Without it, and in Scene views, URP draws by its asset's default renderer.
+            var renderer = hasData && camera.cameraType != CameraType.SceneView ? cameraData.scriptableRenderer : null;
+            (renderer ?? pipeline.scriptableRenderer)?.EnqueuePass(s_pass);
         }
     }
 }

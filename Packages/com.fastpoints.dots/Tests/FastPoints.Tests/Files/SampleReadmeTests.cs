@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Files
             { "2-2-2-2.laz", new Outcome(FailureCode.Unsupported, "LAS version: wanted 1.0 to 1.5") },
             { "no_vertex.ply", new Outcome(FailureCode.BadInput, "vertex") },
             { "empty.ply", new Outcome(FailureCode.Truncated, "0 bytes") },
-            { "diamond_with_bool.ply", new Outcome(FailureCode.Unsupported, "bool") },
+            { "diamond_with_bool.ply", new Outcome(6, null) },
             { "utm17_space.pcd", new Outcome(10, null) },
             { "A4.e57", new Outcome(4, null) },
         };

@@ -93,7 +93,11 @@ namespace FastPoints.Files
                 ulong count = counts == null ? 1 : Number("COUNT", counts[i]);
                 if (count > MaxValues || (values += (int)count) > MaxValues)
                     throw Bad("COUNT", "at most " + MaxValues + " values a point", "more");
-                Fields.Add(new PcdField { Name = names[i], Type = TypeOf(types[i], sizes[i]), Count = (int)count });
+                var type = TypeOf(types[i], sizes[i]);
+                // Text has its digits whatever the field's type: as 32 bits, places far from 0 would lose half a metre.
+                if (type == AttributeType.Float32 && Data == "ascii" && (names[i] == "x" || names[i] == "y" || names[i] == "z"))
+                    type = AttributeType.Float64;
+                Fields.Add(new PcdField { Name = names[i], Type = type, Count = (int)count });
             }
             if (m_words.ContainsKey("WIDTH") && m_words.ContainsKey("HEIGHT"))
             {
