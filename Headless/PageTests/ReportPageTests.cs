@@ -57,7 +57,7 @@ public sealed class ReportPageTests
 
     string Report(string cloud, string name)
     {
-        var call = CliCall.Of(cloud, "--out", m_scratch[name], "--quiet");
+        var call = CliCall.Of(cloud, "--out", m_scratch[name], "--quiet", "--plain");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return Path.Combine(m_scratch[name], "report.html");
     }
