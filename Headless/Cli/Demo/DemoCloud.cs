@@ -1,5 +1,3 @@
-using FastPoints.LazEncoding;
-
 namespace FastPoints.Cli.Demo;
 
 /// <summary>The seeded scan as a file.</summary>
@@ -43,10 +41,8 @@ public static class DemoCloud
         {
             run.Pump(LasScan.Run(las, points, seed, order, run.Progress));
             run.Progress.End();
-            run.Progress.Begin("compress");
-            using var file = new OutputFile(path);
-            OutputFile.Guarded(path, () => LazFile.Write(las, file.Stream, run.Progress, run.Cancellation));
-            file.Commit();
+            using var reader = PointReaders.Open(las);
+            run.Pump(ExportCloud.Run(reader, path, new ExportSettings(), _ => { }, run.Progress));
         }
         finally
         {

@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using FastPoints.LazEncoding;
 
 namespace FastPoints.Cli.Demo;
 
@@ -73,7 +72,7 @@ public static class LazTiling
                 progress.Report((time + 1.0) / times, points * (time + 1), bytes * (time + 1));
             }
             long tableAt = output.Stream.Position;
-            output.Stream.Write(LazEncoder.Table(bytesOfChunk, pointsOfChunk));
+            output.Stream.Write(LazChunkTable.ToBytes(bytesOfChunk, pointsOfChunk));
             output.Stream.Position = pointsAt;
             output.Stream.Write(BitConverter.GetBytes(tableAt));
         });

@@ -5,7 +5,6 @@ using System.Linq;
 using FastPoints.Base;
 using FastPoints.Export;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using FastPoints.Points;
 using FastPoints.Streaming;
 using FastPoints.Tests.Files;

@@ -6,8 +6,8 @@ using System.Linq;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Draw;
+using FastPoints.Export;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using FastPoints.Points;
 using FastPoints.Samplers;
 using FastPoints.SourceFeeds;
@@ -116,8 +116,8 @@ namespace FastPoints.Benchmarks
             string las = TerrainBenchmarkFile.Make(context), laz = Path.ChangeExtension(las, ".laz");
             if (File.Exists(laz))
                 return laz;
-            using var stream = File.Create(laz);
-            LazFile.Write(las, stream, new StageProgress(), default);
+            using var reader = PointReaders.Open(las);
+            WorkPump.RunToEnd(ExportCloud.Run(reader, laz, new ExportSettings(), _ => { }, null));
             return laz;
         }
 

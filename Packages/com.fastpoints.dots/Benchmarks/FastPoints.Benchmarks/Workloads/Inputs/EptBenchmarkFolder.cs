@@ -2,9 +2,9 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using System.Threading;
+using FastPoints.Base;
+using FastPoints.Export;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
@@ -73,8 +73,8 @@ namespace FastPoints.Benchmarks
                 writer.AppendRecords(records, count);
                 writer.Complete();
             }
-            using (var laz = File.Create(path + ".laz"))
-                LazFile.Write(path + ".las", laz, null, CancellationToken.None);
+            using (var reader = PointReaders.Open(path + ".las"))
+                WorkPump.RunToEnd(ExportCloud.Run(reader, path + ".laz", new ExportSettings(), _ => { }, null));
             File.Delete(path + ".las");
         }
 

@@ -209,10 +209,11 @@ namespace FastPoints.Files
                 + " points, the chunks in the table have room for " + NumberText.Of(sum));
         }
 
-        /// <summary>The table of chunks that all have the VLR's number of points, but the last.</summary>
-        public static unsafe byte[] ToBytes(IReadOnlyList<int> bytesOfChunk)
+        /// <summary>The whole table, from its header on.</summary>
+        /// <param name="pointsOfChunk">Null where all have the VLR's number of points, but the last.</param>
+        public static unsafe byte[] ToBytes(IReadOnlyList<int> bytesOfChunk, IReadOnlyList<int> pointsOfChunk = null)
         {
-            var table = new byte[MaxBytes(bytesOfChunk.Count)];
+            var table = new byte[MaxBytes(pointsOfChunk == null ? bytesOfChunk.Count : 2L * bytesOfChunk.Count)];
             LasHeader.Put(table, 4, 4, (ulong)bytesOfChunk.Count);
             using var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent);
             byte* model = (byte*)models.GetUnsafePtr();
@@ -222,8 +223,13 @@ namespace FastPoints.Files
                 uint low = 0, length = uint.MaxValue;
                 byte* next = first + TableHeaderBytes;
                 for (int i = 0; i < bytesOfChunk.Count; i++)
+                {
+                    if (pointsOfChunk != null)
+                        IntegerModel.Encode(model, 32, 2, 0, pointsOfChunk[i] - (i > 0 ? pointsOfChunk[i - 1] : 0), out _,
+                            ref low, ref length, ref next);
                     IntegerModel.Encode(model, 32, 2, 1, bytesOfChunk[i] - (i > 0 ? bytesOfChunk[i - 1] : 0), out _, ref low,
                         ref length, ref next);
+                }
                 if (bytesOfChunk.Count > 0)
                     RangeCode.End(low, length, ref next);
                 Array.Resize(ref table, (int)(next - first));

@@ -4,7 +4,6 @@ using System.Diagnostics;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

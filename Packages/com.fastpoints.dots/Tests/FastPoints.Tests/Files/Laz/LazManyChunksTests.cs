@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

@@ -1,6 +1,6 @@
 using System;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

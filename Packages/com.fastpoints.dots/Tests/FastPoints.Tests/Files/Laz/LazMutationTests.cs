@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

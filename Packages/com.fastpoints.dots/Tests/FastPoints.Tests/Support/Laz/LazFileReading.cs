@@ -4,7 +4,6 @@ using System.IO;
 using System.IO.Compression;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 using FastPoints.Points;
 using FastPoints.Tests.Files;
 using Unity.Collections;

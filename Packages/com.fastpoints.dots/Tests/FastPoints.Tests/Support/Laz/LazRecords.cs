@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
 
 namespace FastPoints.Tests.Support
 {

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using static FastPoints.LazEncoding.RecordFields;
+using static FastPoints.Tests.Support.RecordFields;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>Item POINT14: nine layers. Gives each point's scanner channel and whether it changed, for the other
     /// items.</summary>

@@ -1,7 +1,7 @@
 using System;
-using static FastPoints.LazEncoding.RecordFields;
+using static FastPoints.Tests.Support.RecordFields;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>Wave packets: WAVEPACKET13, and the layer of WAVEPACKET14.</summary>
     sealed class WavePacketEncoder : IItemEncoder

@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Files;
-using static FastPoints.LazEncoding.RecordFields;
+using static FastPoints.Tests.Support.RecordFields;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>Records to the bytes of LAZ chunks, and chunks to a chunk table.</summary>
     public static class LazEncoder

@@ -1,4 +1,4 @@
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>What <see cref="FastPoints.Files.Median5"/> computes, in plain steps: sorted values, of which the largest or the
     /// smallest leaves for the new one.</summary>

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using static FastPoints.LazEncoding.RecordFields;
+using static FastPoints.Tests.Support.RecordFields;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>An item of layered chunks beside POINT14.</summary>
     interface ILayeredItemEncoder

@@ -1,6 +1,6 @@
 using System;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>Little-endian values within a record.</summary>
     public static class RecordFields

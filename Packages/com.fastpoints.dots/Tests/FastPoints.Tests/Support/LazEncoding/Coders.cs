@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>The range coder that <see cref="FastPoints.Files.RangeCode"/> decodes: 32-bit base and length, carries taken back
     /// into the bytes already written.</summary>

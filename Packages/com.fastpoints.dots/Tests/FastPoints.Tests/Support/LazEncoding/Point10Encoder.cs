@@ -1,6 +1,6 @@
-using static FastPoints.LazEncoding.RecordFields;
+using static FastPoints.Tests.Support.RecordFields;
 
-namespace FastPoints.LazEncoding
+namespace FastPoints.Tests.Support
 {
     /// <summary>An item of pointwise chunks, as an encoder: given the first record, then each further one.</summary>
     interface IItemEncoder
