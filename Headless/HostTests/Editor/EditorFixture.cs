@@ -27,6 +27,7 @@ public abstract class EditorFixture
         settings.PointFiles = PointFiles.Ask;
         settings.Place = ProjectPaths.DefaultClouds;
         settings.PlayerVariants = VariantChoice.Automatic;
+        settings.AlwaysInPlayers = new PointCloudAsset[0];
         settings.Apply();
         m_project.Dispose();
     }

@@ -129,6 +129,17 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
+    public void Build_CloudsThatTheSettingsName_AreAddedOnce()
+    {
+        Take("a", "b");
+        m_project.UpdateToTheEnd();
+        FastPointsSettings.instance.AlwaysInPlayers = new[] { m_project.Asset("Assets/b.pointcloud"), null };
+
+        Assert.That(Build().FolderOfPlayerPath.Keys,
+            Is.EquivalentTo(new[] { "PointClouds/a.fastpoints", "PointClouds/b.fastpoints" }));
+    }
+
+    [Test]
     public void Build_CloudThatIsStreamedAsItIs_GoesInAsItIs()
     {
         string source = m_project.Copc("a.copc.laz");

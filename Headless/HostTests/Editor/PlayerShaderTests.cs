@@ -20,6 +20,7 @@ public sealed class PlayerShaderTests : EditorFixture
     {
         m_root = new GameObject("root");
         AssetDatabase.Dependencies[ScenePath] = new[] { OfPackage };
+        Write(ScenePath, "%YAML 1.1\n  m_EditorClassIdentifier: FastPoints.Entities::FastPoints.Entities.PointCloudSettings\n");
         EditorSceneManager.Scenes[ScenePath] = new[] { m_root };
         EditorSceneManager.Opened.Clear();
         BuildPipeline.isBuildingPlayer = true;
@@ -39,8 +40,17 @@ public sealed class PlayerShaderTests : EditorFixture
     static Shader Load(string name) =>
         HeadlessShaders.Load(Path.Combine(Checkout.Repository.PackageRoot, "Shaders", name + ".shader"));
 
-    void Prepare(params string[] scenes) =>
-        m_processor.PrepareForBuild(new BuildPlayerContext(new BuildPlayerOptions { scenes = scenes }));
+    void Write(string asset, string text)
+    {
+        string path = m_project.Paths.Absolute(asset);
+        Directory.CreateDirectory(Path.GetDirectoryName(path));
+        File.WriteAllText(path, text);
+    }
+
+    void Prepare(params string[] scenes) => Prepare(BuildOptions.None, scenes);
+
+    void Prepare(BuildOptions options, params string[] scenes) => m_processor.PrepareForBuild(new BuildPlayerContext(
+        new BuildPlayerOptions { scenes = scenes, options = options, target = BuildTarget.StandaloneLinux64 }));
 
     /// <summary>Names of all variants that are built.</summary>
     List<string> BuildShaders() => new[] { "Points", "Compose" }.SelectMany(s => ShaderBuild.Build(Load(s), m_processor))
@@ -115,6 +125,7 @@ public sealed class PlayerShaderTests : EditorFixture
     public void Build_SettingsOfAPrefab_Count()
     {
         Settings(PointShape.Paraboloid);
+        Write("Assets/Resources/look.prefab", "");
         AssetDatabase.Assets["Assets/Resources/look.prefab"] = m_root;
         AssetDatabase.Dependencies["Assets/Resources/look.prefab"] = new[] { OfPackage };
 
@@ -176,13 +187,39 @@ public sealed class PlayerShaderTests : EditorFixture
         Assert.That(BuildShaders(), Has.Count.EqualTo(107));
     }
 
-    [Test]
-    public void Build_ShadersOfAnEarlierBuild_ThatLackSomething_IsToldWith()
+    [TestCase("FastPoints.Entities.PointCloudSettings, FastPoints.Entities", 67)]
+    [TestCase("FastPoints.Entities.PointCloudSettings,\n          FastPoints.Entities", 67)]
+    [TestCase("UnityEngine.Behaviour, UnityEngine", 2)]
+    [TestCase("MyFastPoints.Entities.Menu, MyGame", 2)]
+    public void Build_EventThatCallsAComponent_HasAllThatCanBeDrawn(string target, int variants)
     {
-        void FromCache()
+        Write(ScenePath, "    m_Calls:\n      - m_TargetAssemblyTypeName: " + target + "\n");
+
+        Assert.That(Build(ScenePath), Has.Count.EqualTo(variants));
+        Assert.That(m_logged.Single().Contains("for " + ScenePath + " has an event"), Is.EqualTo(variants == 67));
+        FastPointsSettings.instance.PlayerVariants = VariantChoice.BuiltScenes;
+        Assert.That(() => Build(ScenePath), Has.Count.EqualTo(2));
+    }
+
+    [TestCase("Assets/menu.anim", OfPackage, ExpectedResult = 67)]
+    [TestCase("Assets/menu.Playable", OfPackage, ExpectedResult = 67)]
+    [TestCase("Assets/menu.anim", "Assets/menu.cs", ExpectedResult = 2)]
+    [TestCase("Assets/menu.mat", OfPackage, ExpectedResult = 2)]
+    public int Build_AnimationOfAComponent_HasAllThatCanBeDrawn(string asset, string moves)
+    {
+        AssetDatabase.Dependencies[ScenePath] = new[] { OfPackage, asset };
+        AssetDatabase.Dependencies[asset] = new[] { moves };
+
+        return Build(ScenePath).Count;
+    }
+
+    [Test]
+    public void Prepare_EarlierShadersThatLackSomething_EndTheBuildBeforeItBegins()
+    {
+        void FromCache(BuildOptions options = BuildOptions.None)
         {
             m_logged.Clear();
-            Prepare(ScenePath);
+            Prepare(options, ScenePath);
             m_processor.OnPostprocessBuild(null);
         }
         FromCache();
@@ -193,8 +230,12 @@ public sealed class PlayerShaderTests : EditorFixture
         Assert.That(m_logged, Is.Empty);
 
         Settings(PointShape.Disc);
+        Assert.That(() => FromCache(), Throws.TypeOf<BuildFailedException>().With.Message
+            .EndsWith("Build once with Clean Build (BuildOptions.CleanBuildCache)").And.Message.Contains("as the built scenes"));
+        Assert.That(BuildShaders(), Has.Count.EqualTo(107), "what goes on all the same takes nothing out");
+
+        Prepare(BuildOptions.CleanBuildCache, ScenePath);
+        BuildShaders();
         FromCache();
-        Assert.That(m_logged.Single(),
-            Does.StartWith("Error: FastPoints: Unity took the shaders of an earlier build").And.EndsWith("Clean Build."));
     }
 }

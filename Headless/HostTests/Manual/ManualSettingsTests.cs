@@ -28,7 +28,7 @@ public sealed class ManualSettingsTests
         string source =
             File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Assets/FastPointsSettingsPage.cs"));
         var shown = Regex.Matches(source,
-            @"EditorGUILayout\.\w+\(new GUIContent\(""(?<label>[^""]+)"",\s+(""[^""]+""[\s+]*)+\), " +
+            @"(EditorGUILayout\.|CloudFields)\w*\(new GUIContent\(""(?<label>[^""]+)"",\s+(""[^""]+""[\s+]*)+\), " +
             @"settings\.(?<field>\w+)(, (?<low>\d+), (?<high>\d+))?\)")
             .Select(m => Row(m.Groups["label"].Value, typeof(FastPointsSettings).GetField(m.Groups["field"].Value),
                 m.Groups["low"].Success ? m.Groups["low"].Value + " to " + m.Groups["high"].Value : null)).ToList();

@@ -4,6 +4,9 @@ namespace UnityEditor;
 
 public enum BuildTarget { StandaloneOSX = 2, Android = 13, StandaloneWindows64 = 19, WebGL = 20, StandaloneLinux64 = 24 }
 
+[Flags]
+public enum BuildOptions { None = 0, CleanBuildCache = 128 }
+
 public class BuildPipeline
 {
     public static bool isBuildingPlayer { get; internal set; }
@@ -18,5 +21,8 @@ public class EditorUserBuildSettings : UnityEngine.Object
 
 public class FileUtil
 {
+    /// <summary>Unity's is relative to the project, in whose folder its process runs.</summary>
+    public static string GetPhysicalPath(string path) => Path.Combine(Path.GetDirectoryName(UnityEngine.Application.dataPath), path);
+
     public static string GetUniqueTempPathInProject() => throw EditorOnly.NotHere(nameof(GetUniqueTempPathInProject));
 }

@@ -29,6 +29,9 @@ public sealed class EditorGUILayout
     public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) => Placed(value);
     public static bool ToggleLeft(string label, bool value, params GUILayoutOption[] options) => Placed(value);
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => Placed(true);
+    public static Object ObjectField(GUIContent label, Object obj, Type objType, bool allowSceneObjects,
+        params GUILayoutOption[] options) => Placed(obj);
+
     public static Object ObjectField(string label, Object obj, Type objType, bool allowSceneObjects,
         params GUILayoutOption[] options) => Placed(obj);
 

@@ -57,6 +57,9 @@ namespace FastPoints.Editor
         /// <summary>Which variants of the package's shaders players contain.</summary>
         public VariantChoice PlayerVariants = VariantChoice.Automatic;
 
+        /// <summary>Clouds that go into every player, because only code names them.</summary>
+        public PointCloudAsset[] AlwaysInPlayers = new PointCloudAsset[0];
+
         /// <summary>What the file says of <see cref="Place"/>, for who may not ask for the settings.</summary>
         /// <param name="project">The project's folder.</param>
         public static ProjectPaths ReadPaths(string project)

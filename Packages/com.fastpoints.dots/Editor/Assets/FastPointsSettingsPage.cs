@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using FastPoints.Entities;
 using FastPoints.Samplers;
 using UnityEditor;
 using UnityEngine;
@@ -57,7 +59,23 @@ namespace FastPoints.Editor
             settings.PlayerMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
                 "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerMiB, 0, 65536);
             settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup(new GUIContent("Shader variants in players",
-                "Automatic: those that the built scenes ask for; all if scripts may change looks."), settings.PlayerVariants);
+                "Automatic: those that the built scenes ask for; all if scripts, events or animations may change " +
+                "looks."), settings.PlayerVariants);
+            settings.AlwaysInPlayers = CloudFields(new GUIContent("Always in players",
+                "Clouds that only code names. An empty field takes one more."), settings.AlwaysInPlayers);
+        }
+
+        static PointCloudAsset[] CloudFields(GUIContent label, PointCloudAsset[] clouds)
+        {
+            var chosen = new List<PointCloudAsset>();
+            for (int i = 0; i <= clouds.Length; i++)
+            {
+                var cloud = (PointCloudAsset)EditorGUILayout.ObjectField(i == 0 ? label : new GUIContent(" ", ""),
+                    i < clouds.Length ? clouds[i] : null, typeof(PointCloudAsset), false);
+                if (cloud != null && !chosen.Contains(cloud))
+                    chosen.Add(cloud);
+            }
+            return chosen.ToArray();
         }
 
         static void Draw(FastPointsSettings settings)

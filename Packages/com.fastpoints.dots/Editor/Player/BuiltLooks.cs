@@ -1,5 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using System.Text.RegularExpressions;
 using FastPoints.Entities;
 using FastPoints.Rendering;
 using UnityEditor;
@@ -13,6 +16,12 @@ namespace FastPoints.Editor
     {
         const string Package = "Packages/com.fastpoints.dots/";
 
+        /// <summary>How text and binary files name the component that an event calls; text may break the line.</summary>
+        static readonly Regex s_eventTarget = new Regex(@"FastPoints\.[\w.]+,\s+FastPoints\.");
+
+        /// <summary>What may hold curves.</summary>
+        static readonly string[] s_animations = { ".anim", ".controller", ".playable" };
+
         readonly List<PointStyle> m_styles = new List<PointStyle> { PointStyle.Default };
 
         /// <summary>Includes the default: a scene may have no settings.</summary>
@@ -24,18 +33,29 @@ namespace FastPoints.Editor
         /// <summary>Whether a cloud hides classes.</summary>
         public bool Filters { get; private set; }
 
+        /// <summary>What has an event that calls a component of the package, or a curve of one, so that looks may change; null if
+        /// nothing does.</summary>
+        public string Changer { get; private set; }
+
         /// <summary>Examines scenes and prefabs that contain something of the package, and opens no others.</summary>
         /// <param name="scenes">Paths of built scenes.</param>
-        /// <param name="assets">Paths of the other assets of the player.</param>
+        /// <param name="assets">Paths of all assets of the player.</param>
         public void Add(IEnumerable<string> scenes, IEnumerable<string> assets)
         {
             foreach (string scene in scenes)
                 if (RefersToPackage(scene))
                     AddScene(scene);
             foreach (string asset in assets)
-                if (asset.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase) && RefersToPackage(asset) &&
-                    AssetDatabase.LoadAssetAtPath<GameObject>(asset) is { } prefab)
-                    Add(prefab);
+            {
+                string kind = Path.GetExtension(asset).ToLowerInvariant();
+                bool isPrefab = kind == ".prefab", isAnimation = Array.IndexOf(s_animations, kind) >= 0;
+                if (!isPrefab && !isAnimation || !RefersToPackage(asset))
+                    continue;
+                if (isAnimation)
+                    Changer ??= asset;
+                else if (AssetDatabase.LoadAssetAtPath<GameObject>(asset) is { } prefab)
+                    Add(asset, prefab);
+            }
         }
 
         void AddScene(string path)
@@ -43,8 +63,7 @@ namespace FastPoints.Editor
             var scene = EditorSceneManager.OpenPreviewScene(path);
             try
             {
-                foreach (var root in scene.GetRootGameObjects())
-                    Add(root);
+                Add(path, scene.GetRootGameObjects());
             }
             finally
             {
@@ -52,15 +71,21 @@ namespace FastPoints.Editor
             }
         }
 
-        void Add(GameObject root)
+        void Add(string path, params GameObject[] roots)
         {
-            foreach (var settings in root.GetComponentsInChildren<PointCloudSettings>(true))
-                m_styles.Add(settings.Style);
-            foreach (var cloud in root.GetComponentsInChildren<PointCloud>(true))
-                Filters |= cloud.HiddenClasses.Length > 0;
-            foreach (var cloud in root.GetComponentsInChildren<PointCloudAuthoring>(true))
-                Filters |= cloud.HiddenClasses.Length > 0;
-            Clips |= root.GetComponentsInChildren<PointCloudClipBox>(true).Length > 0;
+            foreach (var root in roots)
+            {
+                foreach (var settings in root.GetComponentsInChildren<PointCloudSettings>(true))
+                    m_styles.Add(settings.Style);
+                foreach (var cloud in root.GetComponentsInChildren<PointCloud>(true))
+                    Filters |= cloud.HiddenClasses.Length > 0;
+                foreach (var cloud in root.GetComponentsInChildren<PointCloudAuthoring>(true))
+                    Filters |= cloud.HiddenClasses.Length > 0;
+                Clips |= root.GetComponentsInChildren<PointCloudClipBox>(true).Length > 0;
+            }
+            // Scripts keep events in fields of any shape: their files are simpler to search.
+            if (Changer == null && s_eventTarget.IsMatch(File.ReadAllText(FileUtil.GetPhysicalPath(path), Encoding.ASCII)))
+                Changer = path;
         }
 
         static bool RefersToPackage(string asset)

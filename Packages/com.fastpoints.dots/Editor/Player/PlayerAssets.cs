@@ -21,7 +21,8 @@ namespace FastPoints.Editor
             return string.IsNullOrEmpty(open) ? Array.Empty<string>() : new[] { open };
         }
 
-        /// <summary>The assets that scenes refer to, and clouds and prefabs that Unity adds to any player.</summary>
+        /// <summary>The assets that scenes refer to, clouds and prefabs that Unity adds to any player, and clouds that the project's
+        /// settings name.</summary>
         /// <returns>Their paths.</returns>
         public static HashSet<string> Of(string[] scenes)
         {
@@ -33,6 +34,9 @@ namespace FastPoints.Editor
                     if (path.IndexOf("/Resources/", StringComparison.Ordinal) >= 0)
                         roots.Add(path);
                 }
+            foreach (var cloud in FastPointsSettings.instance.AlwaysInPlayers)
+                if (cloud != null)
+                    roots.Add(AssetDatabase.GetAssetPath(cloud));
             return new HashSet<string>(AssetDatabase.GetDependencies(roots.ToArray(), true));
         }
     }

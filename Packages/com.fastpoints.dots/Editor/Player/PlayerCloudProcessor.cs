@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Adds the clouds that a player's scenes and resources refer to to its streaming assets, and reports their sizes:
+    /// <summary>Adds the clouds of a player (<see cref="PlayerAssets"/>) to its streaming assets, and reports their sizes:
     /// converted ones, and those that can be streamed directly. Any other cloud fails the build: the player would show
     /// nothing.</summary>
     internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
@@ -47,7 +47,8 @@ namespace FastPoints.Editor
                 Debug.Log(clouds.Report());
             else if (AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)).Length is var known && known > 0)
                 Debug.LogWarning("FastPoints: no point cloud in the player, of " + known + " in the project: neither " +
-                    (scenes.Length > 0 ? string.Join(", ", scenes) : "a scene") + " nor a folder Resources refers to one.");
+                    (scenes.Length > 0 ? string.Join(", ", scenes) : "a scene") + " nor a folder Resources refers to one. Those " +
+                    "that only code names go into Project Settings > FastPoints > Always in players.");
         }
 
         static void Check(PlayerClouds clouds, BuildTarget target)

@@ -10,12 +10,14 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Strips those variants of the package's shaders that nothing in a player needs. Unity asks about shaders when it
-    /// builds them, not when it takes them from an earlier build: if that one lacks a variant, the build reports it.</summary>
+    /// builds them, not when it takes them from an earlier build: if that one lacked a variant, a build fails before it
+    /// begins.</summary>
     internal sealed class PlayerShaderProcessor : BuildPlayerProcessor, IPreprocessShaders, IPostprocessBuildWithReport
     {
         // The state is static because Unity makes an instance for each of the interfaces.
         static PlayerVariants s_wanted;
         static string s_reason;
+        static string s_path;
         static readonly HashSet<string> s_asked = new HashSet<string>();
         static readonly HashSet<string> s_kept = new HashSet<string>();
 
@@ -25,23 +27,44 @@ namespace FastPoints.Editor
         {
             s_asked.Clear();
             s_kept.Clear();
-            s_wanted = new PlayerVariants();
-            string[] scenes = PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions);
+            s_wanted = null;
+            var player = buildPlayerContext.BuildPlayerOptions;
+            var wanted = WantedBy(PlayerAssets.ScenesOf(player));
+            s_path = Path.Combine(PointCloudImports.Paths.Absolute("Library/FastPoints"),
+                "ShaderVariants-" + player.target + ".txt");
+            if ((player.options & BuildOptions.CleanBuildCache) == 0 && PlayerVariants.Read(s_path) is { } earlier &&
+                !wanted.IsWithin(earlier))
+                throw new BuildFailedException("FastPoints: Unity may take the point shaders of the last build for " +
+                    player.target + ", which lack variants that this one needs (" + s_reason + "). Build once with Clean Build " +
+                    "(BuildOptions.CleanBuildCache)");
+            s_wanted = wanted;
+        }
+
+        static PlayerVariants WantedBy(string[] scenes)
+        {
+            var wanted = new PlayerVariants();
+            var choice = FastPointsSettings.instance.PlayerVariants;
             var options = new DrawnOptions { Stereo = PlayerScripts.HasHeadsets };
-            s_reason = WhyAll(FastPointsSettings.instance.PlayerVariants);
+            var looks = new BuiltLooks();
+            s_reason = WhyAll(choice);
+            if (s_reason == null)
+            {
+                looks.Add(scenes, PlayerAssets.Of(scenes));
+                if (looks.Changer != null && choice == VariantChoice.Automatic)
+                    s_reason = "all, for " + looks.Changer + " has an event or animation that may change what points look like";
+            }
             if (s_reason != null)
             {
                 options.Clipped = options.Filtered = true;
-                options.Stereo |= FastPointsSettings.instance.PlayerVariants == VariantChoice.All;
-                s_wanted.AddAll(options);
-                return;
+                options.Stereo |= choice == VariantChoice.All;
+                wanted.AddAll(options);
+                return wanted;
             }
-            var looks = new BuiltLooks();
-            looks.Add(scenes, PlayerAssets.Of(scenes));
             (options.Clipped, options.Filtered) = (looks.Clips, looks.Filters);
             foreach (var style in looks.Styles)
-                s_wanted.Add(style, options);
+                wanted.Add(style, options);
             s_reason = "as the built scenes draw points";
+            return wanted;
         }
 
         public void OnProcessShader(Shader shader, ShaderSnippetData snippet, IList<ShaderCompilerData> data)
@@ -50,7 +73,7 @@ namespace FastPoints.Editor
                 !shader.name.StartsWith(PlayerVariants.ShaderPrefix, StringComparison.Ordinal))
                 return;
             if (s_asked.Count == 0)
-                s_wanted.Write(EarlierPath);
+                s_wanted.Write(s_path);
             var keywords = shader.keywordSpace.keywords;
             var enabled = new List<string>();
             for (int i = data.Count - 1; i >= 0; i--)
@@ -70,21 +93,10 @@ namespace FastPoints.Editor
 
         public void OnPostprocessBuild(BuildReport report)
         {
-            var wanted = s_wanted;
-            s_wanted = null;
-            if (wanted == null)
-                return;
-            if (s_asked.Count > 0)
+            if (s_wanted != null && s_asked.Count > 0)
                 Debug.Log("FastPoints: " + s_kept.Count + " of " + s_asked.Count + " variants of the point shaders: " + s_reason);
-            else if (PlayerVariants.Read(EarlierPath) is { } earlier && !wanted.IsWithin(earlier))
-                Debug.LogError("FastPoints: Unity took the shaders of an earlier build, which lack variants that the scenes " +
-                    "need by now: points may be drawn as single pixels. Build with Clean Build.");
+            s_wanted = null;
         }
-
-        /// <summary>The variants of the build in which Unity built the shaders: one file a platform, like Unity's own
-        /// cache.</summary>
-        static string EarlierPath => Path.Combine(PointCloudImports.Paths.Absolute("Library/FastPoints"),
-            "ShaderVariants-" + EditorUserBuildSettings.activeBuildTarget + ".txt");
 
         /// <summary>The reason for people; null if the scenes decide.</summary>
         static string WhyAll(VariantChoice choice)
@@ -104,8 +116,8 @@ namespace FastPoints.Editor
     /// <summary>Which variants of the package's shaders go into players.</summary>
     internal enum VariantChoice
     {
-        /// <summary>Those that the built scenes need; all of them if scripts, asset bundles or Addressables may need
-        /// others.</summary>
+        /// <summary>Those that the built scenes need; all of them if scripts, events, animations, asset bundles or Addressables
+        /// may need others.</summary>
         Automatic,
 
         /// <summary>Those that the built scenes need, whatever scripts may request.</summary>
