@@ -22,7 +22,8 @@ public class EditorUserBuildSettings : UnityEngine.Object
 public class FileUtil
 {
     /// <summary>Unity's is relative to the project, in whose folder its process runs.</summary>
-    public static string GetPhysicalPath(string path) => Path.Combine(Path.GetDirectoryName(UnityEngine.Application.dataPath), path);
+    public static string GetPhysicalPath(string path) =>
+        Path.Combine(Path.GetDirectoryName(UnityEngine.Application.dataPath), path);
 
     public static string GetUniqueTempPathInProject() => throw EditorOnly.NotHere(nameof(GetUniqueTempPathInProject));
 }

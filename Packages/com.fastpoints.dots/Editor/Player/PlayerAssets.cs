@@ -21,8 +21,8 @@ namespace FastPoints.Editor
             return string.IsNullOrEmpty(open) ? Array.Empty<string>() : new[] { open };
         }
 
-        /// <summary>The assets that scenes refer to, clouds and prefabs that Unity adds to any player, and clouds that the project's
-        /// settings name.</summary>
+        /// <summary>The assets that scenes refer to, clouds and prefabs that Unity adds to any player, and clouds that the
+        /// project's settings name.</summary>
         /// <returns>Their paths.</returns>
         public static HashSet<string> Of(string[] scenes)
         {

@@ -47,8 +47,8 @@ namespace FastPoints.Editor
                 Debug.Log(clouds.Report());
             else if (AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)).Length is var known && known > 0)
                 Debug.LogWarning("FastPoints: no point cloud in the player, of " + known + " in the project: neither " +
-                    (scenes.Length > 0 ? string.Join(", ", scenes) : "a scene") + " nor a folder Resources refers to one. Those " +
-                    "that only code names go into Project Settings > FastPoints > Always in players.");
+                    (scenes.Length > 0 ? string.Join(", ", scenes) : "a scene") + " nor a folder Resources refers to one. " +
+                    "Those that only code names go into Always in players, in Project Settings > FastPoints.");
         }
 
         static void Check(PlayerClouds clouds, BuildTarget target)
