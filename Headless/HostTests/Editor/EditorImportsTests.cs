@@ -317,4 +317,33 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(Asked(), Is.Zero, "the player loop runs anyway");
         EditorApplication.isPlaying = false;
     }
+
+    /// <summary>No world is updated then, while views are drawn as the user turns them.</summary>
+    [Test]
+    public void EditModeFrames_PausedPlayMode_StreamAlone()
+    {
+        using var world = StreamingWorld();
+        var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.UpdateToTheEnd();
+        var cloud = PointCloudDrops.Show(asset, null, null);
+        EditorApplication.isPlaying = EditorApplication.isPaused = true;
+        try
+        {
+            int queued = EditorApplication.s_queuedUpdates, repaints = SceneView.Repaints;
+            ImportProject.Updates(EditModeFrames.Update,
+                () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+            Assert.That(SceneView.Repaints, Is.GreaterThan(repaints));
+            Assert.That(EditorApplication.s_queuedUpdates, Is.EqualTo(queued), "a frame would end the pause");
+            ImportProject.Updates(EditModeFrames.Update, () => !group.WantsFrame);
+            repaints = SceneView.Repaints;
+            EditModeFrames.Update();
+            Assert.That(SceneView.Repaints, Is.EqualTo(repaints), "there is nothing to do");
+        }
+        finally
+        {
+            EditorApplication.isPlaying = EditorApplication.isPaused = false;
+            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+        }
+    }
 }

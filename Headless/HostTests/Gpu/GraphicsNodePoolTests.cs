@@ -152,6 +152,60 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         }
     }
 
+    /// <summary>Where no fence tells how far the card is, pictures are counted: it is given three frames at most. Updates without
+    /// pictures give it none, however many they are; pictures without updates only bring it on.</summary>
+    [Test]
+    public void Stream_CardThatDoesNotTell_IsWaitedForByPictures()
+    {
+        HeadlessGraphics.HasNoFences = true;
+        HeadlessGraphics.FramesBehind = StagingRing.FramesInFlight;
+        try
+        {
+            using var stream = Stream(3 << 19, 1 << 19, 1 << 16);
+            var shaders = new GpuShaders();
+            using var materials = new PointMaterials(shaders.Points, shaders.Compose);
+            using var sizes = new SizeTree();
+            using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool, sizes);
+            int uploaded = 0, uploads = 0;
+            void Draw(StreamView view)
+            {
+                renderer.Prepare(stream, view, PointStyle.Default);
+                HeadlessGraphics.EndFrame();
+            }
+            for (int step = 0; step < 4000 && (step < 400 || uploaded < 40); step++)
+            {
+                var view = Near(stream, step / 40 % 10 / 9.0, step / 40).ToStreamView(320, 180);
+                using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = view };
+                if (step % 7 != 3)
+                {
+                    int nodes = FrameStep.Run(stream, views).UploadedNodes;
+                    uploaded += nodes;
+                    uploads = step % 100 < 60 ? 0 : uploads + (nodes > 0 ? 1 : 0);
+                }
+                if (step % 100 < 60)
+                    Draw(view);
+                Assert.That(uploads, Is.LessThanOrEqualTo(StagingRing.FramesInFlight + 1), "without pictures: all buffers once");
+                Thread.Yield();
+            }
+            Assert.That(uploaded, Is.GreaterThan(40));
+            var last = Near(stream, 0.5, 1);
+            for (int frame = 0, quiet = 0; quiet < 10; frame++)
+            {
+                Assert.That(frame, Is.LessThan(MostFrames), "streaming did not come to rest");
+                using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = last.ToStreamView(320, 180) };
+                var stats = FrameStep.Run(stream, views);
+                Draw(views[0]);
+                quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+            }
+            CheckBytes(stream);
+        }
+        finally
+        {
+            HeadlessGraphics.FramesBehind = 0;
+            HeadlessGraphics.HasNoFences = false;
+        }
+    }
+
     [Test]
     public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
     {

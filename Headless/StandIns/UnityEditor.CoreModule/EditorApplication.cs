@@ -21,6 +21,9 @@ public sealed class EditorApplication
         set => SceneLoop.IsPlaying = value;
     }
 
+    /// <summary>No frame comes while it is true, as a test says.</summary>
+    public static bool isPaused { get; internal set; }
+
     public static event Action quitting;
 
     /// <summary>As a test says.</summary>

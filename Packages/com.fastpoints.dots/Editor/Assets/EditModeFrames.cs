@@ -2,11 +2,13 @@ using System;
 using FastPoints.Entities;
 using Unity.Entities;
 using UnityEditor;
+using UnityEditorInternal;
 
 namespace FastPoints.Editor
 {
     /// <summary>Makes frames in edit mode, where worlds are updated only when something in the scene changes: clouds that are
-    /// loading need frames of their own, and views that are redrawn.</summary>
+    /// loading need frames of their own, and views that are redrawn. In paused play mode views are drawn and no world is updated:
+    /// there streaming alone goes on.</summary>
     [InitializeOnLoad]
     internal static class EditModeFrames
     {
@@ -26,7 +28,17 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor.</summary>
         public static void Update()
         {
-            if (EditorApplication.isPlaying || !Wants(World.DefaultGameObjectInjectionWorld) && s_asked == 0)
+            bool wants = Wants(World.DefaultGameObjectInjectionWorld);
+            if (EditorApplication.isPlaying)
+            {
+                if (EditorApplication.isPaused && wants)
+                {
+                    s_group.Update();
+                    InternalEditorUtility.RepaintAllViews();
+                }
+                return;
+            }
+            if (!wants && s_asked == 0)
                 return;
             s_asked = Math.Max(0, s_asked - 1);
             EditorApplication.QueuePlayerLoopUpdate();

@@ -18,6 +18,7 @@ namespace FastPoints.Rendering
         readonly StagingRing m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();
         long m_frame;
+        bool m_isDrawn;
 
         /// <param name="copyPages">The package's CopyPages.compute.</param>
         /// <param name="limitBytes">Limit of the banks; upload buffers (<see cref="UploadBytes"/>) come on top.</param>
@@ -42,7 +43,16 @@ namespace FastPoints.Rendering
         /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];
 
-        public override void BeginFrame() => m_frame++;
+        /// <summary>Counts a frame where a picture was drawn since the last one: until then the GPU may have been given nothing to
+        /// do.</summary>
+        public override void BeginFrame()
+        {
+            m_frame += m_isDrawn ? 1 : 0;
+            m_isDrawn = false;
+        }
+
+        /// <summary>A picture is about to be drawn, with whatever is in view.</summary>
+        internal void BeginPicture() => m_isDrawn = true;
 
         public override bool TryBeginUpload() => m_upload.TryBegin(m_frame);
 

@@ -46,13 +46,19 @@ namespace FastPoints.Rendering
         /// <summary>Lists what a camera sees of the stream's last frame.</summary>
         /// <param name="view">A view in the world space of the stream's placements.</param>
         /// <param name="style">The style to draw with.</param>
-        public void Prepare(StreamContext stream, in StreamView view, in PointStyle style) =>
+        public void Prepare(StreamContext stream, in StreamView view, in PointStyle style)
+        {
+            m_pool.BeginPicture();
             List.Build(stream, view, style.IsAdaptive);
+        }
 
         /// <summary>Lists what either eye sees.</summary>
         /// <param name="left">Positions are relative to this eye.</param>
-        public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style) =>
+        public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style)
+        {
+            m_pool.BeginPicture();
             List.Build(stream, left, style.IsAdaptive, right);
+        }
 
         /// <summary>Records the draws into the view's target, which it sets after its uploads.</summary>
         public void Record(CommandBuffer commands, in RenderView view)

@@ -31,11 +31,8 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
 
-            /// <summary>-1 before the first announcement.</summary>
-            public int AnnouncedFrame;
-
-            /// <summary>Index of its first view among those that the next frame selects for.</summary>
-            public int FirstView;
+            /// <summary>What the next frame selects for: as it was last announced. None before, and after that frame.</summary>
+            public readonly StreamView[] Views = new StreamView[2];
             public int ViewCount;
         }
 
@@ -57,8 +54,19 @@ namespace FastPoints.Rendering
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        /// <summary>Views of the cameras that were announced since the last <see cref="BeginFrame"/>.</summary>
-        public NativeArray<StreamView> NextViews => m_nextViews.AsArray();
+        /// <summary>Views of the cameras that were announced since the last <see cref="BeginFrame"/>: those of a camera
+        /// once.</summary>
+        public NativeArray<StreamView> NextViews
+        {
+            get
+            {
+                m_nextViews.Clear();
+                foreach (var seen in m_cameras)
+                    for (int view = 0; view < seen.ViewCount; view++)
+                        m_nextViews.Add(seen.Views[view]);
+                return m_nextViews.AsArray();
+            }
+        }
 
         /// <summary>How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.</summary>
         public long RecordedPictures { get; private set; }
@@ -74,10 +82,10 @@ namespace FastPoints.Rendering
         /// <summary>Clears the views after they were taken: cameras are announced again.</summary>
         public void BeginFrame()
         {
-            m_nextViews.Clear();
             m_frame++;
             for (int i = m_cameras.Count - 1; i >= 0; i--)
             {
+                m_cameras[i].ViewCount = 0;
                 if (m_cameras[i].Camera != null && m_frame - m_cameras[i].LastFrame < FramesToForget)
                     continue;
                 m_cameras[i].Renderer.Dispose();
@@ -100,21 +108,11 @@ namespace FastPoints.Rendering
         public void Announce(Camera camera)
         {
             var seen = Seen(camera);
-            int views = camera.stereoEnabled ? 2 : 1;
-            if (seen.AnnouncedFrame != m_frame || seen.ViewCount != views)
-            {
-                seen.AnnouncedFrame = m_frame;
-                seen.FirstView = m_nextViews.Length;
-                seen.ViewCount = views;
-                m_nextViews.ResizeUninitialized(m_nextViews.Length + views);
-            }
-            if (views == 1)
-            {
-                m_nextViews[seen.FirstView] = CameraViews.StreamViewOf(camera);
-                return;
-            }
-            for (int eye = 0; eye < views; eye++)
-                m_nextViews[seen.FirstView + eye] =
+            seen.ViewCount = camera.stereoEnabled ? 2 : 1;
+            if (!camera.stereoEnabled)
+                seen.Views[0] = CameraViews.StreamViewOf(camera);
+            for (int eye = 0; camera.stereoEnabled && eye < seen.ViewCount; eye++)
+                seen.Views[eye] =
                     CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
         }
 
@@ -182,7 +180,7 @@ namespace FastPoints.Rendering
                 return m_cameras[i];
             }
             var renderer = new PointRenderer(m_materials, m_pool, m_sizes);
-            var seen = new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame, AnnouncedFrame = -1 };
+            var seen = new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame };
             m_cameras.Add(seen);
             return seen;
         }

@@ -48,7 +48,8 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <returns>Whether this frame has memory to write to.</returns>
+        /// <param name="frame">Counts frames that a picture was drawn in.</param>
+        /// <returns>Whether there is memory to write to.</returns>
         public bool TryBegin(long frame)
         {
             if (m_isSent[m_next] && !HasBeenRead(frame))
@@ -66,7 +67,7 @@ namespace FastPoints.Rendering
         public void End(List<GraphicsBuffer> banks, long frame)
         {
             m_buffers[m_next].CopyTo(banks, m_copyPages, m_kernel, m_endOfBank);
-            m_freeAtFrame[m_next] = frame + FramesInFlight;
+            m_freeAtFrame[m_next] = frame + FramesInFlight + 1;
             if (m_hasFences)
                 m_fences[m_next] = Graphics.CreateGraphicsFence(GraphicsFenceType.CPUSynchronisation,
                     SynchronisationStageFlags.ComputeProcessing);
@@ -83,8 +84,8 @@ namespace FastPoints.Rendering
             m_endOfBank.Dispose();
         }
 
-        /// <summary>Frames can be drawn without updates, and updates can come without frames: counting them is only for GPUs
-        /// without fences.</summary>
+        /// <summary>Counting frames is for GPUs without fences alone, which may be longer behind than any setting
+        /// says.</summary>
         bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
     }
 }

@@ -13,7 +13,7 @@ public sealed class SystemInfo
     public static int maxComputeBufferInputsVertex =>
         HeadlessGraphics.VertexBuffers ?? (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
 
-    public static bool supportsGraphicsFence => HasDevice;
+    public static bool supportsGraphicsFence => HasDevice && !HeadlessGraphics.HasNoFences;
     public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
 
     /// <summary>Not by this host: its render passes have no view masks.</summary>

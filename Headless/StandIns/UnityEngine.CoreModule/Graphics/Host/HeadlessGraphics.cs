@@ -58,6 +58,9 @@ public static class HeadlessGraphics
     /// <summary>A device without compute shaders, as WebGL 2: what takes them is refused.</summary>
     public static bool HasNoCompute { get; set; }
 
+    /// <summary>A device that does not tell how far it is, as with OpenGL.</summary>
+    public static bool HasNoFences { get; set; }
+
     /// <summary>A device that gives vertex shaders so many storage buffers; null: as it is.</summary>
     public static int? VertexBuffers { get; set; }
 

@@ -13,10 +13,13 @@ public struct GraphicsFence
 
     /// <summary>Also true for a fence so old that a thousand came after it.</summary>
     /// <exception cref="InvalidOperationException">Not made for CPUSynchronisation.</exception>
+    /// <exception cref="NotSupportedException">There are no fences.</exception>
     public bool passed
     {
         get
         {
+            if (!SystemInfo.supportsGraphicsFence)
+                throw new NotSupportedException("this platform has not implemented GraphicsFences");
             if (m_type != GraphicsFenceType.CPUSynchronisation)
                 throw new InvalidOperationException("Only a fence made with GraphicsFenceType.CPUSynchronisation can be "
                     + "asked");

@@ -1,0 +1,8 @@
+using UnityEditor;
+
+namespace UnityEditorInternal;
+
+public sealed class InternalEditorUtility
+{
+    public static void RepaintAllViews() => SceneView.RepaintAll();
+}
