@@ -1,4 +1,5 @@
 using FastPoints.Picking;
+using UnityEditor.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
@@ -33,6 +34,7 @@ public sealed class MeasureTests
     [SetUp]
     public void MakeScene()
     {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(ScenePicking).TypeHandle);
         m_world = new World("default");
         World.DefaultGameObjectInjectionWorld = m_world;
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
@@ -176,6 +178,102 @@ public sealed class MeasureTests
             Assert.That(Find(picker, ray).Point, Is.Null);
             m_world.Dispose();
             Assert.That(picker.Begin(ray), Is.False);
+        }
+    }
+
+    /// <summary>Looks straight down on a point of the cloud, 20 units above it, through the middle of 100 x 100 pixels.</summary>
+    UnityEngine.Camera CameraAbove(double east = 0)
+    {
+        float3 point;
+        using (var picker = new ScenePicker())
+            point = (float3)Find(picker, Down(east)).Point.PlaceWorld;
+        var camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
+        camera.cameraType = CameraType.SceneView;
+        camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
+        camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
+        camera.transform.position = new Vector3(point.x, point.y + 20, point.z);
+        var view = Matrix4x4.zero;
+        view.SetRow(0, new Vector4(1, 0, 0, -point.x));
+        view.SetRow(1, new Vector4(0, 0, -1, point.z));
+        view.SetRow(2, new Vector4(0, 1, 0, -point.y - 20));
+        view.SetRow(3, new Vector4(0, 0, 0, 1));
+        camera.worldToCameraMatrix = view;
+        return camera;
+    }
+
+    [Test]
+    public void Click_InTheSceneView_SelectsTheCloudThatCanBePicked()
+    {
+        ScenePicking.MostMs = double.PositiveInfinity;
+        var camera = CameraAbove();
+        var middle = new Vector2(50, 50);
+        var cloud = m_cloud.gameObject;
+        bool Hits() => HandleUtility.Click(camera, middle).Contains(cloud);
+        try
+        {
+            Assert.That(HandleUtility.Click(camera, middle), Is.EqualTo(new[] { cloud }));
+            var view = camera.worldToCameraMatrix;
+            view.m03 += 5000;
+            var there = camera.worldToCameraMatrix;
+            camera.worldToCameraMatrix = view;
+            camera.transform.position -= new Vector3(5000, 0, 0);
+            Assert.That(Hits(), Is.False, "beside all points");
+            camera.worldToCameraMatrix = there;
+            camera.transform.position += new Vector3(5000, 0, 0);
+
+            SceneVisibilityManager.instance.Unpickable.Add(cloud);
+            Assert.That(Hits(), Is.False, "the pick icon");
+            SceneVisibilityManager.instance.Unpickable.Clear();
+            Tools.lockedLayers = 1 << cloud.layer;
+            Assert.That(Hits(), Is.False, "a locked layer");
+            Tools.lockedLayers = 0;
+            camera.cullingMask = ~(1 << cloud.layer);
+            Assert.That(Hits(), Is.False, "a layer that is not drawn");
+            camera.cullingMask = -1;
+            StageUtility.Focused = new UnityEngine.SceneManagement.Scene { Number = 7 };
+            Assert.That(Hits(), Is.False, "another prefab is open");
+            StageUtility.Focused = default;
+            ScenePicking.MostMs = 0;
+            Assert.That(() => Hits(), Throws.Nothing, "no time at all");
+            ScenePicking.MostMs = double.PositiveInfinity;
+            Assert.That(Hits(), Is.True);
+            EditorApplication.CallDelayed();
+            m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
+            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+            Assert.That(Hits(), Is.False, "points that are not shown");
+        }
+        finally
+        {
+            ScenePicking.MostMs = 100;
+            EditorApplication.CallDelayed();
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        }
+    }
+
+    /// <summary>The nearer one first, then what lies behind it.</summary>
+    [Test]
+    public void Click_OnTwoClouds_GoesThroughBoth()
+    {
+        ScenePicking.MostMs = double.PositiveInfinity;
+        var above = new GameObject("above");
+        var camera = CameraAbove();
+        try
+        {
+            var other = above.AddComponent<PointCloud>();
+            var place = m_scene.transform.localToWorldMatrix;
+            place.m13 += 10;
+            SceneLoop.Place(above.transform, place);
+            other.Path = m_path;
+            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(other.Entity));
+            Frames(() => true);
+            Assert.That(HandleUtility.Click(camera, new Vector2(50, 50)), Is.EqualTo(new[] { above, m_scene }));
+        }
+        finally
+        {
+            ScenePicking.MostMs = 100;
+            EditorApplication.CallDelayed();
+            UnityEngine.Object.DestroyImmediate(above);
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
     }
 

@@ -11,6 +11,9 @@ public sealed class EditorApplication
 
     public static CallbackFunction update;
 
+    /// <summary>Called once, at the next update: a host says when.</summary>
+    public static CallbackFunction delayCall;
+
     /// <summary>How often frames were asked for.</summary>
     internal static int s_queuedUpdates;
 
@@ -30,6 +33,14 @@ public sealed class EditorApplication
     public static bool isFocused { get; internal set; } = true;
 
     public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
+
+    internal static void CallDelayed()
+    {
+        var delayed = delayCall;
+        delayCall = null;
+        delayed?.Invoke();
+    }
+
     internal static void Quit() => quitting?.Invoke();
 }
 

@@ -12,6 +12,11 @@ namespace UnityEditor
 
         public static event Action visibilityChanged;
 
+        /// <summary>The pick icons that are crossed out.</summary>
+        internal readonly HashSet<GameObject> Unpickable = new HashSet<GameObject>();
+
+        public bool IsPickingDisabled(GameObject gameObject, bool includeDescendants = false) => Unpickable.Contains(gameObject);
+
         public bool IsHidden(GameObject gameObject, bool includeDescendants = false) => m_hidden.Contains(gameObject);
 
         /// <summary>As a user's click on the eye.</summary>
@@ -29,6 +34,17 @@ namespace UnityEditor.SceneManagement
     {
         public const ulong GameViewObjects = 1UL << 63;
         public const ulong MainStageSceneViewObjects = 3UL << 61;
+    }
+
+    public static class StageUtility
+    {
+        /// <summary>The scene of an open prefab stage; default for none.</summary>
+        internal static Scene Focused;
+
+        public static bool IsGameObjectRenderedByCameraAndPartOfEditableScene(GameObject gameObject, Camera camera) =>
+            (gameObject.sceneCullingMask & (camera.overrideSceneCullingMask != 0 ? camera.overrideSceneCullingMask
+                : camera.scene.IsValid() ? camera.scene.Mask : ulong.MaxValue)) != 0 &&
+            (!Focused.IsValid() || gameObject.scene == Focused);
     }
 
     public enum NewSceneSetup { EmptyScene = 0, DefaultGameObjects = 1 }

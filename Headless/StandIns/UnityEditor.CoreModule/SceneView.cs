@@ -35,11 +35,53 @@ public sealed class HandleUtility
 {
     internal static Ray PointedAlong;
 
+    public delegate GameObject PickGameObjectCallback(Camera cam, int layers, Vector2 position, GameObject[] ignore,
+        GameObject[] filter, out int materialIndex);
+
+    public static event PickGameObjectCallback pickGameObjectCustomPasses;
+
+    /// <summary>What a click at a pixel goes through from front to back, in a scene without meshes. A pass is not trusted: what it
+    /// should have ignored is not taken, and another material would be another object.</summary>
+    internal static List<GameObject> Click(Camera camera, Vector2 position)
+    {
+        var hit = new List<GameObject>();
+        var ignore = new List<GameObject>();
+        while (PickedBy(camera, position, ignore, null) is { } picked)
+        {
+            // One that is not to be ignored would be found for ever.
+            if (!SceneVisibilityManager.instance.IsPickingDisabled(picked))
+                hit.Add(picked);
+            ignore.Add(picked);
+        }
+        if (hit.Count > 0 && PickedBy(camera, position, null, new List<GameObject> { hit[0] }) != hit[0])
+            throw new InvalidOperationException("clicking again would not find what is selected");
+        return hit;
+    }
+
+    static GameObject PickedBy(Camera camera, Vector2 position, List<GameObject> ignore, List<GameObject> filter)
+    {
+        foreach (PickGameObjectCallback pass in pickGameObjectCustomPasses?.GetInvocationList() ?? new Delegate[0])
+        {
+            // Unity gives null for an empty list.
+            var picked = pass(camera, camera.cullingMask, position, ignore?.Count > 0 ? ignore.ToArray() : null,
+                filter?.Count > 0 ? filter.ToArray() : null, out int material);
+            if (picked != null && material <= 0 && ignore?.Contains(picked) != true && filter?.Contains(picked) != false)
+                return picked;
+        }
+        return null;
+    }
+
     public static int nearestControl { get; set; }
 
     public static void AddDefaultControl(int controlId) => nearestControl = controlId;
     public static Ray GUIPointToWorldRay(Vector2 position) => PointedAlong;
     public static float GetHandleSize(Vector3 position) => 1;
+}
+
+public sealed class Tools
+{
+    /// <summary>Layers that the user has locked: a bit for each.</summary>
+    public static int lockedLayers { get; internal set; }
 }
 
 public sealed class Handles

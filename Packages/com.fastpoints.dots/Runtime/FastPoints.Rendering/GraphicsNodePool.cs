@@ -43,8 +43,8 @@ namespace FastPoints.Rendering
         /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];
 
-        /// <summary>Counts a frame where a picture was drawn since the last one: until then the GPU may have been given nothing to
-        /// do.</summary>
+        /// <summary>Counts a frame where a picture was drawn since the last one: until then the GPU may have been given nothing
+        /// to do.</summary>
         public override void BeginFrame()
         {
             m_frame += m_isDrawn ? 1 : 0;

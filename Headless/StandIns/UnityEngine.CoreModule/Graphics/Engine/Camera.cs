@@ -55,6 +55,18 @@ public sealed class Camera : Behaviour
     public int scaledPixelHeight => (int)(pixelHeight * DynamicScale);
     RenderTexture Target => targetTexture != null ? targetTexture : Screen;
 
+    /// <summary>Through a pixel, from the near plane on.</summary>
+    public Ray ScreenPointToRay(Vector3 pos)
+    {
+        Matrix4x4 toWorld = (projectionMatrix * worldToCameraMatrix).inverse;
+        Vector3 At(float depth)
+        {
+            Vector4 place = toWorld * new Vector4(2 * pos.x / pixelWidth - 1, 2 * pos.y / pixelHeight - 1, depth, 1);
+            return new Vector3(place.x, place.y, place.z) / place.w;
+        }
+        return new Ray(At(-1), At(1) - At(-1));
+    }
+
     public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => m_commands.Add((evt, buffer));
     public CommandBuffer[] GetCommandBuffers(CameraEvent evt) =>
         m_commands.Where(c => c.Event == evt).Select(c => c.Commands).ToArray();

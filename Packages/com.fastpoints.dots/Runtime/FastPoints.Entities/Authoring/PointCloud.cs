@@ -261,7 +261,7 @@ namespace FastPoints.Entities
             file.Color = m_color;
             file.Gradient = m_gradient;
             file.HiddenClasses = m_openedClasses;
-            file.HasGameObject = true;
+            file.GameObject = gameObject;
             Place(file);
             entities.AddComponentObject(Entity, file);
         }

@@ -90,7 +90,7 @@ namespace FastPoints.Entities
             foreach (var entity in clouds)
             {
                 var file = entities.GetComponentObject<PointCloudFile>(entity);
-                if (file.HasGameObject)
+                if (file.GameObject != null)
                     continue;
                 var toWorld = new double4x4(entities.GetComponentData<LocalToWorld>(entity).Value);
                 var local = math.mul(math.inverse(new double3x3(toWorld.c0.xyz, toWorld.c1.xyz, toWorld.c2.xyz)), by);

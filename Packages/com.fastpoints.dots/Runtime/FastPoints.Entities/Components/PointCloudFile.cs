@@ -57,8 +57,8 @@ namespace FastPoints.Entities
         /// <summary>The origin, georeferenced, in CRS units.</summary>
         public double3 OriginGeo;
 
-        /// <summary>Whether a <see cref="PointCloud"/> places it.</summary>
-        internal bool HasGameObject;
+        /// <summary>That of the <see cref="PointCloud"/> that places it; null for none.</summary>
+        internal GameObject GameObject;
 
         /// <summary>What <see cref="PointCloudOrigin.ShiftEntities"/> has moved its origin by, in the space that its transform
         /// moves: it may not be open yet.</summary>

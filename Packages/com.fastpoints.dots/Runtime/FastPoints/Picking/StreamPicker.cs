@@ -39,7 +39,9 @@ namespace FastPoints.Picking
 
         /// <summary>Begins a search of the clouds as they are now; a search in progress is broken off.</summary>
         /// <param name="hiddenOf">Gives for a cloud's number the classes whose points are not shown; null for none.</param>
-        public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null)
+        /// <param name="isSearched">Tells by a cloud's number whether it is one of those to search; null for all.</param>
+        public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
+            Func<int, bool> isSearched = null)
         {
             BreakOff();
             m_ray = ray;
@@ -53,7 +55,8 @@ namespace FastPoints.Picking
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud == null || cloud.IsLeaving || !ray.Mask.Sees(cloud.Placement.SeenBy))
+                if (cloud == null || cloud.IsLeaving || !ray.Mask.Sees(cloud.Placement.SeenBy) ||
+                    isSearched != null && !isSearched(c))
                     continue;
                 m_targets.Add(new Target
                 {

@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Threading;
+using FastPoints.Entities;
+using FastPoints.Gpu;
+using FastPoints.Picking;
+using FastPoints.Rendering;
+using Unity.Collections;
+using Unity.Entities;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Has a click in the Scene view select the cloud that has a point there: Unity asks, again and again for what lies
+    /// behind, where the click hits nothing that it draws itself.</summary>
+    [InitializeOnLoad]
+    internal static class ScenePicking
+    {
+        /// <summary>How far from the pointer a point may be, in points of the window.</summary>
+        const double Radius = 5;
+
+        static StreamPicker s_picker;
+
+        static ScenePicking()
+        {
+            if (!AssetDatabase.IsAssetImportWorkerProcess())
+                HandleUtility.pickGameObjectCustomPasses += Pick;
+        }
+
+        /// <summary>Unity wants the answer at once: so long a click waits for files; then it hits what was found until
+        /// then.</summary>
+        internal static double MostMs { get; set; } = 100;
+
+        /// <param name="position">In pixels, from the lower left.</param>
+        /// <param name="ignore">Null for none.</param>
+        /// <param name="filter">The only ones; null for all.</param>
+        internal static GameObject Pick(Camera camera, int layers, Vector2 position, GameObject[] ignore, GameObject[] filter,
+            out int materialIndex)
+        {
+            materialIndex = 0;
+            var world = World.DefaultGameObjectInjectionWorld;
+            var stream = world != null && world.IsCreated
+                ? world.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stream : null;
+            if (stream == null)
+                return null;
+            bool CanBePicked(GameObject cloud) => cloud != null && (layers & ~Tools.lockedLayers & 1 << cloud.layer) != 0 &&
+                (ignore == null || Array.IndexOf(ignore, cloud) < 0) && (filter == null || Array.IndexOf(filter, cloud) >= 0) &&
+                !SceneVisibilityManager.instance.IsPickingDisabled(cloud) &&
+                StageUtility.IsGameObjectRenderedByCameraAndPartOfEditableScene(cloud, camera);
+            var clouds = CloudsOf(world.EntityManager, CanBePicked);
+            if (clouds.Count == 0)
+                return null;
+            if (s_picker == null)
+            {
+                s_picker = new StreamPicker();
+                // One click asks several times; between clicks no file is kept open.
+                EditorApplication.delayCall += Forget;
+            }
+            var ray = CameraViews.PickRayOf(camera, camera.ScreenPointToRay(position), Radius * EditorGUIUtility.pixelsPerPoint);
+            s_picker.Begin(stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
+            var waited = Stopwatch.StartNew();
+            while (!s_picker.Update(MostMs) && waited.Elapsed.TotalMilliseconds < MostMs)
+                Thread.Yield();
+            return s_picker.Pick.Point == null ? null : clouds[s_picker.Pick.Cloud].Object;
+        }
+
+        static void Forget()
+        {
+            s_picker?.Dispose();
+            s_picker = null;
+        }
+
+        /// <summary>GameObjects of clouds by the numbers that the stream has for their states, and classes that they
+        /// hide.</summary>
+        static Dictionary<int, (GameObject Object, ClassMask Hidden)> CloudsOf(EntityManager entities,
+            Predicate<GameObject> canBePicked)
+        {
+            var clouds = new Dictionary<int, (GameObject Object, ClassMask Hidden)>();
+            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>()
+                .WithAll<PointCloudFile>().Build(entities))
+            using (var all = query.ToEntityArray(Allocator.Temp))
+                foreach (var entity in all)
+                {
+                    var file = entities.GetComponentObject<PointCloudFile>(entity);
+                    if (!canBePicked(file.GameObject))
+                        continue;
+                    var streamed = entities.GetComponentData<StreamedPointCloud>(entity);
+                    foreach (int number in new[] { streamed.Number, streamed.Beside, streamed.Next })
+                        clouds[number] = (file.GameObject, file.HiddenClasses);
+                }
+            return clouds;
+        }
+    }
+}
