@@ -40,8 +40,8 @@ public sealed class HandleUtility
 
     public static event PickGameObjectCallback pickGameObjectCustomPasses;
 
-    /// <summary>What a click at a pixel goes through from front to back, in a scene without meshes. A pass is not trusted: what it
-    /// should have ignored is not taken, and another material would be another object.</summary>
+    /// <summary>What a click at a pixel goes through from front to back, in a scene without meshes. A pass is not trusted: what
+    /// it should have ignored is not taken, and another material would be another object.</summary>
     internal static List<GameObject> Click(Camera camera, Vector2 position)
     {
         var hit = new List<GameObject>();
