@@ -14,7 +14,8 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct GroupRecordsJob : IJob
     {
-        const int RunPoints = 256;
+        /// <summary>This many records are made one behind another, in the cache, before each goes to its chunk.</summary>
+        public const int RunPoints = 256;
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
@@ -36,6 +37,9 @@ namespace FastPoints.Records
 
         /// <summary>Scratch, indexed by point.</summary>
         public NativeArray<int> ChunkOfPoint;
+
+        /// <summary>Scratch: the records of a run.</summary>
+        public NativeArray<byte> RunRecords;
         public NativeReference<PointStatistics> Statistics;
         public NativeArray<AttributeStatistics> Attributes;
 
@@ -62,28 +66,32 @@ namespace FastPoints.Records
             int kept = Order(count, chunkOfPoint, first);
             statistics.Count += kept;
 
-            // From here on a point's entry is the place of its record, or -1. A run's records stay in the cache until they are
-            // hashed.
+            // From here on a point's entry is the place of its record, or -1.
+            var run = (byte*)RunRecords.GetUnsafePtr();
             int padding = Layout.PositionBytes + Layout.AttributeBytes - sizeof(uint);
             var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
             ulong sum = 0;
             for (int done = 0; done < count; done += RunPoints)
             {
-                int run = math.min(RunPoints, count - done);
+                int points = math.min(RunPoints, count - done);
                 int* placeOfPoint = chunkOfPoint + done;
-                WritePlaces(bytes, done, run, placeOfPoint, records);
-                for (int i = 0; i < run && Fields.Length > 0; i++)
-                    if (placeOfPoint[i] >= 0)
-                        *(uint*)(records + (long)placeOfPoint[i] * stride + padding) = 0;
+                WritePlaces(bytes, done, points, run);
+                for (int i = 0; i < points && Fields.Length > 0; i++)
+                    *(uint*)(run + i * stride + padding) = 0;
                 for (int f = 0; f < Fields.Length; f++)
                 {
                     var field = Fields[f];
-                    CopyColumn(bytes + field.Column.OffsetBytes + (long)done * field.Column.Type.SizeOf(), field.Column.Type, run,
-                        placeOfPoint, records + Layout.PositionBytes + field.RecordOffset, stride, ref found[field.Attribute]);
+                    CopyColumn(bytes + field.Column.OffsetBytes + (long)done * field.Column.Type.SizeOf(), field.Column.Type,
+                        points, placeOfPoint, run + Layout.PositionBytes + field.RecordOffset, stride, ref found[field.Attribute]);
                 }
-                for (int i = 0; i < run; i++)
-                    if (placeOfPoint[i] >= 0)
-                        sum += Layout.HashOf(records + (long)placeOfPoint[i] * stride, Store.RecordHash.ChecksumSeed);
+                for (int i = 0; i < points; i++)
+                {
+                    if (placeOfPoint[i] < 0)
+                        continue;
+                    byte* record = run + i * stride;
+                    sum += Layout.HashOf(record, Store.RecordHash.ChecksumSeed);
+                    RecordLayout.Copy(record, records + (long)placeOfPoint[i] * stride, stride);
+                }
             }
             statistics.Checksum += sum;
             Statistics.Value = statistics;
@@ -145,17 +153,16 @@ namespace FastPoints.Records
             return sum;
         }
 
-        void WritePlaces(byte* bytes, int first, int count, int* placeOfPoint, byte* records)
+        void WritePlaces(byte* bytes, int first, int count, byte* records)
         {
             long* x = stackalloc long[RunPoints];
             long* y = stackalloc long[RunPoints];
             long* z = stackalloc long[RunPoints];
             double ignored = 0;
-            long stride = Layout.StrideBytes;
+            int stride = Layout.StrideBytes;
             LoadRun(bytes, first, count, x, y, z, ref ignored);
             for (int i = 0; i < count; i++)
-                if (placeOfPoint[i] >= 0)
-                    Layout.SetPlace(records + placeOfPoint[i] * stride, x[i], y[i], z[i]);
+                Layout.SetPlace(records + i * stride, x[i], y[i], z[i]);
         }
 
         void LoadRun(byte* bytes, int first, int count, long* x, long* y, long* z, ref double worstLoss)
@@ -165,7 +172,7 @@ namespace FastPoints.Records
             SourceGrid.ToGrid(Grid.Z, bytes, Z, first, count, z, ref worstLoss);
         }
 
-        static void CopyColumn(byte* from, AttributeType type, int count, int* placeOfPoint, byte* to, long stride,
+        static void CopyColumn(byte* from, AttributeType type, int count, int* placeOfPoint, byte* to, int stride,
             ref AttributeStatistics statistics)
         {
             if (type == AttributeType.UInt16)
@@ -180,7 +187,7 @@ namespace FastPoints.Records
                 if (placeOfPoint[i] < 0)
                     continue;
                 byte* value = from + (long)i * size;
-                byte* target = to + placeOfPoint[i] * stride;
+                byte* target = to + i * stride;
                 switch (size)
                 {
                     case 1: *target = *value; break;
@@ -199,18 +206,17 @@ namespace FastPoints.Records
         }
 
         /// <summary>Copies the usual type of colours and intensity, whose halves are examined.</summary>
-        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride,
+        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, int stride,
             ref AttributeStatistics statistics)
         {
             uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = statistics.NotDoubled;
             int copied = 0;
             for (int i = 0; i < count; i++)
             {
-                int place = placeOfPoint[i];
-                if (place < 0)
+                if (placeOfPoint[i] < 0)
                     continue;
                 uint value = from[i];
-                *(ushort*)(to + place * stride) = (ushort)value;
+                *(ushort*)(to + i * stride) = (ushort)value;
                 min = math.min(min, value);
                 max = math.max(max, value);
                 or |= value;

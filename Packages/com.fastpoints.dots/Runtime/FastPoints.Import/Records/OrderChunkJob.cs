@@ -170,7 +170,7 @@ namespace FastPoints.Records
 
         void Distribute()
         {
-            int stride = Layout.StrideBytes, words = stride >> 2;
+            int stride = Layout.StrideBytes;
             var next = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
             var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
             for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
@@ -180,7 +180,7 @@ namespace FastPoints.Records
                 byte* record = RecordPages.RecordsOf(m_now.Page);
                 int count = m_now.Page->Count;
                 for (int i = 0; i < count; i++, record += stride)
-                    Copy(record, m_records + (long)next[bucketOf[i]]++ * stride, words);
+                    RecordLayout.Copy(record, m_records + (long)next[bucketOf[i]]++ * stride, stride);
                 bucketOf += count;
                 m_now.Point += count;
                 m_budget -= (long)count * CostOfMove;
@@ -190,15 +190,6 @@ namespace FastPoints.Records
                 next[b] = next[b - 1];
             next[0] = 0;
             m_now = new OrderScratch.State { Stage = Stage.Sort };
-        }
-
-        static void Copy(byte* from, byte* to, int words)
-        {
-            int w = 0;
-            for (; w + 2 <= words; w += 2)
-                *(ulong*)(to + 4 * w) = *(ulong*)(from + 4 * w);
-            if (w < words)
-                *(uint*)(to + 4 * w) = *(uint*)(from + 4 * w);
         }
 
         /// <summary>Finds the order of the next bucket that has records.</summary>
@@ -265,7 +256,7 @@ namespace FastPoints.Records
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
             int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first;
-            int stride = Layout.StrideBytes, words = stride >> 2;
+            int stride = Layout.StrideBytes;
             ulong numberMask = (1UL << NumberBitsOf(count)) - 1;
             ulong* sorted = Scratch.Keys.GetUnsafePtr() + (m_now.IsSwapped ? count : 0);
             byte* records = Scratch.Bucket.GetUnsafePtr(), common = (byte*)CommonCubeLog2.GetUnsafePtr();
@@ -276,7 +267,7 @@ namespace FastPoints.Records
                 int end = math.min(count, m_now.Point + PointsOfRun);
                 byte* to = m_records + (long)(first + m_now.Point) * stride;
                 for (int i = m_now.Point; i < end; i++, to += stride)
-                    Copy(records + (long)(sorted[i] & numberMask) * stride, to, words);
+                    RecordLayout.Copy(records + (long)(sorted[i] & numberMask) * stride, to, stride);
                 sum += Sampling.Prepare(m_records, first + m_now.Point, first + end, Layout, Cube.Corner, common, priority);
                 m_budget -= PointsOfRun * CostOfEmit;
             }

@@ -15,6 +15,7 @@ namespace FastPoints.Records
         readonly PartitionMap m_map;
         NativeArray<RecordField> m_fields;
         NativeArray<int> m_chunkOfPoint;
+        NativeArray<byte> m_runRecords;
 
         /// <param name="capacity">Points of the largest block.</param>
         /// <param name="attributes">The attributes of records, all of which the batch has.</param>
@@ -31,6 +32,7 @@ namespace FastPoints.Records
             Slices = new SliceTimes(Allocator.Persistent);
             Detached = new NativeList<DetachedRecordPages>(8, Allocator.Persistent);
             m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            m_runRecords = new NativeArray<byte>(GroupRecordsJob.RunPoints * layout.StrideBytes, Allocator.Persistent);
             var statistics = new AttributeStatistics[attributes.Count];
             var fields = new RecordField[attributes.Count];
             int offset = 0;
@@ -85,6 +87,7 @@ namespace FastPoints.Records
                 Records = Records,
                 FirstOfChunk = FirstOfChunk,
                 ChunkOfPoint = m_chunkOfPoint,
+                RunRecords = m_runRecords,
                 Statistics = Statistics,
                 Attributes = Attributes,
             }.Schedule(decoded);
@@ -118,6 +121,7 @@ namespace FastPoints.Records
             Attributes.Dispose();
             m_fields.Dispose();
             m_chunkOfPoint.Dispose();
+            m_runRecords.Dispose();
         }
     }
 }

@@ -24,6 +24,7 @@ namespace FastPoints.Samplers
             int* offered = Scratch.Offered.GetUnsafePtr();
             byte* offeredCommon = Scratch.OfferedCommon.GetUnsafePtr();
             int cell = m_now.Cell, to = range.First + m_now.Taken - 1;
+            int commonOfCell = to < range.First ? 0 : offeredCommon[to];
             long best = m_now.Best;
             while (m_now.Part < range.FirstPart + range.PartCount && m_budget > 0)
             {
@@ -34,9 +35,12 @@ namespace FastPoints.Samplers
                     int point = part.OffersAll ? k : offered[k], common = part.OffersAll ? m_common[k] : offeredCommon[k];
                     int isNew = cell - common >> 31;
                     to -= isNew;
-                    best = math.max(best & ~(long)isNew, RankOf(point));
+                    best &= ~(long)isNew;
+                    long rank = RankOf(point), isBetter = best - rank >> 63;
+                    best ^= (best ^ rank) & isBetter;
+                    commonOfCell ^= (commonOfCell ^ common) & isNew;
                     offered[to] = PointOf(best);
-                    offeredCommon[to] = (byte)(isNew & common | ~isNew & offeredCommon[to]);
+                    offeredCommon[to] = (byte)commonOfCell;
                 }
                 m_now.Candidate = end;
                 if (end < part.OfferedCount)
