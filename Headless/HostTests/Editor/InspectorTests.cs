@@ -1,4 +1,6 @@
 using System.Reflection;
+using FastPoints.Base;
+using FastPoints.Rendering;
 
 namespace FastPoints.HostTests.Editor;
 
@@ -15,6 +17,87 @@ public sealed class InspectorTests
         Assert.That(ClassFilter.ClassesOf(5, 5, new int[0]), Is.EqualTo(new[] { 5 }));
         Assert.That(new[] { 2, 8, 64 }.Select(ClassFilter.Label),
             Is.EqualTo(new[] { "2 ground", "8 reserved", "64 of the user" }));
+    }
+
+    /// <summary>What a user meets in an inspector or the Project window.</summary>
+    static IEnumerable<Type> Shown => new[] { typeof(PointCloudSystemGroup), typeof(PointCloudCamera), typeof(ScenePicking),
+            typeof(FastPoints.SourceFeeds.PointFileReaders) }
+        .SelectMany(t => t.Assembly.GetTypes()).Where(t => !t.IsAbstract && (t.IsPublic
+            ? typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)
+            : typeof(UnityEditor.AssetImporters.ScriptedImporter).IsAssignableFrom(t)));
+
+    [TestCaseSource(nameof(Shown))]
+    public void Help_OfAllThatIsShown_IsAPageOfTheManual(Type type)
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(HelpPages).TypeHandle);
+        string root = Checkout.Repository.PackageRoot;
+        var page = type.GetCustomAttribute<HelpURLAttribute>(true);
+        Assert.That(page, Is.Not.Null);
+        Assert.That(page.URL, Is.Not.Null, "Unity would throw");
+        var asked = HelpPageAttribute.UrlOf;
+        try
+        {
+            HelpPageAttribute.UrlOf = name => HelpPages.UrlOf(name, root);
+            Assert.That(File.Exists(new Uri(page.URL).LocalPath), Is.True, page.URL);
+            HelpPageAttribute.UrlOf = null;
+            Assert.That(page.URL, Is.Empty, "a player");
+        }
+        finally
+        {
+            HelpPageAttribute.UrlOf = asked;
+        }
+    }
+
+    [Test]
+    public void Help_OfAComponent_IsWhereThePackageOrItsSiteIs()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(HelpPages).TypeHandle);
+        using var scratch = new ScratchFolder();
+        string root = scratch["a package"];
+        Directory.CreateDirectory(Path.Combine(root, "Documentation~"));
+        File.WriteAllText(Path.Combine(root, "Documentation~", "show.md"), "");
+        var asked = HelpPageAttribute.UrlOf;
+        var camera = new GameObject("camera").AddComponent<PointCloudCamera>();
+        try
+        {
+            HelpPageAttribute.UrlOf = name => HelpPages.UrlOf(name, root);
+            Assert.That(Help.GetHelpURLForObject(camera),
+                Does.StartWith("file:///").And.EndsWith("/a%20package/Documentation~/show.md"));
+            foreach (var (site, url) in new[]
+            {
+                ("https://example.org/docs/", "https://example.org/docs/show.html"),
+                ("https://example.org/docs/index.html", "https://example.org/docs/show.html"),
+                ("https://example.org/blob/main/index.md", "https://example.org/blob/main/show.md"),
+            })
+            {
+                File.WriteAllText(Path.Combine(root, "package.json"), "{ \"documentationUrl\": \"" + site + "\" }");
+                Assert.That(Help.GetHelpURLForObject(camera), Is.EqualTo(url));
+            }
+            File.Delete(Path.Combine(root, "package.json"));
+            File.Delete(Path.Combine(root, "Documentation~", "show.md"));
+            Assert.That(Help.GetHelpURLForObject(camera), Is.Empty, "copied without its manual");
+        }
+        finally
+        {
+            HelpPageAttribute.UrlOf = asked;
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        }
+    }
+
+    /// <summary>Of all that is shown, but for what only the package itself refers to.</summary>
+    [TestCaseSource(nameof(Shown))]
+    public void Icon_OfAllThatIsShown_IsASmallPicture(Type type)
+    {
+        var icon = type.GetCustomAttribute<IconAttribute>();
+        if (type == typeof(PointCloudResources) || !type.IsPublic)
+            return;
+        const string package = "Packages/com.fastpoints.dots/";
+        Assert.That(icon.path, Does.StartWith(package));
+        string path = Path.Combine(Checkout.Repository.PackageRoot, icon.path[package.Length..]);
+        var picture = Png.Read(path);
+        Assert.That((picture.Width, picture.Height), Is.EqualTo((64, 64)));
+        Assert.That(Enumerable.Range(0, 64 * 64).Count(i => picture.Rgba[i * 4 + 3] == 0), Is.InRange(1000, 3000), "see-through");
+        Assert.That(File.ReadAllText(path + ".meta"), Does.Contain("textureType: 2").And.Contain("enableMipMap: 0"));
     }
 
     [Test]

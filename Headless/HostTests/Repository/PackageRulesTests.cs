@@ -82,6 +82,22 @@ public sealed class PackageRulesTests
     public void Check_ThisPackage_FindsNothing() =>
         Assert.That(PackageCommand.Run(Checkout.Repository, null, null).Problems, Is.Empty);
 
+    /// <summary>The line of the release's workflow makes of what is unreleased the tag's entry.</summary>
+    [Test]
+    public void Workflow_OfARelease_DatesTheChangelogOnceAllTestsHavePassed()
+    {
+        string workflow = File.ReadAllText(Path.Combine(Checkout.Repository.Root, ".github", "workflows", "release.yml"));
+        Assert.That(workflow, Does.Contain("uses: ./.github/workflows/test.yml").And.Contain("needs: test"));
+        Change("CHANGELOG.md", "[1.2.0] - 2026-03-04", "[Unreleased]");
+        Assert.That(Problems("v1.2.0"), Has.Some.Contains("wanted the entry [1.2.0]"));
+        string line = workflow.Split('\n').Single(l => l.Contains("run: sed")).Trim()["run: ".Length..];
+        var start = new System.Diagnostics.ProcessStartInfo("bash", new[] { "-c", line }) { WorkingDirectory = m_root };
+        start.Environment["GITHUB_REF_NAME"] = "v1.2.0";
+        using (var shell = System.Diagnostics.Process.Start(start))
+            shell.WaitForExit();
+        Assert.That(Problems("v1.2.0"), Is.Empty);
+    }
+
     [TestCase("package.json", "\"1.2.0\"", "\"1.2\"", "version: wanted a semantic version, got \"1.2\"")]
     [TestCase("package.json", "com.fastpoints.dots", "com.FastPoints", "name: wanted")]
     [TestCase("package.json", "Fast Points", "Fast: Points", "displayName: wanted")]

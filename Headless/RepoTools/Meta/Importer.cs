@@ -31,7 +31,9 @@ public sealed record Importer(string Name, bool IsFolder, string Settings)
                 return new Importer("ShaderIncludeImporter", false, NoSettings);
             case ".png":
             case ".jpg":
-                return new Importer("TextureImporter", false, "  serializedVersion: 13\n");
+                // Pictures that the editor shows: as they are, in any size.
+                return new Importer("TextureImporter", false, "  serializedVersion: 13\n  mipmaps:\n    enableMipMap: 0\n"
+                    + "  nPOTScale: 0\n  alphaIsTransparency: 1\n  textureType: 2\n");
             case ".md":
             case ".json":
             case ".txt":

@@ -31,6 +31,19 @@ namespace UnityEngine
         public readonly float min = min;
     }
 
+    [AttributeUsage(AttributeTargets.Class)]
+    public class HelpURLAttribute(string url) : Attribute
+    {
+        public virtual string URL => url;
+    }
+
+    /// <summary>In the project or a package: a texture.</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public class IconAttribute(string path) : Attribute
+    {
+        public string path { get; } = path;
+    }
+
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
     public class TooltipAttribute(string tooltip) : PropertyAttribute
     {

@@ -1,4 +1,5 @@
 using System.IO;
+using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Points;
 using FastPoints.Streaming;
@@ -11,6 +12,7 @@ namespace FastPoints.Editor
 {
     /// <summary>The common base of the importers of handles and of point cloud files. They read only headers of the asset's own
     /// file and use no settings, so that they run in import workers and their results may come from a cache.</summary>
+    [HelpPage("editor")]
     internal abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised when the imported asset changes.</summary>

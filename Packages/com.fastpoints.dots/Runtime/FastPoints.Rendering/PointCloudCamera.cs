@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using UnityEngine;
 
 namespace FastPoints.Rendering
@@ -7,6 +8,8 @@ namespace FastPoints.Rendering
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Camera))]
     [AddComponentMenu("FastPoints/Point Cloud Camera")]
+    [HelpPage("show")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudCamera : MonoBehaviour
     {
         [SerializeField]

@@ -1,8 +1,10 @@
+using FastPoints.Base;
 using UnityEngine;
 
 namespace FastPoints.Rendering
 {
     /// <summary>Refers to the package's shaders, so that builds keep them.</summary>
+    [HelpPage("rendering")]
     public sealed class PointCloudResources : ScriptableObject
     {
         /// <summary>Below any Resources folder.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Picture;
 using FastPoints.Points;
@@ -17,6 +18,8 @@ namespace FastPoints.Entities
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud")]
+    [HelpPage("show")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloud : MonoBehaviour
     {
         [SerializeField]

@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -7,6 +8,8 @@ namespace FastPoints.Entities
 {
     /// <summary>A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. It contains
     /// no points. The editor makes it from a <c>.pointcloud</c> handle or from a file in <c>Assets</c>.</summary>
+    [HelpPage("import")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudAsset : ScriptableObject
     {
         /// <summary>The folder in an editor: relative to the project with '/', absolute, or

@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Picture;
 using Unity.Entities;
@@ -9,6 +10,8 @@ namespace FastPoints.Entities
     /// <summary>A converted cloud in a subscene: baking stores where the cloud lies, and none of its points.</summary>
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Authoring")]
+    [HelpPage("show")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudAuthoring : MonoBehaviour
     {
         [Tooltip("The cloud: what the editor makes of a file that is dropped into the project.")]

@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using Unity.Transforms;
 using UnityEngine;
 
@@ -8,6 +9,8 @@ namespace FastPoints.Entities
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Clip Box")]
+    [HelpPage("show")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloudClipBox.png")]
     public sealed class PointCloudClipBox : MonoBehaviour
     {
         [Tooltip("Takes away what is in the box. Otherwise only what is in it is drawn, or in another such box.")]

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -15,6 +16,8 @@ namespace FastPoints.Entities
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Origin")]
+    [HelpPage("show")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloudOrigin.png")]
     public sealed class PointCloudOrigin : MonoBehaviour
     {
         [SerializeField]

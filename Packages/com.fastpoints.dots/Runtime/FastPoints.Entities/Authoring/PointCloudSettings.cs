@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Rendering;
 using Unity.Mathematics;
@@ -10,6 +11,8 @@ namespace FastPoints.Entities
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Settings")]
+    [HelpPage("settings")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudSettings : MonoBehaviour
     {
         [Range(0.1f, 100)]

@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using FastPoints.Feeds;
 using UnityEngine;
 
@@ -7,6 +8,8 @@ namespace FastPoints.SourceFeeds
     /// always are; a player has the readers if its code uses this assembly, or if a scene has this component.</summary>
     [AddComponentMenu("FastPoints/Point File Readers")]
     [DisallowMultipleComponent]
+    [HelpPage("run-time")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointFileReaders : MonoBehaviour
     {
         /// <summary>Works with domain reload off, too: registering twice is the same as once.</summary>
