@@ -119,6 +119,17 @@ public sealed class PipelinePassTests : PipelineFixture
     }
 
     [Test]
+    public void Render_UrpWithoutDepth_DrawsNoCloudsAndThrowsNothing()
+    {
+        using var host = new UrpHost { IsWithoutDepth = true };
+        var camera = LookingCamera(out var target);
+        Assert.That(() => host.Render(camera), Throws.Nothing);
+        Assert.That(host.PassCount, Is.Zero);
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [Test]
     public void Enqueue_UrpInCompatibilityMode_WarnsOnceAndHasNoPass()
     {
         var logged = new List<string>();

@@ -12,6 +12,9 @@ sealed class UrpHost : PipelineHost
     /// <summary>Of a headset whose eyes are drawn in turn.</summary>
     public int Eye { get; set; }
 
+    /// <summary>As the 2D renderer may be.</summary>
+    public bool IsWithoutDepth { get; set; }
+
     /// <summary>What the camera that was drawn last had in its graph.</summary>
     public int PassCount { get; private set; }
 
@@ -31,7 +34,8 @@ sealed class UrpHost : PipelineHost
         var resources = frame.GetOrCreate<UniversalResourceData>();
         // A pass has to say of each that it uses it.
         resources.activeColorTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
-        resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
+        if (!IsWithoutDepth)
+            resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
         var cameraData = frame.GetOrCreate<UniversalCameraData>();
         cameraData.camera = camera;
         var description = camera.targetTexture.descriptor;

@@ -13,7 +13,8 @@ public static class FileRules
     private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
 
     private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };
-    private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".meta" };
+    private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".png",
+        ".meta" };
 
     /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
     private static readonly string[] s_notImported =

@@ -12,6 +12,8 @@ public struct TextureHandle
     /// <summary>From 1 on: a handle that nobody gave stands for nothing.</summary>
     internal int Index;
 
+    public readonly bool IsValid() => Index > 0;
+
     public static implicit operator RenderTargetIdentifier(TextureHandle texture) => RenderGraph.TextureOf(texture);
     public static implicit operator RTHandle(TextureHandle texture) => RenderGraph.TextureOf(texture);
 }

@@ -10,14 +10,23 @@ namespace FastPoints.Editor
     {
         static EditModePasses()
         {
-            if (!AssetDatabase.IsAssetImportWorkerProcess())
-                Begin();
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                return;
+            Begin();
+            // Scene views keep their cameras, and these their command buffers, whose memory goes.
+            AssemblyReloadEvents.beforeAssemblyReload += End;
         }
 
         public static void Begin()
         {
             foreach (var begin in TypeCache.GetMethodsWithAttribute<BeginsPassAttribute>())
                 begin.Invoke(null, null);
+        }
+
+        static void End()
+        {
+            foreach (var begin in TypeCache.GetMethodsWithAttribute<BeginsPassAttribute>())
+                begin.DeclaringType.GetMethod("End").Invoke(null, null);
         }
     }
 }

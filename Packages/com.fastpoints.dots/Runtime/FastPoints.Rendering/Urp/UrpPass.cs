@@ -48,6 +48,9 @@ namespace FastPoints.Rendering.Urp
                 return;
             m_camera = null;
             var resources = frameData.Get<UniversalResourceData>();
+            // The 2D renderer may have no depth: points would not hide one another, and Unity would throw.
+            if (!resources.activeDepthTexture.IsValid())
+                return;
             using var builder = renderGraph.AddUnsafePass<PassData>("FastPoints", out var data);
             data.Scene = PointScene.Current;
             data.CameraData = cameraData;
