@@ -34,6 +34,8 @@ namespace FastPoints.SourceFeeds
         JobHandle m_done;
         PointCloudException m_refused;
         SourceNode m_node;
+        MakerChain m_chain;
+        int m_pointsInChain;
 
         /// <param name="planes">The planes that it makes, which the source still owns.</param>
         /// <param name="planesOfPage">How many planes of a node the source's pages have.</param>
@@ -53,8 +55,20 @@ namespace FastPoints.SourceFeeds
         /// <summary>The number of points that it has memory for.</summary>
         public int Capacity => m_capacity;
 
-        /// <summary>Points of the node that it was lent for.</summary>
-        public int PointsTaken { get; set; }
+        /// <summary>Takes its place behind the others of a chain, for a node of so many points.</summary>
+        public void Join(MakerChain chain, int points)
+        {
+            (m_chain, m_pointsInChain) = (chain, points);
+            chain.Points += points;
+        }
+
+        /// <returns>The points that it joined for.</returns>
+        public int LeaveChain()
+        {
+            m_chain.Points -= m_pointsInChain;
+            m_chain = null;
+            return m_pointsInChain;
+        }
 
         public override JobHandle Done => m_done;
 
@@ -72,8 +86,11 @@ namespace FastPoints.SourceFeeds
             {
                 if (m_node.PointCount > m_capacity)
                     MakeRoom(m_node.PointCount);
+                m_read.After = m_chain?.End ?? default;
                 m_read.Begin(new BlockRange(m_node.Block, 0, m_node.PointCount));
                 m_done = Schedule(m_read.Decoded);
+                if (m_chain != null)
+                    m_chain.End = m_done;
             }
             catch (PointCloudException refused)
             {
@@ -217,5 +234,16 @@ namespace FastPoints.SourceFeeds
             m_pointScratch.Dispose();
             m_packed.Dispose();
         }
+    }
+
+    /// <summary>Makers whose nodes are decoded one after the other, while the next is read: as many chains as workers leave
+    /// frames' own jobs their turn, however many nodes are begun.</summary>
+    sealed class MakerChain
+    {
+        /// <summary>The last job of the node that was begun last.</summary>
+        public JobHandle End;
+
+        /// <summary>Points of the nodes that were begun and are not taken yet.</summary>
+        public long Points;
     }
 }

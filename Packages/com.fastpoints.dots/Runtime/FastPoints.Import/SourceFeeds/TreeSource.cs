@@ -16,21 +16,25 @@ namespace FastPoints.SourceFeeds
     /// (<see cref="SampleReader"/>).</summary>
     public sealed class TreeSource : NodeSource
     {
-        /// <summary>The most nodes that are made at the same time: small ones take less than a frame each, and a maker is free
-        /// again in the next frame.</summary>
+        /// <summary>The most nodes that are begun and not yet taken: a maker is free again in the frame after its last
+        /// job.</summary>
         const int MostMakers = 16;
 
         /// <summary>The number of large ones at work: one is read while another is decoded.</summary>
         const int LeastAtWork = 2;
 
-        /// <summary>About a frame's work. Nodes with more points than this for each worker are not made together, so that other
-        /// jobs get their turn.</summary>
-        const int PointsPerWorker = 1 << 16;
+        /// <summary>The most points that are begun for each worker, except for single nodes: about 50 ms of work, so that workers
+        /// have enough until the next frame, at 30 Hz as well.</summary>
+        const int PointsPerWorker = 1 << 18;
+
+        /// <summary>The same for all workers: a point at work takes some 60 bytes.</summary>
+        const int MostPoints = 1 << 21;
 
         readonly TreePages m_pages;
         readonly TreePlanes m_planes;
         readonly List<TreeNodeMaker> m_makers = new List<TreeNodeMaker>(MostMakers);
         readonly List<TreeNodeMaker> m_idle = new List<TreeNodeMaker>(MostMakers);
+        readonly MakerChain[] m_chains;
         readonly long m_mostPoints;
         long m_pointsAtWork;
         TreePlanes m_allPlanes;
@@ -48,7 +52,10 @@ namespace FastPoints.SourceFeeds
             Reader = reader;
             Grids = new TreeGrid(reader.Info, reader.Tree);
             m_pages = new TreePages(reader, Grids);
-            m_mostPoints = (long)PointsPerWorker * Math.Max(1, JobsUtility.JobWorkerCount);
+            m_chains = new MakerChain[Math.Max(1, JobsUtility.JobWorkerCount)];
+            for (int i = 0; i < m_chains.Length; i++)
+                m_chains[i] = new MakerChain();
+            m_mostPoints = Math.Min(MostPoints, (long)PointsPerWorker * m_chains.Length);
             Layout = TreePlanes.LayoutOf(reader.Info.Schema);
             m_planes = new TreePlanes(reader.Info.Schema, Layout, planes);
             m_shapes = Layout.CreateShapes(Allocator.Persistent);
@@ -119,7 +126,10 @@ namespace FastPoints.SourceFeeds
             }
             var maker = m_idle[best];
             m_idle.RemoveAt(best);
-            maker.PointsTaken = points;
+            var chain = m_chains[0];
+            foreach (var other in m_chains)
+                chain = other.Points < chain.Points ? other : chain;
+            maker.Join(chain, points);
             m_pointsAtWork += points;
             return maker;
         }
@@ -127,7 +137,7 @@ namespace FastPoints.SourceFeeds
         public override void GiveMaker(NodeMaker maker)
         {
             var given = (TreeNodeMaker)maker;
-            m_pointsAtWork -= given.PointsTaken;
+            m_pointsAtWork -= given.LeaveChain();
             m_idle.Add(given);
         }
 

@@ -14,6 +14,7 @@ using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.SourceFeeds
@@ -25,6 +26,8 @@ namespace FastPoints.Tests.SourceFeeds
         const int MostFrames = 1_000_000;
 
         static readonly string[] s_color = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
+
+        static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim(), s_gateBegun = new ManualResetEventSlim();
 
         static StreamContext Stream(int bankBytes = 1 << 20) => StreamedTestCloud.Stream(64 << 20, bankBytes);
 
@@ -356,6 +359,71 @@ namespace FastPoints.Tests.SourceFeeds
             stream.Remove(1);
             Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(23_000));
             Assert.That(Failures(stream), Is.Empty);
+        }
+
+        [Test]
+        public void TakeMaker_NodesOfSomeFrames_AreBegunTogether()
+        {
+            using var workers = new WorkerCount(1);
+            using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
+            using var source = cloud.Open();
+            var makers = new List<NodeMaker>();
+            for (NodeMaker maker; (maker = source.TakeMaker(1 << 16)) != null;)
+                makers.Add(maker);
+            Assert.That(makers.Count, Is.EqualTo(4));
+            foreach (var maker in makers)
+                source.GiveMaker(maker);
+            for (int i = 0; i < 2; i++)
+                Assert.That(source.TakeMaker(1 << 20), Is.Not.Null);
+            Assert.That(source.TakeMaker(1), Is.Null);
+        }
+
+        [Test]
+        public void Begin_InAChain_IsDecodedBehindTheOthers()
+        {
+            s_gateBegun.Reset();
+            s_gate.Reset();
+            using var workers = new WorkerCount(1);
+            using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
+            using var stream = Stream();
+            var source = cloud.Open();
+            int number = Add(stream, source);
+            Settle(stream);
+            var page = stream.Clouds[number].Pages[0];
+            var maker = (TreeNodeMaker)source.TakeMaker(page.Nodes[0].PointCount);
+            maker.LeaveChain();
+            var chain = new MakerChain { End = default(GateJob).Schedule() };
+            JobHandle.ScheduleBatchedJobs();
+            try
+            {
+                s_gateBegun.Wait();
+                maker.Join(chain, page.Nodes[0].PointCount);
+                maker.Begin(page, 0);
+                using (var other = source.CreateWholeMaker())
+                {
+                    other.Begin(page, 0);
+                    Assert.That(other.End(out _), Is.EqualTo(MakeOutcome.Made));
+                }
+                Assert.That(maker.Done.IsCompleted, Is.False);
+                Assert.That(chain.End, Is.EqualTo(maker.Done));
+                Assert.That(chain.Points, Is.EqualTo(page.Nodes[0].PointCount));
+            }
+            finally
+            {
+                s_gate.Set();
+            }
+            Assert.That(maker.End(out _), Is.EqualTo(MakeOutcome.Made));
+            source.GiveMaker(maker);
+            Assert.That(chain.Points, Is.EqualTo(0));
+        }
+
+        struct GateJob : IJob
+        {
+            public void Execute()
+            {
+                s_gateBegun.Set();
+                s_gate.Wait();
+            }
         }
 
         [Test]

@@ -3,6 +3,7 @@ using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
@@ -21,14 +22,16 @@ namespace FastPoints.Benchmarks
 
         readonly Func<WorkloadContext, string> m_find;
         readonly Func<PointSchema, PointSchema> m_wanted;
+        readonly bool m_isByWorkers;
         string m_path;
 
         /// <param name="find">The path; null where there is none.</param>
         /// <param name="wanted">The attributes; null for all.</param>
+        /// <param name="isByWorkers">The main thread only steps the work, as beside frames.</param>
         public ColumnsWorkload(string name, string limitName, Func<WorkloadContext, string> find,
-            Func<PointSchema, PointSchema> wanted = null)
+            Func<PointSchema, PointSchema> wanted = null, bool isByWorkers = false)
         {
-            (Name, LimitName) = (name, limitName);
+            (Name, LimitName, m_isByWorkers) = (name, limitName, isByWorkers);
             (m_find, m_wanted) = (find, wanted ?? (schema => schema));
         }
 
@@ -48,7 +51,9 @@ namespace FastPoints.Benchmarks
             var counter = new Counter();
             using var reader = PointReaders.Open(m_path);
             WorkPump.RunToEnd(reader.FindBlocks());
-            WorkPump.RunToEnd(SourceScan.Run(reader, m_wanted(reader.Info.Schema), counter, SourceScan.DefaultSlots, null));
+            using var frames = new FrameLoop(0, Math.Max(m_isByWorkers ? 1 : 0, JobsUtility.JobWorkerCount));
+            frames.Run(SourceScan.Run(reader, m_wanted(reader.Info.Schema), counter, SourceScan.DefaultSlots, null),
+                m_isByWorkers ? 0 : -1);
             return new WorkloadResult { Points = counter.Points, Bytes = ReadCopyWorkload.BytesOf(m_path) };
         }
 

@@ -12,19 +12,21 @@ using Unity.Collections;
 namespace FastPoints.Benchmarks
 {
     /// <summary>A file with an octree (in the system's cache) into the pool as it is: read, decoded, packed and copied, with
-    /// frames that follow one another without a pause, beside a scan that only decodes, but all attributes.</summary>
+    /// frames that follow one another without a pause, or at 60 Hz, beside a scan by as many workers that only decodes, but
+    /// all attributes.</summary>
     sealed class StreamSourceWorkload : IWorkload
     {
         const int PoolBytes = 512 << 20;
 
         readonly Func<WorkloadContext, string> m_find;
+        readonly int m_frameMs;
         string m_path;
         NativeArray<StreamView> m_views;
 
-        StreamSourceWorkload(string kind, Func<WorkloadContext, string> find)
+        StreamSourceWorkload(string kind, Func<WorkloadContext, string> find, int frameMs)
         {
-            m_find = find;
-            (Name, LimitName) = ("stream " + kind, "scan " + kind);
+            (m_find, m_frameMs) = (find, frameMs);
+            (Name, LimitName) = ("stream " + kind + (frameMs > 0 ? " at 60 Hz" : ""), "scan " + kind);
         }
 
         public string Name { get; }
@@ -39,8 +41,9 @@ namespace FastPoints.Benchmarks
                 ("potree", context => BenchmarkSamples.Find(context, BenchmarkSamples.PotreeBrotli)),
             })
             {
-                yield return new StreamSourceWorkload(kind, find);
-                yield return new ColumnsWorkload("scan " + kind, null, find);
+                yield return new StreamSourceWorkload(kind, find, 0);
+                yield return new StreamSourceWorkload(kind, find, 16);
+                yield return new ColumnsWorkload("scan " + kind, null, find, isByWorkers: true);
             }
         }
 
@@ -70,7 +73,10 @@ namespace FastPoints.Benchmarks
                 bytes += stats.UploadedBytes;
                 if (stats.IsSettled)
                     return new WorkloadResult { Points = stats.DrawnPoints, Bytes = bytes };
-                Thread.Yield();
+                if (m_frameMs > 0)
+                    Thread.Sleep(m_frameMs);
+                else
+                    Thread.Yield();
             }
         }
 
