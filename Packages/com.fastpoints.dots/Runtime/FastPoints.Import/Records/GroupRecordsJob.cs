@@ -81,8 +81,9 @@ namespace FastPoints.Records
                 for (int f = 0; f < Fields.Length; f++)
                 {
                     var field = Fields[f];
-                    CopyColumn(bytes + field.Column.OffsetBytes + (long)done * field.Column.Type.SizeOf(), field.Column.Type, points,
-                        placeOfPoint, run + Layout.PositionBytes + field.RecordOffset, stride, ref found[field.Attribute]);
+                    CopyColumn(bytes + field.Column.OffsetBytes + (long)done * field.Column.Type.SizeOf(), field.Column.Type,
+                        points, placeOfPoint, run + Layout.PositionBytes + field.RecordOffset, stride,
+                        ref found[field.Attribute]);
                 }
                 for (int i = 0; i < points; i++)
                 {
