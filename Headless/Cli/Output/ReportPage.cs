@@ -29,8 +29,9 @@ public sealed class ReportPage(string title, string? lead = null)
     /// <param name="note">HTML below it.</param>
     public void View(string json, byte[] png, string alt, string time, string note)
     {
-        m_body.Append(Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time)).Replace("{note}", note)
-            .Replace("{png}", System.Convert.ToBase64String(png)).Replace("{data}", json));
+        string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time)).Replace("{note}", note)
+            .Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
+        m_body.Append(parts[0]).Append(json).Append(parts[1]);
         m_scripts.Add("view.js");
     }
 
@@ -100,11 +101,23 @@ public sealed class ReportPage(string title, string? lead = null)
             .Append("</figcaption></figure>\n");
     }
 
-    public byte[] ToBytes() => Encoding.UTF8.GetBytes(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    public byte[] ToBytes()
+    {
+        var page = new MemoryStream();
+        using (var writer = new StreamWriter(page))
+        {
+            writer.Write(Head());
+            foreach (var chunk in m_body.GetChunks())
+                writer.Write(chunk.Span);
+            writer.Write("</main>\n" + string.Concat(m_scripts.Select(name => $"<script>\n{Resource(name)}</script>\n"))
+                + "</body>\n</html>\n");
+        }
+        return page.ToArray();
+    }
+
+    string Head() => "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         + $"<meta http-equiv=\"Content-Security-Policy\" content=\"{Policy}\">\n"
         + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n"
         + $"<title>{Escape(title)}</title>\n<style>\n{Resource("page.css")}</style>\n</head>\n<body>\n<main>\n"
-        + $"<h1>{Escape(title)}</h1>\n" + (lead == null ? "" : $"<p class=\"lead\">{Escape(lead)}</p>\n") + m_body + "</main>\n"
-        + string.Concat(m_scripts.Select(name => $"<script>\n{Resource(name)}</script>\n")) + "</body>\n</html>\n");
+        + $"<h1>{Escape(title)}</h1>\n" + (lead == null ? "" : $"<p class=\"lead\">{Escape(lead)}</p>\n");
 }

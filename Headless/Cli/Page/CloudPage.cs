@@ -110,8 +110,8 @@ sealed class CloudPage
             yield return "No coordinate system is named: what a unit is, and where on earth this is, cannot be known.";
         if (Info.Schema.HasColor && View.Ranges.Color == ColorDepth.None)
             yield return "There are colours, but all points are black.";
-        if (View.Points.Attributes.TryGetValue(AttributeNames.Classification, out double[]? classes)
-            && classes.Length > 0 && classes.All(c => c == classes[0]))
+        if (View.Points.Attributes.TryGetValue(AttributeNames.Classification, out var classes)
+            && classes.Count > 0 && classes.All(c => c == classes[0]))
             yield return "All points are of one class: " + ViewColumn.NameOf(AttributeNames.Classification, classes[0]) + ".";
         foreach (string assumption in View.Ranges.Assumptions)
             yield return char.ToUpperInvariant(assumption[0]) + assumption[1..] + ".";
@@ -152,12 +152,12 @@ sealed class CloudPage
         foreach (string name in new[] { AttributeNames.Intensity, AttributeNames.Classification, AttributeNames.ReturnNumber,
             AttributeNames.GpsTime })
         {
-            if (!points.Attributes.TryGetValue(name, out double[]? values)
+            if (!points.Attributes.TryGetValue(name, out var values)
                 || values.Where(double.IsFinite).Distinct().Take(2).Count() < 2)
                 continue;
             if (name is AttributeNames.Classification or AttributeNames.ReturnNumber)
                 yield return BarChart.Rows(name, values.CountBy(v => v).OrderBy(c => c.Key).Select(c =>
-                    (ViewColumn.NameOf(name, c.Key), (double)c.Value, Percent(c.Value, values.Length))).ToList());
+                    (ViewColumn.NameOf(name, c.Key), (double)c.Value, Percent(c.Value, values.Count))).ToList());
             else
                 yield return BarChart.Histogram(name == AttributeNames.GpsTime ? "GPS time" : name, values,
                     name == AttributeNames.GpsTime ? "seconds" : "as stored");

@@ -12,6 +12,9 @@ sealed class ViewCloud
 
     const int Steps = 65_535;
 
+    /// <summary>Of base 64.</summary>
+    const double BytesOfLetters = 4 / 3.0;
+
     /// <summary>So many times as large as where nearly all points are.</summary>
     const double FarBounds = 4;
 
@@ -151,27 +154,27 @@ sealed class ViewCloud
     /// <param name="shown">The points of the last set that are in it.</param>
     public string ToJson(int mostBytes, out int shown)
     {
-        double share = 1;
-        while (true)
+        List<int[]> kept;
+        List<byte[]> packed;
+        for (double share = 1; ; share *= 0.95 * mostBytes / (packed.Sum(p => p.Length) * BytesOfLetters))
         {
-            string json = ToJson(share, out shown);
-            if (json.Length <= mostBytes || shown < 1000)
-                return json;
-            share *= 0.95 * mostBytes / json.Length;
+            // What lies far outside is left out: its places would leave too few for the rest.
+            kept = m_sets.Select(s => Enumerable.Range(0, s.Count).Where(i =>
+                (i == 0 || (long)(i * share) != (long)((i - 1) * share)) && IsInside(s[i])).ToArray()).ToList();
+            packed = m_sets.Select((s, i) => Pack(s, kept[i])).ToList();
+            shown = kept[^1].Length;
+            if (packed.Sum(p => p.Length) * BytesOfLetters <= mostBytes || shown < 1000)
+                return ToJson(kept, packed);
         }
     }
 
-    string ToJson(double share, out int shown)
+    string ToJson(List<int[]> kept, List<byte[]> packed)
     {
-        // What lies far outside is left out: its places would leave too few for the rest.
-        var kept = m_sets.Select(s => Enumerable.Range(0, s.Count).Where(i =>
-            (i == 0 || (long)(i * share) != (long)((i - 1) * share)) && IsInside(s[i])).ToArray()).ToList();
-        shown = kept[^1].Length;
-        var stream = new MemoryStream();
+        var stream = new MemoryStream((int)(packed.Sum(p => p.Length) * BytesOfLetters) + 100_000);
         using (var json = new Utf8JsonWriter(stream))
         {
             json.WriteStartObject();
-            WriteFrame(json, shown);
+            WriteFrame(json, kept[^1].Length);
             json.WriteStartObject("ramps");
             foreach (var (name, gradient) in new[] { ("viridis", Gradient.Viridis), ("gray", Gradient.Gray) })
             {
@@ -188,7 +191,7 @@ sealed class ViewCloud
             {
                 json.WriteStartObject();
                 json.WriteNumber("count", kept[i].Length);
-                json.WriteBase64String("data", Pack(m_sets[i], kept[i]));
+                json.WriteBase64String("data", packed[i]);
                 json.WriteEndObject();
             }
             json.WriteEndArray();

@@ -4,10 +4,10 @@ namespace FastPoints.Cli.Page;
 /// colours.</summary>
 sealed class ViewColumn
 {
-    const int MostCategories = 32;
+    const int MostCategories = 32, MostNames = 256;
     const double StrayShare = 0.01;
 
-    Func<ViewPoints, double[]>[] m_planes = [];
+    Func<ViewPoints, ViewValues>[] m_planes = [];
     Func<double, double> m_toByte = v => v;
 
     public required string Name { get; init; }
@@ -28,7 +28,7 @@ sealed class ViewColumn
             columns.Add(new ViewColumn
             {
                 Name = "Colour",
-                m_planes = rgb.Select(name => (Func<ViewPoints, double[]>)(s => s.Attributes[name])).ToArray(),
+                m_planes = rgb.Select(name => (Func<ViewPoints, ViewValues>)(s => s.Attributes[name])).ToArray(),
                 m_toByte = ranges.Color switch
                 {
                     ColorDepth.Unit => v => v * 255 + 0.5,
@@ -38,14 +38,16 @@ sealed class ViewColumn
             });
         foreach (string name in sets[^1].Attributes.Keys.Except(rgb))
         {
-            var distinct = new SortedSet<double>(sets.SelectMany(s => s.Attributes[name]).Where(double.IsFinite).Distinct());
-            if (distinct.Count < 2)
+            // More than names have: all of them would take much memory.
+            double[] distinct = sets.SelectMany(s => s.Attributes[name]).Where(double.IsFinite).Distinct().Take(MostNames + 1)
+                .Order().ToArray();
+            if (distinct.Length < 2)
                 continue;
             var column = new ViewColumn { Name = name, m_planes = [s => s.Attributes[name]] };
-            bool isNames = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Count <= 256
-                : name != AttributeNames.Intensity && distinct.Count <= MostCategories;
+            bool isNames = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MostNames
+                : name != AttributeNames.Intensity && distinct.Length <= MostCategories;
             if (isNames && distinct.All(v => v == Math.Floor(v)))
-                column.SetValues(distinct.ToArray());
+                column.SetValues(distinct);
             else
                 column.SetRange(sets[^1].Attributes[name], ranges);
             columns.Add(column);
@@ -59,7 +61,7 @@ sealed class ViewColumn
         m_toByte = v => Math.Max(0, Array.BinarySearch(values, v));
     }
 
-    void SetRange(double[] values, DisplayRanges ranges)
+    void SetRange(ViewValues values, DisplayRanges ranges)
     {
         double[] sorted = values.Where(double.IsFinite).Order().ToArray();
         int strays = (int)(sorted.Length * StrayShare);
@@ -74,7 +76,7 @@ sealed class ViewColumn
     /// <summary>Its bytes, plane by plane.</summary>
     public IEnumerable<byte[]> Planes(ViewPoints points, int[] kept) => m_planes.Select(plane =>
     {
-        double[] values = plane(points);
+        var values = plane(points);
         return kept.Select(i => (byte)Math.Clamp(double.IsFinite(values[i]) ? m_toByte(values[i]) : 0, 0, 255)).ToArray();
     });
 

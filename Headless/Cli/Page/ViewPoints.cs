@@ -1,3 +1,6 @@
+using System.Collections;
+using System.Runtime.InteropServices;
+
 namespace FastPoints.Cli.Page;
 
 /// <summary>Points for a page, by column: georeferenced positions and attributes as they are meant, scaled.</summary>
@@ -6,26 +9,27 @@ sealed class ViewPoints(int count)
     public int Count { get; } = count;
 
     /// <summary>X, Y, Z.</summary>
-    public double[][] Positions { get; } = [new double[count], new double[count], new double[count]];
+    public ViewValues[] Positions { get; } = new ViewValues[3];
 
-    public Dictionary<string, double[]> Attributes { get; } = [];
+    public Dictionary<string, ViewValues> Attributes { get; } = [];
 
     /// <param name="count">The first so many of the batch.</param>
-    public static unsafe ViewPoints Of(PointBatch batch, int count, PositionTransform transform)
+    public static ViewPoints Of(PointBatch batch, int count, PositionTransform transform)
     {
         var points = new ViewPoints(count);
-        var bytes = (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(batch.Bytes);
         for (int i = 0; i < batch.Schema.Count; i++)
         {
             var attribute = batch.Schema[i];
-            int axis = attribute.Name is AttributeNames.X or AttributeNames.Y or AttributeNames.Z ? attribute.Name[0] - 'X' : -1;
-            double[] values = axis >= 0 ? points.Positions[axis] : points.Attributes[attribute.Name] = new double[count];
-            fixed (double* first = values)
-                ColumnValues.ToDoubles(bytes + batch.Column(i).OffsetBytes, attribute.Type, 0, count, first);
-            double scale = axis >= 0 ? transform.Scale[axis] : attribute.Scale;
-            double offset = axis >= 0 ? transform.Offset[axis] : attribute.Offset;
-            for (int p = 0; p < count && (scale != 1 || offset != 0); p++)
-                values[p] = values[p] * scale + offset;
+            byte[] stored = batch.Bytes.GetSubArray((int)batch.Column(i).OffsetBytes, count * attribute.Type.SizeOf()).ToArray();
+            if (attribute.Name is AttributeNames.X or AttributeNames.Y or AttributeNames.Z)
+            {
+                int axis = attribute.Name[0] - 'X';
+                points.Positions[axis] = new(stored, attribute.Type, transform.Scale[axis], transform.Offset[axis]);
+            }
+            else
+            {
+                points.Attributes[attribute.Name] = new(stored, attribute.Type, attribute.Scale, attribute.Offset);
+            }
         }
         return points;
     }
@@ -35,10 +39,10 @@ sealed class ViewPoints(int count)
     {
         var joined = new ViewPoints(parts.Sum(p => p.Count));
         foreach (string name in parts.SelectMany(p => p.Attributes.Keys).Distinct())
-            joined.Attributes[name] = parts.SelectMany(p =>
-                p.Attributes.GetValueOrDefault(name) ?? new double[p.Count]).ToArray();
+            joined.Attributes[name] = ViewValues.Of(parts.SelectMany(p =>
+                p.Attributes.GetValueOrDefault(name) ?? Enumerable.Repeat(0.0, p.Count)));
         for (int axis = 0; axis < 3; axis++)
-            joined.Positions[axis] = parts.SelectMany(p => p.Positions[axis]).ToArray();
+            joined.Positions[axis] = ViewValues.Of(parts.SelectMany(p => p.Positions[axis]));
         return joined;
     }
 
@@ -70,6 +74,35 @@ sealed class ViewPoints(int count)
     }
 
     readonly record struct Cube(int X, int Y, int Z);
+}
+
+/// <summary>A column as the file has it: as doubles, it would take up to eight times the memory.</summary>
+/// <param name="scale">The value that is meant = stored value * scale + offset.</param>
+sealed class ViewValues(byte[] stored, AttributeType type, double scale, double offset) : IReadOnlyList<double>
+{
+    public int Count { get; } = stored.Length / type.SizeOf();
+
+    public unsafe double this[int point]
+    {
+        get
+        {
+            double value;
+            fixed (byte* first = stored)
+                ColumnValues.ToDoubles(first, type, point, 1, &value);
+            return value * scale + offset;
+        }
+    }
+
+    public static ViewValues Of(IEnumerable<double> values) =>
+        new(MemoryMarshal.AsBytes(values.ToArray().AsSpan()).ToArray(), AttributeType.Float64, 1, 0);
+
+    public IEnumerator<double> GetEnumerator()
+    {
+        for (int i = 0; i < Count; i++)
+            yield return this[i];
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
 /// <summary>A beginning of a sample, as a page shows it.</summary>
