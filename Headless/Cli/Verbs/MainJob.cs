@@ -113,6 +113,8 @@ public sealed class MainJob : Verb
         /// <summary>Streamed to the card: few enough for a processor that stands in for it.</summary>
         const int GpuPoints = 1_000_000;
 
+        const string PageGroup = "page";
+
         /// <summary>A summary of the cloud for scripts; it tells as well whose report is in a folder.</summary>
         const string SummaryName = "report.json";
 
@@ -221,6 +223,9 @@ public sealed class MainJob : Verb
             run.Out.WriteLine("  picture  " + drawn.Describe());
             foreach (string assumption in drawn.Assumptions)
                 run.Out.WriteLine("           " + assumption);
+            // Before the card: what draws in its place keeps its memory to the end.
+            run.Progress.Group = PageGroup;
+            var view = ViewCloud.Take(() => PointReaders.Open(files, source), picture, preview.Camera, run);
             run.Progress.Group = "gpu";
             var gpu = HeadlessGraphics.IsAvailable ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
             run.Progress.Group = null;
@@ -230,10 +235,6 @@ public sealed class MainJob : Verb
                 (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
             run.Out.WriteLine();
 
-            run.Progress.Group = "page";
-            int ownStages = run.Progress.Finished.Count - firstStage;
-            var view = ViewCloud.Take(() => PointReaders.Open(files, source), picture, preview.Camera, run);
-            run.Progress.Group = null;
             var page = new CloudPage
             {
                 Name = files.Length > 1 ? reader.Info.Path : NameOf(file),
@@ -245,7 +246,8 @@ public sealed class MainJob : Verb
                 CloudPath = cloudPath,
                 Drawn = drawn,
                 Gpu = gpu,
-                Stages = run.Progress.Finished.Skip(firstStage).Take(ownStages).ToList(),
+                Stages = run.Progress.Finished.Skip(firstStage)
+                    .Where(s => !s.Name.StartsWith(PageGroup + ":", StringComparison.Ordinal)).ToList(),
                 Inputs = files,
                 UpAxis = picture.UpAxis,
             };
