@@ -83,11 +83,10 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     /// <param name="isShown">Whether people have read it already, with the source's facts.</param>
     public void Warn(SourceInfo info, bool isShown = false)
     {
+        // What a file marks as invalid is a warning, and nothing odd.
+        HasOddSources |= info.Warnings.Count > (info.PointsMarkedInvalid > 0 ? 1 : 0);
         foreach (var warning in info.Warnings)
-        {
-            HasOddSources = true;
             Warn(warning.ToString(), isShown);
-        }
     }
 
     public void Warn(string line, bool isShown = false)

@@ -25,6 +25,11 @@ public static class CommandLine
         // --help belongs to every command, and is one option: its action is replaced, and its text is ours.
         root.Options.OfType<HelpOption>().Single().Action = new HelpTextAction(verbs, common);
 
+        if (args is ["help", "--man"])
+        {
+            HelpText.WriteManual(output, verbs, common);
+            return ExitStatus.Done;
+        }
         args = args.ToArray() switch
         {
             ["help", .. var rest] => [.. rest, "--help"],

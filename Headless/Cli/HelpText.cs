@@ -47,13 +47,71 @@ public static class HelpText
         if (!isRoot)
             return;
         writer.WriteLine();
-        writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled, 4 incomplete "
-            + "(--strict).");
-        writer.WriteLine("Ctrl-C leaves nothing half-written, but a build that can go on: the same line does. A second Ctrl-C "
-            + "deletes it.");
-        writer.WriteLine("Options that all verbs have may stand before the verb; behind -- are files only. "
-            + "Counts may be 500k, 2M, 1e6.");
-        writer.WriteLine("Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.");
+        foreach (string note in s_notes)
+            writer.WriteLine(note);
+    }
+
+    static readonly string[] s_notes =
+    [
+        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled, 4 incomplete (--strict).",
+        "Ctrl-C leaves nothing half-written, but a build that can go on: the same line does. A second Ctrl-C deletes it.",
+        "Options that all verbs have may stand before the verb; behind -- are files only. Counts may be 500k, 2M, 1e6.",
+        "Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.",
+    ];
+
+    /// <summary>The same as a page for <c>man</c>: <c>help --man | man -l -</c>.</summary>
+    public static void WriteManual(TextWriter writer, List<Verb> verbs, CommonOptions common)
+    {
+        // Backslashes, hyphens, and what begins a line as a request would, are not text to it.
+        static string Text(string text) =>
+            (text[0] is '.' or '\'' ? "\\&" : "") + text.Replace("\\", "\\e").Replace("-", "\\-");
+        void Line(string request, string text) => writer.Write(request + Text(text) + "\n");
+        void Options(IEnumerable<Option> options)
+        {
+            foreach (var option in options.Where(o => !o.Hidden))
+            {
+                Line(".TP\n", Names(option));
+                Line("", option.Description!);
+            }
+        }
+
+        writer.Write(".TH FASTPOINTS 1\n.SH NAME\n");
+        Line("fastpoints \\- ", "point clouds: look, convert, prove, export");
+        writer.Write(".SH SYNOPSIS\n");
+        foreach (var verb in verbs)
+            Line(verb == verbs[0] ? "" : ".br\n", Usage(verb.Command).Replace("./fastpoints", "fastpoints"));
+        writer.Write(".SH DESCRIPTION\n");
+        Line("", verbs[0].Command.Description!);
+        foreach (var verb in verbs)
+        {
+            Line(".SH ", verb == verbs[0] ? "OPTIONS" : verb.Command.Name.ToUpperInvariant());
+            if (verb != verbs[0])
+                Line("", verb.Command.Description!);
+            foreach (var argument in verb.Command.Arguments)
+            {
+                Line(".TP\n", argument.Name);
+                Line("", argument.Description!);
+            }
+            Options(verb.Command.Options.Except(common.All));
+        }
+        writer.Write(".SH OPTIONS OF ALL VERBS\n");
+        Options(common.All);
+        writer.Write(".SH EXAMPLES\n");
+        foreach (var (line, what) in verbs.SelectMany(v => v.Examples))
+        {
+            Line(".TP\n", line);
+            Line("", what);
+        }
+        writer.Write(".SH NOTES\n");
+        foreach (string note in s_notes)
+            Line(".PP\n", note);
+    }
+
+    static string Names(Option option)
+    {
+        string? letter = option.Aliases.FirstOrDefault(a => a.Length == 2 && a[0] == '-' && char.IsLetter(a[1]));
+        return (letter == null ? option.Name : letter + ", " + option.Name)
+            + (option.HelpName == null ? "" : " " + option.HelpName);
     }
 
     static void WriteOptions(TextWriter writer, Command command, CommonOptions common)
@@ -63,12 +121,7 @@ public static class HelpText
         foreach (var argument in command.Arguments)
             Wrap(writer, "  " + argument.Name, "".PadRight(26), argument.Description!);
         foreach (var option in command.Options.Except(common.All).Where(o => !o.Hidden).Concat(common.All))
-        {
-            string? letter = option.Aliases.FirstOrDefault(a => a.Length == 2 && a[0] == '-' && char.IsLetter(a[1]));
-            string names = letter == null ? option.Name : letter + ", " + option.Name;
-            string value = option.HelpName == null ? "" : " " + option.HelpName;
-            Wrap(writer, "  " + names + value, "".PadRight(26), option.Description!);
-        }
+            Wrap(writer, "  " + Names(option), "".PadRight(26), option.Description!);
     }
 
     /// <summary>A head, and text in a column beside it.</summary>

@@ -22,6 +22,11 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     /// <summary>Where there is but one series, the title may name it.</summary>
     public bool HasLegend { get; init; } = true;
 
+    public string Title => title;
+
+    /// <summary>No series has a point that could be shown.</summary>
+    public bool IsEmpty => m_series.All(s => s.Points.Count == 0);
+
     public bool LogX { get; init; }
     public bool LogY { get; init; }
 

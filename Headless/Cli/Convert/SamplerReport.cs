@@ -81,6 +81,9 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     static string Number(double value) => double.IsFinite(value) ? value.ToString("R", CultureInfo.InvariantCulture) : "";
 
+    static string Decibels(Drawn drawn) =>
+        double.IsPositiveInfinity(drawn.Error.Psnr) ? "the same" : Human.Value(Math.Round(drawn.Error.Psnr, 2));
+
     void WriteLevels(List<Built> built)
     {
         var csv = new StringBuilder("setting,level,nodes,sampledPoints,spacing,minDistanceBySpacing,shareNearAcrossChunks,"
@@ -113,7 +116,7 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
         var times = new TextTable("setting", "build, s", "bytes a point", "PSNR iso 1 M, dB", "PSNR close 1 M, dB");
         foreach (var b in built)
             times.Add(b.Name, Human.Value(Math.Round(b.Seconds, 2)), Human.Value(Math.Round(b.BytesPerPoint, 2)),
-                Human.Value(Math.Round(At(b, "iso").Error.Psnr, 2)), Human.Value(Math.Round(At(b, "close").Error.Psnr, 2)));
+                Decibels(At(b, "iso")), Decibels(At(b, "close")));
         page.Table(times);
         foreach (var view in views)
         {
@@ -158,6 +161,11 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     void Add(ReportPage page, string file, LineChart chart)
     {
+        if (chart.IsEmpty)
+        {
+            page.Paragraph(chart.Title + ": all pictures are the same as that of all points, so that there is nothing to chart.");
+            return;
+        }
         OutputFile.Write(Path.Combine(folder, file + ".svg"), chart.ToBytes());
         page.Chart(chart);
     }

@@ -27,7 +27,7 @@ sealed class CloudPage
 
     public byte[] ToBytes()
     {
-        var density = new DensityMap(View, UpAxis, Manifest.Points);
+        var density = new DensityMap(View.Points, View.Bounds, View.Ranges.LengthsPerUnit, UpAxis, Manifest.Points);
         var page = new ReportPage(Name, Facts.Kind + " · made by FastPoints " + Version + " on " + Today);
         page.Tiles(Tiles(density));
         var odd = Odd().ToList();
@@ -35,7 +35,7 @@ sealed class CloudPage
             : "<ul class=\"odd\" aria-label=\"What is odd\">"
                 + string.Concat(odd.Select(o => $"<li>{ReportPage.Escape(o)}</li>")) + "</ul>");
         var pictures = Pictures().ToList();
-        byte[] preview = Preview.ToPng(isPlain: true);
+        byte[] preview = Preview.ToPng(isPlain: false);
         int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
         string json = View.ToJson(Math.Max(MostBytes - others, MostBytes / 8), out int shown);
         page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown));

@@ -10,26 +10,27 @@ sealed class DensityMap
 
     readonly RgbaImage m_image;
 
+    /// <param name="bounds">What is outside of them is not counted.</param>
+    /// <param name="lengths">Of a unit of each axis.</param>
     /// <param name="points">Of the whole cloud, that the sample stands for.</param>
-    public DensityMap(ViewCloud view, UpAxis upAxis, long points)
+    public DensityMap(ViewPoints sample, BoundsGeo bounds, double3 lengths, UpAxis upAxis, long points)
     {
         upAxis.Directions(out var east, out var north, out _);
-        var ranges = view.Ranges;
-        double3 size = view.Bounds.Size * ranges.LengthsPerUnit;
+        double3 size = bounds.Size * lengths;
         double width = Math.Max(math.dot(size, math.abs(east)), 1e-9), depth = Math.Max(math.dot(size, math.abs(north)), 1e-9);
         HasArea = Math.Min(width, depth) > 1e-6 * math.cmax(size);
-        double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, view.Points.Count));
+        double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, sample.Count));
         Edge = Math.Max(wanted, Math.Max(width, depth) / MostCells);
         int columns = (int)(width / Edge) + 1, rows = (int)(depth / Edge) + 1;
         int[] counts = new int[columns * rows];
-        for (int i = 0; i < view.Points.Count; i++)
+        for (int i = 0; i < sample.Count; i++)
         {
-            double3 place = (view.Points[i] - view.Bounds.Center) * ranges.LengthsPerUnit;
+            double3 place = (sample[i] - bounds.Center) * lengths;
             double x = (math.dot(place, east) + width / 2) / Edge, y = (math.dot(place, north) + depth / 2) / Edge;
             if (x >= 0 && y >= 0 && x < columns && y < rows)
                 counts[(rows - 1 - (int)y) * columns + (int)x]++;
         }
-        double perCount = points / (double)Math.Max(1, view.Points.Count) / (Edge * Edge);
+        double perCount = points / (double)Math.Max(1, sample.Count) / (Edge * Edge);
         double[] sorted = counts.Where(c => c > 0).Order().Select(c => c * perCount).ToArray();
         Quartiles = new[] { 1, 2, 3 }.Select(q => sorted.Length == 0 ? 0 : sorted[sorted.Length * q / 4]).ToArray();
         High = sorted.Length == 0 ? 1 : sorted[sorted.Length * 98 / 100];

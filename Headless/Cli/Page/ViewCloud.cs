@@ -76,7 +76,7 @@ sealed class ViewCloud
 
     /// <summary>Clouds that are flown over, where their coordinates put them: upper levels of octrees, previews of
     /// files.</summary>
-    /// <param name="every">The frames from one camera to the next.</param>
+    /// <param name="every">The frames from one camera to the next; 0 for a single camera.</param>
     public static ViewCloud OfFlight(string[] clouds, PictureOptions options, List<Camera> cameras, int every, CliRun run)
     {
         ViewCloud? view = null;
@@ -87,7 +87,7 @@ sealed class ViewCloud
             var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(crs.MetresPerUnit) };
             run.Pump(ranges.Measure(batch, transform, options.UpAxis));
             parts.Add(ViewPoints.Of(batch, batch.Count, transform));
-            view ??= new ViewCloud(options, crs, ranges) { Camera = cameras[0], Path = (cameras, every) };
+            view ??= new ViewCloud(options, crs, ranges) { Camera = cameras[0], Path = every > 0 ? (cameras, every) : null };
             if (ranges.Full.IsEmpty)
                 continue;
             view.Ranges.Full = Around(view.Ranges.Full, ranges.Full);

@@ -41,19 +41,8 @@ static class WaveErrors
     {
         using var tree = new PointTree();
         run.Pump(tree.Build(points, count, transform));
-        using var distancesSq = new NativeArray<double>(Math.Max(1, asked), Allocator.Persistent);
-        using var found = new NativeReference<DistanceError>(Allocator.Persistent);
-        var measured = new NearestDistancesJob
-        {
-            Queries = queries,
-            QueryCount = asked,
-            Points = tree.Points,
-            Nodes = tree.Nodes,
-            Count = tree.Count,
-            Levels = tree.Levels,
-            DistancesSq = distancesSq,
-        }.ScheduleParallel(NearestDistancesJob.PieceCount(asked), 1, default);
-        new RankDistancesJob { DistancesSq = distancesSq, Count = asked, Unit = 1, Error = found }.Schedule(measured).Complete();
-        return found.Value.Rms;
+        double rms = double.NaN;
+        run.Pump(tree.Measure(queries, asked, 1, found => rms = found.Rms));
+        return rms;
     }
 }

@@ -1,10 +1,11 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>Points that sources claim to hold, those that they have, and the difference; unknown as soon as one is.</summary>
+/// <summary>Points that sources claim to hold, those that they have, and the difference, but for those that a source itself
+/// marks as invalid; unknown as soon as one is.</summary>
 public sealed class PointsAccount
 {
     ulong m_claimed;
-    long m_found;
+    long m_found, m_invalid;
     bool m_isAny, m_isClaimUnknown, m_isFoundUnknown;
 
     /// <summary>0 where it is unknown.</summary>
@@ -28,7 +29,9 @@ public sealed class PointsAccount
             m_isFoundUnknown = found < 0,
             m_found = Math.Max(0, found),
             m_claimed = claimed,
-            Lost = found >= 0 && claimed > (ulong)found ? claimed - (ulong)found : 0,
+            m_invalid = info.PointsMarkedInvalid,
+            Lost = found >= 0 && claimed > (ulong)(found + info.PointsMarkedInvalid)
+                ? claimed - (ulong)(found + info.PointsMarkedInvalid) : 0,
         });
     }
 
@@ -38,6 +41,7 @@ public sealed class PointsAccount
         m_isClaimUnknown |= other.m_isClaimUnknown;
         m_isFoundUnknown |= other.m_isFoundUnknown;
         m_found += other.m_found;
+        m_invalid += other.m_invalid;
         m_claimed = other.m_claimed > ulong.MaxValue - m_claimed ? ulong.MaxValue : m_claimed + other.m_claimed;
         Lost = other.Lost > ulong.MaxValue - Lost ? ulong.MaxValue : Lost + other.Lost;
     }
@@ -47,6 +51,7 @@ public sealed class PointsAccount
         Write(json, "pointsClaimed", m_isAny && !m_isClaimUnknown, m_claimed);
         Write(json, "pointsFound", m_isAny && !m_isFoundUnknown, (ulong)m_found);
         Write(json, "pointsLost", m_isAny && !m_isClaimUnknown && !m_isFoundUnknown, Lost);
+        json.WriteInteger("pointsMarkedInvalid", m_invalid);
     }
 
     static void Write(Utf8JsonWriter json, string key, bool isKnown, ulong value)

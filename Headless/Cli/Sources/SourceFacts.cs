@@ -11,6 +11,9 @@ public sealed class SourceFacts(PointReader reader)
     /// <summary>What the scan of all points found, or null without one.</summary>
     internal CloudSummary? Found { get; set; }
 
+    /// <summary>How the points lie, where they were scanned and any has a position.</summary>
+    internal Spread? Spread { get; set; }
+
     public SourceInfo Info { get; } = reader.Info;
 
     /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
@@ -44,6 +47,8 @@ public sealed class SourceFacts(PointReader reader)
         if (Found != null)
             foreach (var line in BoundsLines("bounds (found)", Found.Bounds))
                 yield return line;
+        foreach (var line in SpreadLines())
+            yield return line;
         yield return ("crs", Info.Crs.Summary ?? "unknown");
         yield return ("unit", UnitOf(Info.Crs.MetresPerUnit));
         TakeTree();
@@ -72,6 +77,26 @@ public sealed class SourceFacts(PointReader reader)
                 Human.Count(level.MostPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
         return table;
     }
+
+    IEnumerable<(string, string)> SpreadLines()
+    {
+        if (Spread == null)
+            yield break;
+        foreach (var line in BoundsLines("99.9 % lie in", Spread.NearlyAll))
+            yield return line;
+        string per = " points/" + Spread.Unit + "²";
+        yield return ("density", Spread.Quartiles is not [var low, var median, var high] ? "no area, seen from above"
+            : "median " + Human.Measured(median) + per + "; a quarter below " + Human.Measured(low) + ", three quarters below "
+                + Human.Measured(high) + " (squares of " + Human.Measured(Spread.SquareEdge) + " " + Spread.Unit
+                + " with points, seen along z)");
+        if (GpsTime is { } time)
+            yield return ("GPS time span", Human.Measured(time.Max - time.Min) + " s, " + Human.Value(time.Min) + " to "
+                + Human.Value(time.Max));
+    }
+
+    /// <summary>What the scan found; null where there is none.</summary>
+    ColumnSummary? GpsTime => Found != null && Info.Schema.IndexOf(AttributeNames.GpsTime) is >= 0 and var i
+        && Found.Columns[i].Finite > 0 ? Found.Columns[i] : null;
 
     IEnumerable<(string, string)> BoundsLines(string name, BoundsGeo bounds)
     {
@@ -219,6 +244,14 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteString("pointsAre", Found != null ? "counted" : isClaimed ? "claimed" : null);
         json.WriteBounds("boundsClaimed", Info.HasBoundsClaimed ? Info.BoundsClaimed : BoundsGeo.Empty);
         json.WriteBounds("bounds", Found?.Bounds ?? BoundsGeo.Empty);
+        json.WriteInteger("bytes", Info.FileBytes);
+        if (Info.RecordBytes > 0)
+            json.WriteNumber("recordBytes", Info.RecordBytes);
+        if (Found != null)
+            json.WriteInteger("pointsNotFinite", Found.NonFinite);
+        Spread?.WriteKeys(json);
+        if (GpsTime is { } time)
+            json.WriteReal("gpsTimeSpan", time.Max - time.Min);
         json.WriteVector("scale", Info.Transform.Scale);
         json.WriteVector("offset", Info.Transform.Offset);
         json.WriteStartArray("attributes");

@@ -65,26 +65,36 @@ public sealed class StoredFacts
         writer.WriteLine(m_path);
         foreach (var (name, value) in Lines())
             writer.WriteLine("  " + name.PadRight(NameWidth) + value);
-        writer.WriteLine();
+        foreach (var table in Tables())
+        {
+            writer.WriteLine();
+            table.Write(writer, "  ");
+        }
+    }
+
+    /// <summary>Attributes, levels, planes.</summary>
+    public IEnumerable<TextTable> Tables()
+    {
         var attributes = new TextTable("attribute", "type", "min", "max");
         for (int i = 0; i < m_cloud.Attributes.Count; i++)
             attributes.Add(m_cloud.Attributes[i].Name, m_cloud.Attributes[i].Type.ToString(),
                 Human.Value(m_cloud.Ranges[i].Min), Human.Value(m_cloud.Ranges[i].Max));
-        attributes.Write(writer, "  ");
-        writer.WriteLine();
+        yield return attributes;
         var levels = new TextTable("level", "nodes", "points", "most in a node", "spacing");
         for (int i = 0; i < m_levels.Count; i++)
             levels.Add(Human.Count(i), Human.Count(m_levels[i].Nodes), Human.Count(m_levels[i].Points),
                 Human.Count(m_levels[i].MostPoints), m_levels[i].Spacing > 0 ? Human.Value(m_levels[i].Spacing) : "");
-        levels.Write(writer, "  ");
-        writer.WriteLine();
+        yield return levels;
         var planes = new TextTable("plane", "bytes", "bytes a point");
         foreach (var (name, bytes) in m_planes)
             planes.Add(name, Human.Count(bytes), Human.Value(Math.Round(bytes / Math.Max(1.0, m_cloud.Points), 2)));
-        planes.Write(writer, "  ");
+        yield return planes;
     }
 
-    IEnumerable<(string, string)> Lines()
+    public long Points => m_cloud.Points;
+    public long Bytes => m_bytes;
+
+    public IEnumerable<(string Name, string Value)> Lines()
     {
         yield return ("format", "converted cloud " + StoreFormat.Version + (IsWhole ? "" : ", being built"));
         yield return ("size", Human.Count(m_bytes) + " bytes");
@@ -100,6 +110,8 @@ public sealed class StoredFacts
         yield return ("octree", Human.Count(m_cloud.NodeCount) + " nodes on " + m_levels.Count + " levels in "
             + Human.Count(m_cloud.ChunkCount) + " chunks");
         yield return ("sampler", m_cloud.Sampler);
+        yield return ("checksum", m_cloud.Checksum.ToString("x16", CultureInfo.InvariantCulture));
+        yield return ("whole", IsWhole ? "yes" : "no, it is being built");
         foreach (var source in m_cloud.Sources)
             yield return ("source", source.Name + ", " + Human.Count(source.FileBytes) + " bytes, " + Human.Count(source.Points)
                 + " points");

@@ -10,7 +10,8 @@ public sealed class InfoVerb : Verb
     };
     readonly Option<bool> m_scan = new("--scan")
     {
-        Description = "Decode every point: how many there are, their bounds, each attribute's range and sum.",
+        Description = "Decode every point: how many there are, their bounds, each attribute's range and sum, "
+            + "where nearly all are, and how densely.",
     };
 
     readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
@@ -67,6 +68,8 @@ public sealed class InfoVerb : Verb
             var summarise = new SummariseCloud(reader);
             run.Pump(summarise.Run(run.Progress));
             facts.Found = summarise.Summary;
+            if (summarise.Summary.Points > summarise.Summary.NonFinite)
+                facts.Spread = Spread.Of(reader, summarise.Summary.Points, run);
         }
         facts.Write(run.Out);
         run.Out.WriteLine();

@@ -10,7 +10,8 @@ public sealed class MainJob : Verb
     readonly Argument<string[]> m_files = new("FILE")
     {
         Arity = ArgumentArity.ZeroOrMore,
-        Description = "Point clouds, or folders of them. Without one, a street is scanned first (see demo-cloud).",
+        Description = "Point clouds, folders of them, or converted clouds. Without one, "
+            + "a street is scanned first (see demo-cloud).",
     };
     readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: report on that." };
     readonly Option<string?> m_out = new("--output", "-o", "--out")
@@ -93,8 +94,16 @@ public sealed class MainJob : Verb
             string folder = folders[i];
             all.Take(run, () =>
             {
+                if (cloud is [var only] && CloudFolder.IsCloud(only))
+                {
+                    Report.Mark(folder, only);
+                    var stored = StoredReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
+                    Report.WriteSummary(folder, only, stored.WriteKeys, stored.Account);
+                    pages.Add(stored.Page);
+                    return (stored.WriteKeys, stored.Account);
+                }
                 var report = Report.Make(cloud, source, (Look(), isPlain), folder, command, run);
-                report.WriteSummary(folder);
+                Report.WriteSummary(folder, cloud[0], report.WriteKeys, report.Account);
                 pages.Add(report.Page);
                 return (report.WriteKeys, report.Account);
             });
@@ -111,14 +120,13 @@ public sealed class MainJob : Verb
         const int PreviewPoints = 1_000_000;
 
         /// <summary>Streamed to the card: few enough for a processor that stands in for it.</summary>
-        const int GpuPoints = 1_000_000;
+        public const int GpuPoints = 1_000_000;
 
         const string PageGroup = "page";
 
         /// <summary>A summary of the cloud for scripts; it tells as well whose report is in a folder.</summary>
         const string SummaryName = "report.json";
 
-        public required string File { get; init; }
         public required string Page { get; init; }
         public required SourceFacts Facts { get; init; }
         public required PreviewStep Preview { get; init; }
@@ -150,7 +158,7 @@ public sealed class MainJob : Verb
         {
             OutputNames.RefuseForeignFolder("a report", folder, SummaryName, force);
             string summary = Path.Combine(folder, SummaryName);
-            if (force || !System.IO.File.Exists(summary))
+            if (force || !File.Exists(summary))
                 return;
             string? other = SummaryInput(summary);
             if (other != Path.GetFullPath(file))
@@ -162,7 +170,7 @@ public sealed class MainJob : Verb
         {
             try
             {
-                using var json = JsonDocument.Parse(System.IO.File.ReadAllBytes(path));
+                using var json = JsonDocument.Parse(File.ReadAllBytes(path));
                 return json.RootElement.GetProperty("input").GetString();
             }
             catch (Exception e) when (e is IOException or JsonException or KeyNotFoundException or InvalidOperationException)
@@ -178,12 +186,13 @@ public sealed class MainJob : Verb
             Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", Path.GetFullPath(file)));
         }
 
-        public void WriteSummary(string folder) => Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
-        {
-            json.WriteString("input", Path.GetFullPath(File));
-            WriteKeys(json);
-            Account.WriteKeys(json);
-        });
+        public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointsAccount account) =>
+            Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
+            {
+                json.WriteString("input", Path.GetFullPath(file));
+                writeKeys(json);
+                account.WriteKeys(json);
+            });
 
         public static Report Make(string[] files, ReadOptions source, (PictureOptions Options, bool IsPlain) look,
             string folder, string command, CliRun run)
@@ -255,7 +264,6 @@ public sealed class MainJob : Verb
             OutputFile.Write(pagePath, page.ToBytes());
             return new Report
             {
-                File = file,
                 Account = PointsAccount.Of(reader.Info, convert.PointsFound),
                 Page = pagePath,
                 Facts = facts,

@@ -99,6 +99,33 @@ public sealed class ExportTests
         Assert.That(File.ReadAllBytes(m_demo), Is.EqualTo(bytes));
     }
 
+    /// <summary>Killed as soon as anything of it is in the folder.</summary>
+    [TestCase("killed.las"), TestCase("killed.laz")]
+    public void Export_Killed_LeavesNothingUnderTheNameAndTheNextRunWorks(string output)
+    {
+        string large = m_scratch.Demo("large.las", 600_000), target = m_scratch[output], before = m_scratch["whole-" + output];
+        Export("whole-" + output, large);
+        int killed = 0;
+        for (int run = 0; run < 5 && killed == 0; run++)
+        {
+            File.Delete(target);
+            using var process = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo(
+                Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"), ["export", large, "-o", target, "--quiet"]));
+            while (Directory.GetFiles(m_scratch.Root, output + "*").Length == 0 && !process.HasExited)
+                Thread.Yield();
+            process.Kill();
+            process.WaitForExit();
+            if (File.Exists(target))
+                Assert.That(File.ReadAllBytes(target).AsSpan().SequenceEqual(File.ReadAllBytes(before)), Is.True, "half-written");
+            else
+                killed++;
+        }
+        Assert.That(killed, Is.GreaterThan(0), "ended before it could be killed, five times");
+        Export(output, large);
+        Assert.That(File.ReadAllBytes(target).AsSpan().SequenceEqual(File.ReadAllBytes(before)), Is.True);
+        Assert.That(Directory.GetFiles(m_scratch.Root, output + "*"), Has.Length.EqualTo(1), "nothing is left beside it");
+    }
+
     [Test]
     public void Export_Cancelled_LeavesNothing()
     {

@@ -41,6 +41,14 @@ public sealed class LineChartTests
     }
 
     [Test]
+    public void LogAxis_BetweenRoundNumbers_HasNumbers()
+    {
+        var chart = new LineChart("t", "points", "dB") { LogX = true };
+        chart.Add("one", [(20_100, 30), (20_900, 40)]);
+        Assert.That(Texts(Drawn(chart)).Count(t => t.StartsWith("20,", StringComparison.Ordinal)), Is.GreaterThan(1));
+    }
+
+    [Test]
     public void NothingToDraw_IsAnEmptyChart()
     {
         var chart = new LineChart("t", "x", "y") { LogY = true };

@@ -100,6 +100,67 @@ public sealed class StoredInfoTests
         Assert.That(unscanned.TryGetProperty("classes", out _), Is.False, "nothing was counted");
     }
 
+    /// <summary>Against the bytes of the records themselves.</summary>
+    [Test]
+    public void Scan_OfAFile_SaysWhereNearlyAllPointsAreAndHowDense()
+    {
+        byte[] las = File.ReadAllBytes(m_demo);
+        int first = BitConverter.ToInt32(las, 96), record = BitConverter.ToUInt16(las, 105);
+        var records = Enumerable.Range(0, 20_000).Select(i => first + i * record).ToArray();
+        var call = CliCall.Of("info", "--scan", m_demo, "--json", m_scratch["spread.json"]);
+        var json = JsonDocument.Parse(File.ReadAllBytes(m_scratch["spread.json"])).RootElement;
+        var box = json.GetProperty("boundsNearlyAll");
+        for (int axis = 0; axis < 3; axis++)
+        {
+            double scale = BitConverter.ToDouble(las, 131 + 8 * axis), offset = BitConverter.ToDouble(las, 155 + 8 * axis);
+            double[] sorted = [.. records.Select(at => BitConverter.ToInt32(las, at + 4 * axis) * scale + offset).Order()];
+            Assert.That(box.GetProperty("min")[axis].GetDouble(), Is.EqualTo(sorted[10]).Within(1e-6));
+            Assert.That(box.GetProperty("max")[axis].GetDouble(), Is.EqualTo(sorted[^11]).Within(1e-6));
+        }
+        double[] times = [.. records.Select(at => BitConverter.ToDouble(las, at + 22))];
+        Assert.That(json.GetProperty("gpsTimeSpan").GetDouble(), Is.EqualTo(times.Max() - times.Min()).Within(1e-9));
+        var density = json.GetProperty("density");
+        double Of(string key) => density.GetProperty(key).GetDouble();
+        Assert.That(density.GetProperty("unit").GetString(), Is.EqualTo("points/m²"));
+        Assert.That(Of("lowerQuartile"), Is.GreaterThan(0).And.LessThanOrEqualTo(Of("median")));
+        Assert.That(Of("median"), Is.LessThanOrEqualTo(Of("upperQuartile")));
+        // Each is the count of a square.
+        double count = Of("median") * Of("squareEdge") * Of("squareEdge");
+        Assert.That(count, Is.EqualTo(Math.Round(count)).Within(1e-6).And.GreaterThan(0));
+        Assert.That(call.Output, Does.Match("99.9 % lie in +x").And.Match("density +median").And.Match("GPS time span +"));
+        foreach (string key in new[] { "bytes", "recordBytes", "pointsNotFinite" })
+            Assert.That(json.GetProperty(key).ValueKind, Is.EqualTo(JsonValueKind.Number), key);
+    }
+
+    [Test]
+    public void MainJob_OfAConvertedCloud_ReportsOnIt()
+    {
+        var call = CliCall.Of(m_cloud, "-o", m_scratch["stored"], "--json", m_scratch["stored.json"]);
+        Assert.That(call.Status, Is.Zero, call.Error);
+        var info = JsonDocument.Parse(File.ReadAllBytes(m_scratch["stored.json"])).RootElement.GetProperty("info");
+        Assert.That(info.GetProperty("points").GetInt64(), Is.EqualTo(20_000));
+        Assert.That(info.GetProperty("isWhole").GetBoolean(), Is.True);
+        string page = File.ReadAllText(m_scratch["stored/report.html"]);
+        foreach (string text in new[] { "20,000", "32632", "spacing", "Classification", "bytes a point",
+            "random", "demo.las", "yes" })
+            Assert.That(page, Does.Contain(text));
+        Assert.That(Png.Read(m_scratch["stored/picture.png"]).Rgba.Distinct().Count(), Is.GreaterThan(10));
+        Assert.That(CliCall.Of(m_cloud, "-o", m_scratch["stored"]).Status, Is.Zero, "the same report again");
+        Assert.That(CliCall.Of(m_demo, "-o", m_scratch["stored"]).Status, Is.EqualTo(ExitStatus.Usage), "another's");
+    }
+
+    [Test]
+    public void Manual_ForMan_HasEachVerbAndOption()
+    {
+        var call = CliCall.Of("help", "--man");
+        Assert.That(call.Status, Is.Zero, call.Error);
+        Assert.That(call.Output, Does.StartWith(".TH FASTPOINTS 1\n").And.Contain(".SH EXPORT\n").And.Contain("\\-\\-sampler"));
+        Assert.That(call.Output.Split('\n').Where(l => l.StartsWith('.')).Select(l => l.Split(' ')[0]).Distinct(),
+            Is.SubsetOf(new[] { ".TH", ".SH", ".TP", ".br", ".PP" }));
+        string plain = call.Output.Replace("\\-", "").Replace("\\e", "").Replace("\\&", "");
+        Assert.That(plain, Does.Not.Contain('\\').And.Not.Contain('-'));
+    }
+
     static void HasCounts(JsonElement json, IEnumerable<int> values)
     {
         var wanted = values.GroupBy(v => v).ToDictionary(g => g.Key.ToString(), g => g.LongCount());

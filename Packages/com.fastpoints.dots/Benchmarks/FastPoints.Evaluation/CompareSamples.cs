@@ -167,43 +167,13 @@ namespace FastPoints.Evaluation
 
         IEnumerator<Work> MeasureDistances(PointBatch points, int count, PositionTransform transform, SampleError error)
         {
-            JobHandle measured = default;
-            var distancesSq = new NativeArray<double>(Math.Max(1, m_queryCount), Allocator.Persistent);
-            var found = new NativeReference<DistanceError>(Allocator.Persistent);
             using var tree = new PointTree();
-            try
-            {
-                yield return Work.Of(tree.Build(points, count, transform));
-                measured = new NearestDistancesJob
-                {
-                    Queries = m_queries,
-                    QueryCount = m_queryCount,
-                    Points = tree.Points,
-                    Nodes = tree.Nodes,
-                    Count = tree.Count,
-                    Levels = tree.Levels,
-                    DistancesSq = distancesSq,
-                }.ScheduleParallel(NearestDistancesJob.PieceCount(m_queryCount), 1, default);
-                measured = new RankDistancesJob
-                {
-                    DistancesSq = distancesSq,
-                    Count = m_queryCount,
-                    Unit = math.length(Bounds.Size),
-                    Error = found,
-                }.Schedule(measured);
-                yield return measured;
-                measured.Complete();
-                error.Distance = found.Value;
-                error.LookedUp = Math.Min(LookedUpPerSample, tree.Count);
-                for (int i = 0; i < error.LookedUp; i++)
-                    m_lookedUp.Add(tree.Points[(int)((long)i * tree.Count / error.LookedUp)]);
-            }
-            finally
-            {
-                measured.Complete();
-                distancesSq.Dispose();
-                found.Dispose();
-            }
+            yield return Work.Of(tree.Build(points, count, transform));
+            yield return Work.Of(tree.Measure(m_queries, m_queryCount, math.length(Bounds.Size),
+                found => error.Distance = found));
+            error.LookedUp = Math.Min(LookedUpPerSample, tree.Count);
+            for (int i = 0; i < error.LookedUp; i++)
+                m_lookedUp.Add(tree.Points[(int)((long)i * tree.Count / error.LookedUp)]);
         }
 
         IEnumerator<Work> MeasureCells(PointBatch points, int count, PositionTransform transform, SampleError error)

@@ -89,6 +89,40 @@ namespace FastPoints.Evaluation
             }
         }
 
+        /// <summary>Work for a pump: how far positions are from the nearest point of the tree.</summary>
+        /// <param name="count">The first so many positions.</param>
+        /// <param name="unit">What distances are divided by; 0 stands for 1.</param>
+        public IEnumerator<Work> Measure(NativeArray<double3> positions, int count, double unit, Action<DistanceError> take)
+        {
+            JobHandle measured = default;
+            var distancesSq = new NativeArray<double>(Math.Max(1, count), Allocator.Persistent);
+            var found = new NativeReference<DistanceError>(Allocator.Persistent);
+            try
+            {
+                measured = new NearestDistancesJob
+                {
+                    Queries = positions,
+                    QueryCount = count,
+                    Points = m_points,
+                    Nodes = m_nodes,
+                    Count = Count,
+                    Levels = Levels,
+                    DistancesSq = distancesSq,
+                }.ScheduleParallel(NearestDistancesJob.PieceCount(count), 1, default);
+                measured = new RankDistancesJob { DistancesSq = distancesSq, Count = count, Unit = unit, Error = found }
+                    .Schedule(measured);
+                yield return measured;
+                measured.Complete();
+                take(found.Value);
+            }
+            finally
+            {
+                measured.Complete();
+                distancesSq.Dispose();
+                found.Dispose();
+            }
+        }
+
         public void Dispose()
         {
             if (m_points.IsCreated)

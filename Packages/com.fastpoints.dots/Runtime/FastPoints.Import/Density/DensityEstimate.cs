@@ -28,14 +28,10 @@ namespace FastPoints.Density
         readonly double3 m_corner;
         readonly double m_edge;
         readonly int m_leastStretches;
-        readonly double m_share;
-        readonly bool m_isOfBlockPrefixes;
 
-        DensityEstimate(DensityTree tree, PreviewSample sample, double share, int leastStretches, double3 corner, double edge)
+        DensityEstimate(DensityTree tree, int leastStretches, double3 corner, double edge)
         {
             m_tree = tree;
-            m_share = share;
-            m_isOfBlockPrefixes = sample.IsOfBlockPrefixes;
             m_leastStretches = leastStretches;
             m_corner = corner;
             m_edge = edge;
@@ -81,7 +77,7 @@ namespace FastPoints.Density
                 int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
                 int least = Math.Max(LeastStretches, stretches / StretchesPerLeast);
                 yield return Work.Of(DensityTree.Count(codes, sample.Runs, points / inSample, inSample / points, least, 0,
-                    coded, tree => take(new DensityEstimate(tree, sample, inSample / points, least, bounds.Min, edge))));
+                    coded, tree => take(new DensityEstimate(tree, least, bounds.Min, edge))));
             }
             finally
             {
@@ -107,20 +103,6 @@ namespace FastPoints.Density
                 for (int octant = 7; octant >= 0; octant--)
                     open.Push((parts + octant, min + edge / 2 * new double3(octant & 1, octant >> 1 & 1, octant >> 2), edge / 2));
             }
-        }
-
-        /// <summary>Estimates how many points of the cloud lie in empty cells: as many as lie in cells with points of a single
-        /// stretch (I. J. Good, "The population frequencies of species", 1953). NaN for prefixes of blocks, which say nothing
-        /// about the blocks' ends.</summary>
-        public double EstimateUnseen()
-        {
-            if (m_isOfBlockPrefixes)
-                return double.NaN;
-            double single = 0;
-            foreach (var leaf in Leaves())
-                if (leaf.Cell.Stretches == 1)
-                    single += leaf.Cell.Points;
-            return single * Math.Max(0, 1 - m_share);
         }
 
         public void Dispose() => m_tree.Dispose();

@@ -33,6 +33,9 @@ namespace FastPoints.Files
         /// tell.</summary>
         public long PointsReadable = -1;
 
+        /// <summary>Points read so far that the file itself marks as invalid: they are left out, and none is lost.</summary>
+        internal long PointsMarkedInvalid;
+
         public bool HasBoundsClaimed;
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 

@@ -147,45 +147,6 @@ namespace FastPoints.Tests.Density
         }
 
         [Test]
-        public void Unseen_OfRuns_IsWithinAFactorOfThreeOrAStretch([Values] Order order,
-            [Values(2_000, 10_000, 50_000)] int wanted)
-        {
-            // Sums over three clouds.
-            double estimated = 0, truth = 0;
-            for (uint seed = 1; seed <= 3; seed++)
-            {
-                var points = Cloud(order, seed);
-                using var reader = Reader(points);
-                using var density = Estimate(reader, wanted, seed);
-                var leaves = density.Leaves().ToList();
-                truth += leaves.Zip(Count(leaves, points), (l, t) => l.Cell.IsKnown ? 0 : t).Sum();
-                estimated += density.EstimateUnseen();
-            }
-            TestContext.Out.WriteLine(order + " " + wanted + ": " + truth / 3 + " unseen, " + estimated / 3 + " estimated");
-            double ofAStretch = 16.0 * Points / wanted;
-            Assert.That(estimated, Is.InRange(truth / 3 - 3 * ofAStretch, truth * 3 + 3 * ofAStretch));
-        }
-
-        [Test]
-        public void Unseen_OfAllPoints_AreNone()
-        {
-            using var reader = Reader(Cloud(Order.Chance, 5));
-            using var density = Estimate(reader, Points, 5);
-            Assert.That(density.EstimateUnseen(), Is.Zero);
-        }
-
-        [TestCase(30_000, true), TestCase(Points, false)]
-        public void Unseen_OfBeginningsOfBlocks_IsNotKnown(int wanted, bool areBeginnings)
-        {
-            using var reader = Blocks(Cloud(Order.Curve, 4));
-            using var sampler = PreviewSampler.Create(reader, wanted, 1);
-            WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
-            using var density = Estimate(sampler.Sample);
-            Assert.That(sampler.Sample.IsOfBlockPrefixes, Is.EqualTo(areBeginnings));
-            Assert.That(double.IsNaN(density.EstimateUnseen()), Is.EqualTo(areBeginnings));
-        }
-
-        [Test]
         public void Estimate_OfAllPoints_IsExactAndWithoutError()
         {
             var points = Cloud(Order.Chance, 5);

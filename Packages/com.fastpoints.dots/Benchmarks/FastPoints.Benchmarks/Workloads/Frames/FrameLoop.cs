@@ -89,8 +89,15 @@ namespace FastPoints.Benchmarks
             begin = SliceTimes.Begin();
             own.Complete();
             m_waits.End(begin);
+            if (!pump.IsDone)
+                Rest(frame, frameMs);
+        }
+
+        /// <summary>Waits until a frame has taken its time.</summary>
+        internal static void Rest(Stopwatch frame, double frameMs)
+        {
             int left = (int)(frameMs - frame.Elapsed.TotalMilliseconds);
-            if (left > 0 && !pump.IsDone)
+            if (left > 0)
                 Thread.Sleep(left);
         }
 

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
-using System.Threading;
 using FastPoints.Partition;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -57,9 +56,7 @@ namespace FastPoints.Benchmarks
                 bytes += stats.UploadedBytes;
                 come += stats.UploadedNodes;
                 garbage += m_scene.Garbage;
-                int leftMs = (int)(FrameMs - frame.Elapsed.TotalMilliseconds);
-                if (leftMs > 0)
-                    Thread.Sleep(leftMs);
+                FrameLoop.Rest(frame, FrameMs);
             }
             var times = m_scene.FrameTimes;
             return new WorkloadResult

@@ -117,7 +117,10 @@ namespace FastPoints.Files
                 Warn("points are left out: " + E57Error.Text(result.Error), result.ErrorOffset,
                     isNew ? range.Count - result.Points : 0);
             if (anomalies.Invalid > 0)
+            {
+                Info.PointsMarkedInvalid += isNew ? anomalies.Invalid : 0;
                 Warn("points that their scan marks as invalid are left out", -1, isNew ? anomalies.Invalid : 0);
+            }
             if (anomalies.Damaged > 0)
                 Warn("the checksum of page " + anomalies.FirstDamagedPage + " is wrong (" + anomalies.DamagedPages +
                     " pages of this block are damaged): points that lie in them are left out",

@@ -10,6 +10,8 @@ namespace FastPoints.Files
     {
         const int FirstHeaderBytes = 16 << 10;
 
+        /// <summary>Its header describes a PCD file, whose points are no vertices.</summary>
+        readonly bool m_isPcd;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
         int m_brokenWarning = -1;
         string m_firstBreak;
@@ -24,6 +26,7 @@ namespace FastPoints.Files
             Info = info;
             Vertex = header.Elements[header.VertexIndex];
             Names = names;
+            m_isPcd = info.Format == "PCD";
             Handle = new SourceHandle(info.Path);
         }
 
@@ -138,7 +141,8 @@ namespace FastPoints.Files
             Info.PointsReadable = found;
             if (Vertex.Count == (ulong)found)
                 return;
-            string text = "vertices: wanted " + Vertex.Count + ", got " + found + (why != null ? ": " + why : "");
+            string text = (m_isPcd ? "points" : "vertices") + ": wanted " + Vertex.Count + ", got " + found +
+                (why != null ? ": " + why : "");
             if (found == 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, endOffset, text);
             Info.Warn(endOffset, text);
@@ -150,7 +154,7 @@ namespace FastPoints.Files
             string text = PlyError.Text(result.Error);
             if (areBlocksKnown && range.Block == 0 && range.First == 0 && result.Points == 0)
                 throw new PointCloudException(FailureCode.BadInput, Info.Path, result.ErrorOffset,
-                    "in the first vertex: " + text);
+                    "in the first " + (m_isPcd ? "point: " : "vertex: ") + text);
             if (!m_brokenBlocks.Add(range.Block))
                 return;
             m_pointsLost += range.Count - result.Points;
@@ -163,7 +167,8 @@ namespace FastPoints.Files
             if (m_brokenBlocks.Count == 1)
                 m_firstBreak = text;
             Info.Warnings[m_brokenWarning] = new CloudWarning(first.Path, first.ByteOffset, m_firstBreak +
-                ": the vertices from here to the end of the block are left out (" + m_pointsLost + " vertices in " +
+                ": the " + (m_isPcd ? "points" : "vertices") + " from here to the end of the block are left out (" +
+                m_pointsLost + (m_isPcd ? " points in " : " vertices in ") +
                 m_brokenBlocks.Count + " blocks so far)");
         }
 

@@ -197,6 +197,7 @@ namespace FastPoints.Tests.Files
             Assert.That(contents.Points, Is.EqualTo(Count - Count / 5));
             Assert.That(contents.PointsInBlocks, Is.EqualTo(Count));
             Assert.That(contents.HasWarning("(" + Count / 5 + " so far)"));
+            Assert.That(contents.Info.PointsMarkedInvalid, Is.EqualTo(Count / 5), "each once, however it is read");
             Assert.That(contents.Column<double>("timeStamp"), Is.EqualTo(Reals(Count, 0, 1).Where((v, i) => i % 5 != 3)));
             Assert.That(contents.Column<int>("X"),
                 Is.EqualTo(scan.Fields[1].Integers.Where((v, i) => i % 5 != 3).Select(v => (int)v)));

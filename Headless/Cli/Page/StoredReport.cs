@@ -1,0 +1,78 @@
+namespace FastPoints.Cli.Page;
+
+/// <summary>The main job on a converted cloud: what it is, pictures, and a page.</summary>
+sealed class StoredReport
+{
+    /// <summary>Of the page's 8 MB.</summary>
+    const int ViewBytes = 5_000_000;
+
+    readonly StoredFacts m_facts;
+    readonly List<(string Key, DrawStep Drawn)> m_pictures = [];
+
+    StoredReport(string path) => m_facts = new StoredFacts(path);
+
+    public string Page { get; private set; } = "";
+    public PointsAccount Account => m_facts.Account;
+
+    /// <param name="budget">Points of a picture at most.</param>
+    public static StoredReport Make(string path, (PictureOptions Options, bool IsPlain) look, long budget, string folder,
+        string command, CliRun run)
+    {
+        var report = new StoredReport(path);
+        report.m_facts.Write(run.Out);
+        run.Out.WriteLine();
+        run.Out.Flush();
+        var options = look.Options;
+        if (options.PointSizePx < 1)
+            options.SizeInWorld ??= FastPoints.Gpu.PointSize.Adaptive();
+        run.Progress.Group = "picture";
+        report.Add("picture", StreamedPictureStep.Run([path], options, budget, run), folder, look.IsPlain, run);
+        run.Progress.Group = "gpu";
+        if (HeadlessGraphics.IsAvailable)
+            report.Add("gpu", DrawStep.RunOnGpu([path], options, budget, run), folder, look.IsPlain, run);
+        run.Progress.Group = "page";
+        var drawn = report.m_pictures[0].Drawn;
+        var view = ViewCloud.OfFlight([path], options, [options.Camera!.Value], 0, run);
+        run.Progress.Group = null;
+        string name = CloudName.Of(path);
+        var page = new ReportPage(name, "Converted cloud · made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
+        page.Tiles([("points", Human.Count(report.m_facts.Points)), ("size", Human.Bytes(report.m_facts.Bytes))]);
+        string json = view.ToJson(ViewBytes, out int shown);
+        page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + Human.Count(shown) + " of its points", "",
+            Human.Count(shown) + " points of the upper levels.");
+        page.Heading("Facts");
+        page.Facts(report.m_facts.Lines());
+        foreach (var table in report.m_facts.Tables())
+            page.Table(table);
+        page.Heading("What to do next");
+        page.Lines([("Fly over it", "fastpoints fly " + CloudPage.Quoted(path) + " -o flight"),
+            ("Prove that it is undamaged", "fastpoints verify " + CloudPage.Quoted(path)),
+            ("Points out again", "fastpoints export " + CloudPage.Quoted(path) + " -o part.laz")]);
+        page.Facts([("command", command), ("machine", Machine.Describe())]);
+        report.Page = Path.Combine(folder, "report.html");
+        OutputFile.Write(report.Page, page.ToBytes());
+        return report;
+    }
+
+    void Add(string key, DrawStep drawn, string folder, bool isPlain, CliRun run)
+    {
+        m_pictures.Add((key, drawn));
+        OutputFile.Write(Path.Combine(folder, key + ".png"), Png.Encode(drawn.ToImage(isPlain)));
+        run.Out.WriteLine("  " + key.PadRight(9) + drawn.Describe() + ", " + drawn.Device);
+    }
+
+    public void WriteKeys(Utf8JsonWriter json)
+    {
+        json.WriteStartObject("info");
+        m_facts.WriteKeys(json);
+        json.WriteEndObject();
+        foreach (var (key, drawn) in m_pictures)
+        {
+            json.WriteStartObject(key);
+            drawn.WriteKeys(json);
+            json.WriteReal("seconds", drawn.Seconds);
+            json.WriteEndObject();
+        }
+        json.WriteString("report", Page);
+    }
+}
