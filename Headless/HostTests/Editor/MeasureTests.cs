@@ -127,11 +127,19 @@ public sealed class MeasureTests
             var file = m_world.EntityManager.GetComponentObject<PointCloudFile>(m_cloud.Entity);
             (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
 
-            from = Find(picker, Down());
+            bool IsShown() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity);
+            m_world.Update();
+            Assert.That(IsShown(), Is.False, "it is opened again");
+            Frames(IsShown);
+            var bounds = m_folder.Manifest.BoundsGeo;
+            PickRay DownX(double y) => PickRay.FromEye(
+                WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y + y, bounds.Center.z)), new double3(0, -1, 0), 100, 100);
+            (from, to) = (Find(picker, DownX(-10)), Find(picker, DownX(10)));
 
             var set = new Measurement(from, to);
-            Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.yz)).Within(1e-12));
-            Assert.That(set.LengthMetres, Is.EqualTo(asIs.LengthGeo * 0.25));
+            Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.X, 0.25)));
+            Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(set.DeltaGeo.yz)).And.GreaterThan(0));
+            Assert.That(set.LengthMetres, Is.EqualTo(set.LengthGeo * 0.25));
         }
     }
 

@@ -134,6 +134,14 @@ public sealed class OriginTests : EditorFixture
         Assert.That(math.length(PlacementOf(open).OriginWorld - (before - by)), Is.LessThan(1e-8));
         Assert.That(math.length(PlacementOf(late).OriginWorld - (before - by)), Is.LessThan(1e-8));
         Assert.That(PlacementOf(shown.Entity).OriginWorld, Is.EqualTo(kept), "a GameObject's is moved by its origin");
+
+        var later = Add();
+        ImportProject.Updates(Update, () => entities.HasComponent<StreamedPointCloud>(later));
+        Assert.That(math.length(PlacementOf(later).OriginWorld - (before - by)), Is.LessThan(1e-8), "it lies among the others");
+        PointCloudOrigin.ShiftEntities(by);
+        m_world.Update();
+        foreach (var each in new[] { open, late, later })
+            Assert.That(math.length(PlacementOf(each).OriginWorld - (before - 2 * by)), Is.LessThan(1e-8));
     }
 
     [Test]

@@ -223,5 +223,130 @@ public sealed class AuthoringTests
         // What the transform system adds for TransformUsageFlags.Dynamic.
         m_world.EntityManager.AddComponentData(entity, new LocalToWorld { Value = Unity.Mathematics.float4x4.identity });
         Frames(() => IsStreamed(entity));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
+    /// <summary>Baked again in an open subscene: where a component differs, its entity gets a new one.</summary>
+    void BakeAgain(PointCloudAuthoring authoring, Entity entity)
+    {
+        var entities = m_world.EntityManager;
+        var baked = Baking.Bake(new PointCloudBaker(), authoring, m_world);
+        var file = entities.GetComponentObject<PointCloudFile>(baked);
+        entities.DestroyEntity(baked);
+        entities.RemoveComponent<PointCloudFile>(entity);
+        entities.AddComponentObject(entity, file);
+    }
+
+    Entity BakedAndStreamed(PointCloudAuthoring authoring)
+    {
+        var entity = Baking.Bake(new PointCloudBaker(), authoring, m_world);
+        m_world.EntityManager.AddComponentData(entity, new LocalToWorld { Value = Unity.Mathematics.float4x4.identity });
+        Frames(() => IsStreamed(entity));
+        return entity;
+    }
+
+    [Test]
+    public void Baker_AgainInAnOpenSubscene_ShowsWhatHasChanged()
+    {
+        var entities = m_world.EntityManager;
+        var scene = new GameObject("scan");
+        var authoring = scene.AddComponent<PointCloudAuthoring>();
+        (authoring.Path, authoring.Color) = (m_cloud, ColorMode.Elevation);
+        var entity = BakedAndStreamed(authoring);
+        int Number() => entities.GetComponentData<StreamedPointCloud>(entity).Number;
+        CloudLook Look() => entities.GetComponentData<PointCloudLook>(entity).Value;
+
+        int first = Number();
+        BakeAgain(authoring, entity);
+        m_world.Update();
+        Assert.That(Number(), Is.EqualTo(first), "nothing has changed");
+
+        void Changed(string what, Func<bool> isShown)
+        {
+            BakeAgain(authoring, entity);
+            m_world.Update();
+            Assert.That(IsStreamed(entity), Is.False, what);
+            Frames(() => IsStreamed(entity));
+            Assert.That(isShown(), Is.True, what);
+        }
+        authoring.Color = ColorMode.Classification;
+        Changed("colour", () => Look().Source == ColorSource.Attribute);
+        authoring.HiddenClasses = new[] { 7 };
+        Changed("classes", () => Look().HiddenClasses.Has(7));
+        string other = m_scratch.Converted("other.fastpoints", 4000);
+        authoring.Path = other;
+        Changed("path", () => m_group.Stream.Clouds[Number()].Source.Path == other);
+        authoring.Path = "nowhere";
+        BakeAgain(authoring, entity);
+        Frames(() => entities.GetComponentObject<PointCloudFile>(entity).Error != null);
+        Assert.That(IsStreamed(entity), Is.False);
+        authoring.Path = m_cloud;
+        Changed("what could not be opened", () => m_group.Stream.Clouds[Number()].Source.Path == m_cloud);
+        Assert.That(m_group.Stream.Clouds.Count(c => c != null && !c.IsLeaving), Is.EqualTo(1));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
+    [Test]
+    public void Baker_BeneathAnOrigin_LiesByItAndMovesWithIt()
+    {
+        var entities = m_world.EntityManager;
+        var root = new GameObject("origin");
+        var origin = root.AddComponent<PointCloudOrigin>();
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        (asset.BoundsMin, asset.BoundsMax, asset.HasOrigin, asset.Origin) = (0, 9, true, new double3(5, 6, 7));
+        GameObject Beneath(string name)
+        {
+            var made = new GameObject(name);
+            made.transform.SetParent(root.transform, false);
+            return made;
+        }
+        var scan = Beneath("first").AddComponent<PointCloudAuthoring>();
+        var first = Beneath("second").AddComponent<PointCloudAuthoring>();
+        (scan.Path, first.Cloud) = (m_cloud, asset);
+        var baker = new PointCloudBaker();
+        var entity = Baking.Bake(baker, scan, m_world);
+        double3 Geo() => entities.GetComponentData<PointCloudSpace>(entity).Value.OriginGeo;
+        Assert.That(baker.Dependencies, Is.SupersetOf(new UnityEngine.Object[] { origin, first, asset }));
+        entities.AddComponentData(entity, new LocalToWorld { Value = float4x4.identity });
+        Frames(() => IsStreamed(entity));
+        Assert.That(Geo(), Is.EqualTo(asset.Origin), "the first whose place is known decides");
+
+        int number = entities.GetComponentData<StreamedPointCloud>(entity).Number;
+        PointCloudOrigin.ShiftEntities(new double3(100, 0, 0));
+        origin.Place = new double3(1e6, 2e6, 3);
+        BakeAgain(scan, entity);
+        m_world.Update();
+        Assert.That(Geo(), Is.EqualTo(new double3(1e6 + 100, 2e6, 3)), "shifted once, east is Unity's X");
+        Assert.That(entities.GetComponentData<StreamedPointCloud>(entity).Number, Is.EqualTo(number), "and not opened again");
+
+        origin.enabled = false;
+        BakeAgain(scan, entity);
+        m_world.Update();
+        Frames(() => IsStreamed(entity));
+        Assert.That(Geo().x, Is.Not.EqualTo(1e6 + 100).And.Not.EqualTo(1e6));
+        UnityEngine.Object.DestroyImmediate(root);
+    }
+
+    [Test]
+    public void Worlds_ThatBothDraw_OneShowsTheCloudsAndTheChoiceCounts()
+    {
+        var server = new World("server");
+        World.DefaultGameObjectInjectionWorld = server;
+        using var second = new World("second client");
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(second, typeof(PointCloudSystemGroup));
+        Assert.That(PointCloudSystemGroup.Shown, Is.SameAs(m_group), "the default world draws nothing");
+        PointCloudSystemGroup.ShownWorld = second;
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<PointCloud>();
+        cloud.Path = m_cloud;
+        Assert.That(second.EntityManager.Exists(cloud.Entity), Is.True);
+        Assert.That(second.EntityManager.HasComponent<PointCloudFile>(cloud.Entity), Is.True);
+        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().WantsFrame, Is.True);
+        PointCloudSystemGroup.ShownWorld = server;
+        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().WantsFrame, Is.False, "another is shown");
+        server.Dispose();
+        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().WantsFrame, Is.True, "which has ended");
+        PointCloudSystemGroup.ShownWorld = null;
+        UnityEngine.Object.DestroyImmediate(scene);
     }
 }

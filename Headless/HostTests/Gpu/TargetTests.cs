@@ -128,6 +128,7 @@ public sealed class TargetTests : PipelineFixture
         var resources = ScriptableObject.CreateInstance<PointCloudResources>();
         (resources.Points, resources.Compose, resources.CopyPages) = (shaders.Points, shaders.Compose, shaders.CopyPages);
         Resources.Assets[PointCloudResources.Path] = resources;
+        PointScene.Current = null;
         using var world = new World("without");
         try
         {
@@ -156,6 +157,45 @@ public sealed class TargetTests : PipelineFixture
         var pixels = Enumerable.Range(0, WidthPx * HeightPx)
             .Select(i => (Is: BitConverter.ToUInt32(drawn, i * 4), Wanted: BitConverter.ToUInt32(wanted.Rgba, i * 4))).ToList();
         return pixels.Count(p => p.Is != p.Wanted) / (double)pixels.Count(p => (p.Wanted & 0xFFFFFF) != 0);
+    }
+
+    /// <summary>Two worlds of clients with the same clouds: one pool, one upload.</summary>
+    [Test]
+    public void Update_SecondWorldThatDraws_WaitsUntilTheFirstEnds()
+    {
+        var shaders = new GpuShaders();
+        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
+        (resources.Points, resources.Compose, resources.CopyPages) = (shaders.Points, shaders.Compose, shaders.CopyPages);
+        Resources.Assets[PointCloudResources.Path] = resources;
+        PointScene.Current = null;
+        var worlds = new[] { "server", "client", "second client" }.Select(n => new World(n)).ToArray();
+        World.DefaultGameObjectInjectionWorld = worlds[0];
+        try
+        {
+            var groups = new List<PointCloudSystemGroup>();
+            foreach (var world in worlds.Skip(1))
+            {
+                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup));
+                groups.Add(world.GetExistingSystemManaged<PointCloudSystemGroup>());
+            }
+            worlds[2].EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
+            worlds[2].Update();
+            Assert.That(PointCloudSystemGroup.Shown, Is.SameAs(groups[1]), "GameObjects' clouds join the one that draws");
+            worlds[1].EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
+            foreach (var world in worlds)
+                world.Update();
+            Assert.That((groups[0].Stream, groups[0].WantsFrame), Is.EqualTo(((StreamContext)null, false)));
+            worlds[2].Dispose();
+            worlds[1].Update();
+            Assert.That(groups[0].Stream, Is.Not.Null);
+        }
+        finally
+        {
+            foreach (var world in worlds.Where(w => w.IsCreated))
+                world.Dispose();
+            World.DefaultGameObjectInjectionWorld = null;
+            Resources.Assets.Clear();
+        }
     }
 
     Camera LookingCamera(string style, out RenderTexture texture, string pipeline = nameof(BuiltInHost))

@@ -24,6 +24,23 @@ public abstract class IBaker
     /// <summary>A change of it has everything baked again.</summary>
     public int GetLayer() => DependsOn(Authoring.gameObject).layer;
 
+    /// <summary>Inactive ones, too.</summary>
+    public T GetComponentInParent<T>() where T : UnityEngine.Component
+    {
+        for (var at = Authoring.transform; at is not null; at = at.Parent)
+            if (at.GetComponent<T>() is { } found)
+                return DependsOn(found);
+        return null;
+    }
+
+    /// <summary>Inactive ones, too.</summary>
+    public T[] GetComponentsInChildren<T>(UnityEngine.Component component) where T : UnityEngine.Component
+    {
+        var found = component.GetComponentsInChildren<T>(true);
+        Dependencies.UnionWith(found);
+        return found;
+    }
+
     public void AddComponent<T>(Entity entity, in T component) where T : unmanaged, IComponentData
     {
         Track<T>(entity);

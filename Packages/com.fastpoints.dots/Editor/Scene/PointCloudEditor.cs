@@ -23,14 +23,7 @@ namespace FastPoints.Editor
         UnityEditor.Editor m_settingsEditor;
         uint m_frame;
 
-        PointCloudSystemGroup Group
-        {
-            get
-            {
-                var world = World.DefaultGameObjectInjectionWorld;
-                return world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
-            }
-        }
+        static PointCloudSystemGroup Group => PointCloudSystemGroup.Shown;
 
         /// <summary>Repaints while frames come; at rest nothing is drawn again.</summary>
         public override bool RequiresConstantRepaint() => m_showsFrame && Group?.Stream != null && Group.Stats.Frame != m_frame;

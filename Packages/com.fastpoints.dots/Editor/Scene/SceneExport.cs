@@ -69,13 +69,12 @@ namespace FastPoints.Editor
         static StreamedCloud Shown(PointCloud cloud, out ClipBox[] clips)
         {
             clips = null;
-            var world = World.DefaultGameObjectInjectionWorld;
-            var group = world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            var group = PointCloudSystemGroup.Shown;
             if (group?.Stream == null || cloud.Entity == Entity.Null ||
-                !world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity))
+                !group.World.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity))
                 return null;
             clips = group.Stream.ClipBoxes.AsArray().ToArray();
-            return group.Stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number];
+            return group.Stream.Clouds[group.World.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number];
         }
 
         /// <summary>The converted cloud that is shown, or the files that it is made of.</summary>

@@ -196,14 +196,8 @@ namespace FastPoints.Entities
         /// <summary>Places the cloud, in double, when its origin has moved.</summary>
         internal void PlaceByOrigin()
         {
-            if (!m_entity.TryGet(out var entities))
-                return;
-            Place(entities.GetComponentObject<PointCloudFile>(Entity));
-            if (!entities.HasComponent<PointCloudSpace>(Entity))
-                return;
-            var space = entities.GetComponentData<PointCloudSpace>(Entity);
-            space.Value.OriginGeo = Origin.Place;
-            entities.SetComponentData(Entity, space);
+            if (m_entity.TryGet(out var entities))
+                Place(entities.GetComponentObject<PointCloudFile>(Entity));
         }
 
         void Place(PointCloudFile file)

@@ -2,6 +2,7 @@ using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Picture;
 using Unity.Entities;
+using Unity.Mathematics;
 using UnityEngine;
 using Gradient = FastPoints.Picture.Gradient;
 
@@ -41,8 +42,27 @@ namespace FastPoints.Entities
             file.Color = authoring.Color;
             file.Gradient = authoring.Gradient;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
+            if (TryGetPlace(out var place))
+                (file.HasOrigin, file.OriginGeo) = (true, place);
             AddComponentObject(entity, file);
             AddComponent(entity, new PointCloudLayer { Value = GetLayer() });
+        }
+
+        /// <summary>Finds the place of an origin above. Until it has one, the first cloud beneath it decides, as in scenes.</summary>
+        bool TryGetPlace(out double3 place)
+        {
+            var origin = GetComponentInParent<PointCloudOrigin>();
+            bool isThere = origin != null && origin.enabled;
+            place = isThere ? origin.Place : default;
+            if (!isThere || origin.HasPlace)
+                return isThere;
+            foreach (var other in GetComponentsInChildren<PointCloudAuthoring>(origin))
+                if (other.Cloud != null && DependsOn(other.Cloud).TryGetSpace(out _, out var space))
+                {
+                    place = space.OriginGeo;
+                    return true;
+                }
+            return false;
         }
     }
 }

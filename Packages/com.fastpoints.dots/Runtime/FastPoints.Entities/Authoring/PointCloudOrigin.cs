@@ -2,10 +2,8 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Streaming;
-using Unity.Collections;
 using Unity.Entities;
 using Unity.Mathematics;
-using Unity.Transforms;
 using UnityEngine;
 
 namespace FastPoints.Entities
@@ -79,31 +77,15 @@ namespace FastPoints.Entities
         /// <param name="by">From this GameObject to that position, in the world's axes.</param>
         public void Shift(double3 by) => Place = Space.ToGeo(math.mul(math.inverse(Linear(transform.localToWorldMatrix)), by));
 
-        /// <summary>Does the same with all clouds of a world that have no GameObject, whatever their origins.</summary>
-        /// <param name="world">Null for the default world.</param>
+        /// <summary>Does the same with all clouds of a world that have no GameObject, whatever their origins, and with those that
+        /// come later, as of subscenes: they lie among the others.</summary>
+        /// <param name="world">Null for the world that is shown.</param>
         public static void ShiftEntities(double3 by, World world = null)
         {
-            world ??= World.DefaultGameObjectInjectionWorld;
-            if (world == null || !world.IsCreated)
-                return;
-            var entities = world.EntityManager;
-            using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudFile>().WithAll<LocalToWorld>()
-                .Build(entities);
-            using var clouds = query.ToEntityArray(Allocator.Temp);
-            foreach (var entity in clouds)
-            {
-                var file = entities.GetComponentObject<PointCloudFile>(entity);
-                if (file.GameObject != null)
-                    continue;
-                var toWorld = new double4x4(entities.GetComponentData<LocalToWorld>(entity).Value);
-                var local = math.mul(math.inverse(new double3x3(toWorld.c0.xyz, toWorld.c1.xyz, toWorld.c2.xyz)), by);
-                file.Shift += local;
-                if (!entities.HasComponent<PointCloudSpace>(entity))
-                    continue;
-                var space = entities.GetComponentData<PointCloudSpace>(entity);
-                space.Value.OriginGeo = space.Value.ToGeo(local);
-                entities.SetComponentData(entity, space);
-            }
+            var group = world == null ? PointCloudSystemGroup.Shown
+                : world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            if (group != null)
+                group.Shift += by;
         }
 
         internal bool AlignTo(PointCloudAsset asset)

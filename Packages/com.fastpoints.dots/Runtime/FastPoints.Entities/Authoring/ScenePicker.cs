@@ -76,14 +76,8 @@ namespace FastPoints.Entities
 
         public void Dispose() => m_picker.Dispose();
 
-        PointCloudSystemGroup Group
-        {
-            get
-            {
-                var world = m_world ?? World.DefaultGameObjectInjectionWorld;
-                return world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
-            }
-        }
+        PointCloudSystemGroup Group => m_world == null ? PointCloudSystemGroup.Shown
+            : m_world.IsCreated ? m_world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
 
         /// <summary>Takes the unit and up axis that are set for a cloud.</summary>
         void TakeSettings(Entity cloud)

@@ -60,18 +60,14 @@ namespace FastPoints.Entities
         /// <summary>That of the <see cref="PointCloud"/> that places it; null for none.</summary>
         internal GameObject GameObject;
 
-        /// <summary>What <see cref="PointCloudOrigin.ShiftEntities"/> has moved its origin by, in the space that its transform
-        /// moves: it may not be open yet.</summary>
-        internal double3 Shift;
-
         /// <summary>The cloud's axis that points up.</summary>
         public UpAxis Up = UpAxis.Z;
 
         /// <summary>Metres of a unit, if the file does not say or is wrong; 0 to use what it says.</summary>
         public double UnitMetres;
 
-        /// <summary>What points are coloured by; a cloud without these values chooses another mode. This and the other fields
-        /// take effect when the cloud is opened: only what they need is streamed.</summary>
+        /// <summary>What points are coloured by; a cloud without these values chooses another mode. Only what
+        /// this and the other fields need is streamed: a change opens the cloud again.</summary>
         public ColorMode Color;
         public Gradient Gradient;
 
@@ -84,6 +80,15 @@ namespace FastPoints.Entities
         /// <summary>Set it if there may be newer data on disk: this is looked for, and what is shown stays until it is ready. It
         /// resets to false.</summary>
         public bool LooksAgain;
+
+        internal PointCloudFile Copy() => (PointCloudFile)MemberwiseClone();
+
+        /// <summary>Whether a cloud opened as this says is as another says, but for its place.</summary>
+        internal bool OpensLike(PointCloudFile other) => Path == other.Path && ProjectPath == other.ProjectPath &&
+            PlayerSource == other.PlayerSource &&
+            System.MemoryExtensions.SequenceEqual<string>(ProjectSources, other.ProjectSources) && Color == other.Color &&
+            Gradient == other.Gradient && HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up &&
+            UnitMetres.Equals(other.UnitMetres) && (other.HasOrigin || !HasOrigin);
 
         /// <summary>The folder's absolute path.</summary>
         public string FullPath => Application.isEditor && !string.IsNullOrEmpty(ProjectPath)

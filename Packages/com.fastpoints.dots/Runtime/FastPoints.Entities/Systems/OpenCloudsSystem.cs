@@ -5,11 +5,13 @@ using FastPoints.Feeds;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
 
 namespace FastPoints.Entities
 {
     /// <summary>Opens clouds that only exist as files, and brings each of their states into the stream: waves of a preview,
-    /// generations of a build, the finished cloud.</summary>
+    /// generations of a build, the finished cloud. Files that change are opened again, or placed elsewhere.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(AddCloudsSystem))]
@@ -61,16 +63,66 @@ namespace FastPoints.Entities
             using var entities = m_files.ToEntityArray(Allocator.Temp);
             foreach (var entity in entities)
             {
-                if (m_opened.ContainsKey(entity))
-                    continue;
                 var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
+                bool isOpened = m_opened.TryGetValue(entity, out var opened), isSame = isOpened && opened.As.OpensLike(file);
+                if (isSame && (file.Error == null || !file.LooksAgain))
+                {
+                    Move(entity, file, opened);
+                    continue;
+                }
+                if (isOpened)
+                    End(entity, opened, !isSame);
                 bool isNew = file.Error == null && !EntityManager.HasComponent<PointCloudSource>(entity);
-                if (string.IsNullOrEmpty(file.Path) || !isNew && !file.LooksAgain)
+                if (string.IsNullOrEmpty(file.Path) || !isOpened && !isNew && !file.LooksAgain)
                     continue;
                 file.Error = null;
                 file.LooksAgain = false;
-                m_opened.Add(entity, new OpenedCloud(file.FullPath, file.FullSources()));
+                opened = new OpenedCloud(file);
+                m_opened.Add(entity, opened);
+                Move(entity, file, opened);
             }
+        }
+
+        /// <param name="hides">Whether what is shown of it goes.</param>
+        void End(Entity entity, OpenedCloud opened, bool hides)
+        {
+            m_leaving.Add(opened);
+            m_opened.Remove(entity);
+            if (!hides)
+                return;
+            // Without a placement it leaves the stream.
+            EntityManager.RemoveComponent<PointCloudPlacement>(entity);
+            EntityManager.RemoveComponent<PointCloudSource>(entity);
+            EntityManager.RemoveComponent<PointCloudSpace>(entity);
+            EntityManager.RemoveComponent<PointCloudStates>(entity);
+            EntityManager.RemoveComponent<PointCloudLook>(entity);
+        }
+
+        /// <summary>Follows the origin of a cloud, and of the world.</summary>
+        void Move(Entity entity, PointCloudFile file, OpenedCloud opened)
+        {
+            double3 local = default;
+            if (file.GameObject == null && !opened.WorldShift.Equals(Group.Shift) && EntityManager.HasComponent<LocalToWorld>(entity))
+            {
+                var toWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
+                var linear = new double3x3(toWorld.c0.xyz, toWorld.c1.xyz, toWorld.c2.xyz);
+                // What has no transform yet is not there.
+                if (math.determinant(linear) != 0)
+                {
+                    local = math.mul(math.inverse(linear), Group.Shift - opened.WorldShift);
+                    opened.Shift += local;
+                    opened.WorldShift = Group.Shift;
+                }
+            }
+            bool isElsewhere = file.HasOrigin && !(opened.As.HasOrigin && opened.As.OriginGeo.Equals(file.OriginGeo));
+            (opened.As.HasOrigin, opened.As.OriginGeo) = (file.HasOrigin, file.OriginGeo);
+            if (!isElsewhere && local.Equals(default) || !EntityManager.HasComponent<PointCloudSpace>(entity))
+                return;
+            var space = EntityManager.GetComponentData<PointCloudSpace>(entity);
+            if (isElsewhere)
+                (space.Value.OriginGeo, local) = (file.OriginGeo, opened.Shift);
+            space.Value.OriginGeo = space.Value.ToGeo(local);
+            EntityManager.SetComponentData(entity, space);
         }
 
         void UpdateOpened()
@@ -87,7 +139,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <returns>Whether there may be more.</returns>
+        /// <returns>Whether the entity is there.</returns>
         bool TryUpdate(Entity entity, OpenedCloud cloud, double budgetMs)
         {
             if (!EntityManager.HasComponent<PointCloudFile>(entity))
@@ -112,7 +164,8 @@ namespace FastPoints.Entities
                 var failure = PointCloudException.Of(file.FullPath, e);
                 file.Error = failure.Message;
                 Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Story));
-                return false;
+                cloud.Dispose();
+                return true;
             }
         }
 
@@ -124,7 +177,7 @@ namespace FastPoints.Entities
                 var facts = cloud.Newest;
                 var first = new PointCloudSource();
                 cloud.TakeInto(first, file);
-                Place(entity, facts, file);
+                Place(entity, facts, file, cloud.Shift);
                 EntityManager.AddComponentObject(entity, first);
                 return;
             }
@@ -136,12 +189,12 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Places all states where the first one stood, so that nothing moves when it is replaced.</summary>
-        void Place(Entity entity, CloudFacts facts, PointCloudFile file)
+        void Place(Entity entity, CloudFacts facts, PointCloudFile file, double3 shift)
         {
             var space = UnitySpace.Of(facts.BoundsGeo, file.UnitMetres > 0 ? file.UnitMetres : facts.MetresPerUnit, file.Up);
             if (file.HasOrigin)
                 space.OriginGeo = file.OriginGeo;
-            space.OriginGeo = space.ToGeo(file.Shift);
+            space.OriginGeo = space.ToGeo(shift);
             EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
             EntityManager.AddComponentData(entity, new PointCloudPlacement());
         }

@@ -3,6 +3,7 @@ using FastPoints.Base;
 using FastPoints.Feeds;
 using FastPoints.Picture;
 using FastPoints.Rendering;
+using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
@@ -14,10 +15,21 @@ namespace FastPoints.Entities
         CloudFeed m_feed;
         DisplayRanges m_rangesWithoutStrays;
 
-        public OpenedCloud(string path, string[] sources)
+        public OpenedCloud(PointCloudFile file)
         {
+            As = file.Copy();
+            string path = file.FullPath;
+            string[] sources = file.FullSources();
             m_opening = PoolWork.Begin(path, () => CloudFeeds.Open(path, sources));
         }
+
+        /// <summary>The component's values that are applied: users and live baking change them, or replace it.</summary>
+        public PointCloudFile As { get; }
+
+        /// <summary>What the world's shift that is applied, <see cref="WorldShift"/>, moves its origin by, in the space that its
+        /// transform moves.</summary>
+        public double3 Shift;
+        public double3 WorldShift;
 
         /// <summary>Whether it can be disposed without waiting for a disk.</summary>
         public bool IsOpen => m_opening == null || m_opening.IsDone;

@@ -1,9 +1,11 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -41,6 +43,13 @@ namespace FastPoints.Entities
         /// editor sets it from the project's settings.</summary>
         public static long DefaultPoolBytes = 512 << 20;
 
+        static readonly List<PointCloudSystemGroup> s_all = new List<PointCloudSystemGroup>();
+
+        /// <summary>The world whose clouds are streamed and drawn, those of GameObjects too. Null for the first that has clouds;
+        /// GameObjects prefer the default world, unless it draws nothing, as a server's. Other worlds' clouds wait until it ends.
+        /// Set it before clouds are shown.</summary>
+        public static World ShownWorld { get; set; }
+
         NativeList<StreamView> m_views;
         NativeList<StreamView> m_lastViews;
         int m_quietFrames;
@@ -51,6 +60,25 @@ namespace FastPoints.Entities
         /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are
         /// streamed to the graphics card and drawn.</summary>
         public StreamContext Stream { get; private set; }
+
+        /// <summary>The group of the world that GameObjects' clouds are in; null if no world has one.</summary>
+        internal static PointCloudSystemGroup Shown
+        {
+            get
+            {
+                var chosen = ShownWorld != null && ShownWorld.IsCreated ? ShownWorld : null;
+                PointCloudSystemGroup found = null;
+                foreach (var group in s_all)
+                    if (chosen != null ? group.World == chosen : group.Scene != null)
+                        return group;
+                    else if (found == null || group.World == World.DefaultGameObjectInjectionWorld)
+                        found = group;
+                return found;
+            }
+        }
+
+        /// <summary>By how much the world was moved (<see cref="PointCloudOrigin.ShiftEntities"/>).</summary>
+        internal double3 Shift;
 
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
@@ -71,7 +99,7 @@ namespace FastPoints.Entities
             get
             {
                 if (Stream == null)
-                    return !m_cannotDraw && !m_files.IsEmpty;
+                    return MayBegin;
                 return m_quietFrames < FramesToRest || Scene != null && HasMoved(Scene.NextViews);
             }
         }
@@ -87,6 +115,7 @@ namespace FastPoints.Entities
         protected override void OnCreate()
         {
             base.OnCreate();
+            s_all.Add(this);
             m_views = new NativeList<StreamView>(Allocator.Persistent);
             m_lastViews = new NativeList<StreamView>(Allocator.Persistent);
             m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>());
@@ -108,6 +137,7 @@ namespace FastPoints.Entities
 
         protected override void OnDestroy()
         {
+            s_all.Remove(this);
             Scene?.Dispose();
             Scene = null;
             Stream?.Dispose();
@@ -127,10 +157,14 @@ namespace FastPoints.Entities
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
                 (long)next.Length * sizeof(StreamView)) != 0);
 
+        /// <summary>Two worlds of clients may have the same clouds: one of them shows them.</summary>
+        bool MayBegin => !m_cannotDraw && !m_files.IsEmpty && PointScene.Current == null &&
+            (ShownWorld == null || !ShownWorld.IsCreated || ShownWorld == World);
+
         /// <summary>Begins with the first cloud: a world without clouds takes no memory.</summary>
         bool TryBegin()
         {
-            if (m_files.IsEmpty || m_cannotDraw)
+            if (!MayBegin)
                 return false;
             // A server, or an editor without graphics.
             m_cannotDraw = SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null;
