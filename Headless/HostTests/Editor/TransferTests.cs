@@ -164,4 +164,16 @@ public sealed class TransferTests : EditorFixture
         CloudCatalog.Delete(cloud);
         Assert.That(File.Exists(StampFile.PathOf(cloud)), Is.False);
     }
+
+    [Test]
+    public void Move_BeforeTheFirstUpdate_TakesTheRequestsAlong()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("late.las", 2000), "Assets");
+        Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
+        PointCloudImports.MoveRoot(m_project.Scratch["root"]);
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1));
+        m_project.UpdateToTheEnd();
+        Assert.That(CloudFolder.IsCloud(Path.Combine(PointCloudImports.Paths.Clouds, "late.fastpoints")), Is.True);
+        PointCloudImports.MoveRoot("");
+    }
 }

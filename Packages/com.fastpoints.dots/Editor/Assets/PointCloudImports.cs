@@ -49,21 +49,24 @@ namespace FastPoints.Editor
             string problem = ProjectPaths.FindProblem(Project, place);
             if (problem != null)
                 return problem;
-            s_current?.Suspend();
-            s_current = null;
-            FastPointsSettings.instance.Place = place;
-            FastPointsSettings.instance.Apply();
+            Begin(() => FastPointsSettings.instance.Place = place);
             return null;
         }
 
-        /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
-        internal static void MoveRoot(string root)
+        /// <summary>Begins again by other settings. Requests that no file has yet come along.</summary>
+        static void Begin(Action set)
         {
-            FastPointsUserSettings.instance.Keep(root);
+            var unsaved = s_current?.Queue.Unsaved;
             s_current?.Suspend();
             s_current = null;
+            set();
             FastPointsSettings.instance.Apply();
+            if (unsaved != null)
+                Current.Queue.Add(unsaved);
         }
+
+        /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
+        internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.Keep(root));
 
         static void Update() => Current.Update(DateTime.UtcNow);
 

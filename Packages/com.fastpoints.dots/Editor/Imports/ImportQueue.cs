@@ -82,6 +82,9 @@ namespace FastPoints.Editor
             Save();
         }
 
+        /// <summary>Requests that are only here, until the lock is acquired; null for none.</summary>
+        internal IReadOnlyList<ImportRequest> Unsaved => m_lock == null && m_requests.Count > 0 ? m_requests : null;
+
         /// <summary>Folders that are targets of requests, even if they do not exist.</summary>
         public IEnumerable<string> Promised
         {

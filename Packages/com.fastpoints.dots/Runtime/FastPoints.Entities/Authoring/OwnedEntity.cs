@@ -2,7 +2,7 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>The entity that belongs to a GameObject's component in the world that is shown, in edit mode too. It is destroyed with
+    /// <summary>The entity that belongs to a GameObject's component in the shown world, in edit mode too. It is destroyed with
     /// the component; if others destroy it, or its world, its component makes it again.</summary>
     struct OwnedEntity
     {

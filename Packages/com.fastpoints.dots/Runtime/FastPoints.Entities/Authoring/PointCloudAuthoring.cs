@@ -48,7 +48,7 @@ namespace FastPoints.Entities
             AddComponent(entity, new PointCloudLayer { Value = GetLayer() });
         }
 
-        /// <summary>Finds the place of an origin above. Until it has one, the first cloud beneath it decides, as in scenes.</summary>
+        /// <summary>The place of an origin above. Until it has one, the first cloud beneath it decides, as in scenes.</summary>
         bool TryGetPlace(out double3 place)
         {
             var origin = GetComponentInParent<PointCloudOrigin>();

@@ -102,7 +102,8 @@ namespace FastPoints.Entities
         void Move(Entity entity, PointCloudFile file, OpenedCloud opened)
         {
             double3 local = default;
-            if (file.GameObject == null && !opened.WorldShift.Equals(Group.Shift) && EntityManager.HasComponent<LocalToWorld>(entity))
+            if (file.GameObject == null && !opened.WorldShift.Equals(Group.Shift) &&
+                EntityManager.HasComponent<LocalToWorld>(entity))
             {
                 var toWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
                 var linear = new double3x3(toWorld.c0.xyz, toWorld.c1.xyz, toWorld.c2.xyz);
