@@ -132,9 +132,8 @@ public sealed class MeasureTests
             Assert.That(IsShown(), Is.False, "it is opened again");
             Frames(IsShown);
             var bounds = m_folder.Manifest.BoundsGeo;
-            PickRay DownX(double y) => PickRay.FromEye(
-                WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y + y, bounds.Center.z)), new double3(0, -1, 0), 100, 100);
-            (from, to) = (Find(picker, DownX(-10)), Find(picker, DownX(10)));
+            from = Find(picker, PickRay.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.yz)),
+                new double3(0, -1, 0), 100, 100));
 
             var set = new Measurement(from, to);
             Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.X, 0.25)));
