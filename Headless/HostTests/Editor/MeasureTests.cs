@@ -132,7 +132,7 @@ public sealed class MeasureTests
             Assert.That(IsShown(), Is.False, "it is opened again");
             Frames(IsShown);
             var bounds = m_folder.Manifest.BoundsGeo;
-            from = Find(picker, PickRay.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.yz)),
+            from = Find(picker, PickRay.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y, bounds.Center.z)),
                 new double3(0, -1, 0), 100, 100));
 
             var set = new Measurement(from, to);

@@ -72,6 +72,12 @@ namespace FastPoints.Entities
                 }
                 if (isOpened)
                     End(entity, opened, !isSame);
+                if (isOpened && !isSame)
+                {
+                    // What is shown leaves in this frame, and the next one opens.
+                    file.Error = null;
+                    continue;
+                }
                 bool isNew = file.Error == null && !EntityManager.HasComponent<PointCloudSource>(entity);
                 if (string.IsNullOrEmpty(file.Path) || !isOpened && !isNew && !file.LooksAgain)
                     continue;
