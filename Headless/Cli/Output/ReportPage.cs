@@ -29,8 +29,8 @@ public sealed class ReportPage(string title, string? lead = null)
     /// <param name="note">HTML below it.</param>
     public void View(string json, byte[] png, string alt, string time, string note)
     {
-        string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time)).Replace("{note}", note)
-            .Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
+        string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))
+            .Replace("{note}", note).Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
         m_body.Append(parts[0]).Append(json).Append(parts[1]);
         m_scripts.Add("view.js");
     }
