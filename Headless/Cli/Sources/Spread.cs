@@ -1,13 +1,11 @@
 using FastPoints.Cli.Page;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Sources;
 
 /// <summary>How a cloud's points lie, by an even choice of them: where nearly all are, and how densely.</summary>
 sealed class Spread
 {
-    const int Sampled = 200_000;
-    const uint Seed = 1;
-
     /// <summary>Along each axis this share is farther out, half of it at either end.</summary>
     const double StrayShare = 0.001;
 
@@ -26,20 +24,18 @@ sealed class Spread
 
     public double SquareEdge => m_density.Edge;
 
+    /// <param name="sample">Of the whole scan.</param>
     /// <returns>Null where no point has a position.</returns>
-    public static Spread? Of(PointReader reader, long found, CliRun run)
+    public static Spread? Of(PointReader reader, SpreadSample sample, CliRun run)
     {
-        run.Progress.Begin("spread");
-        using var uniform = new UniformSampler(reader, Sampled, Seed);
-        run.Pump(uniform.Run(0, run.Progress));
-        using var sample = uniform.TakeSample();
+        if (sample.Points is not { } batch)
+            return null;
         double unit = reader.Info.Crs.MetresPerUnit;
         var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(unit) };
-        run.Pump(ranges.Measure(sample.Points, sample.Transform, UpAxis.Z));
-        run.Progress.End();
+        run.Pump(ranges.Measure(batch, reader.Info.Transform, UpAxis.Z));
         if (ranges.Full.IsEmpty)
             return null;
-        var points = ViewPoints.Of(sample.Points, sample.Count, sample.Transform);
+        var points = ViewPoints.Of(batch, batch.Count, reader.Info.Transform);
         double3 low = default, high = default;
         for (int axis = 0; axis < 3; axis++)
         {
@@ -48,7 +44,7 @@ sealed class Spread
             (low[axis], high[axis]) = (sorted[strays], sorted[sorted.Length - 1 - strays]);
         }
         var bounds = new BoundsGeo(low, high);
-        return new Spread(bounds, new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, found), Human.Unit(unit));
+        return new Spread(bounds, new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, sample.Found), Human.Unit(unit));
     }
 
     public void WriteKeys(Utf8JsonWriter json)
@@ -67,4 +63,52 @@ sealed class Spread
         json.WriteReal("squareEdge", SquareEdge);
         json.WriteEndObject();
     }
+}
+
+/// <summary>An even choice of the positions that a scan decodes anyway: one of each stretch of points.</summary>
+sealed class SpreadSample(PointReader reader) : IDisposable
+{
+    const int Wanted = 200_000;
+    const uint Seed = 1;
+
+    SampleStrata m_strata;
+
+    /// <summary>Null before the first, and without positions.</summary>
+    public PointBatch? Points { get; private set; }
+
+    /// <summary>All that went by.</summary>
+    public long Found { get; private set; }
+
+    public unsafe void Take(BlockRead read)
+    {
+        var block = read.Points;
+        Found += block.Count;
+        string[] axes = [AttributeNames.X, AttributeNames.Y, AttributeNames.Z];
+        if (block.Count == 0 || !axes.All(a => block.Schema.Has(a)))
+            return;
+        if (Points == null)
+        {
+            m_strata = new SampleStrata(reader.PointCount, Wanted, Seed);
+            Points = new PointBatch(block.Schema.Select(axes), m_strata.Count, Allocator.Persistent);
+        }
+        byte* from = (byte*)block.Bytes.GetUnsafeReadOnlyPtr(), to = (byte*)Points.Bytes.GetUnsafePtr();
+        long end = read.FirstPoint + block.Count;
+        if (read.FirstPoint >= m_strata.Points)
+            return;
+        for (int s = m_strata.StratumOf(read.FirstPoint); s < m_strata.Count && m_strata.FirstOf(s) < end; s++)
+        {
+            long point = m_strata.Chosen(s) - read.FirstPoint;
+            if (point < 0 || point >= block.Count)
+                continue;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                int bytes = Points.Schema[axis].Type.SizeOf();
+                UnsafeUtility.MemCpy(to + Points.Column(axis).OffsetBytes + Points.Count * bytes,
+                    from + block.Column(block.Schema.IndexOf(Points.Schema[axis].Name)).OffsetBytes + point * bytes, bytes);
+            }
+            Points.Count++;
+        }
+    }
+
+    public void Dispose() => Points?.Dispose();
 }

@@ -65,11 +65,11 @@ public sealed class InfoVerb : Verb
         var facts = new SourceFacts(reader);
         if (scan)
         {
-            var summarise = new SummariseCloud(reader);
+            using var sample = new SpreadSample(reader);
+            var summarise = new SummariseCloud(reader) { Took = sample.Take };
             run.Pump(summarise.Run(run.Progress));
             facts.Found = summarise.Summary;
-            if (summarise.Summary.Points > summarise.Summary.NonFinite)
-                facts.Spread = Spread.Of(reader, summarise.Summary.Points, run);
+            facts.Spread = Spread.Of(reader, sample, run);
         }
         facts.Write(run.Out);
         run.Out.WriteLine();

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Draw;
@@ -47,6 +48,9 @@ namespace FastPoints.Evaluation
             for (int i = 0; i < m_schema.Count; i++)
                 Summary.Columns[i] = ColumnSummary.EmptyOf(m_schema[i].Type);
         }
+
+        /// <summary>Called on the main thread with each block while its points are there; may be null.</summary>
+        public Action<BlockRead> Took { get; set; }
 
         /// <summary>Complete when the work has ended.</summary>
         public CloudSummary Summary { get; }
@@ -131,6 +135,7 @@ namespace FastPoints.Evaluation
         {
             var state = m_slots[slot];
             Summary.Points += read.Points.Count;
+            Took?.Invoke(read);
             for (int i = 0; i < m_schema.Count; i++)
                 Summary.Columns[i].Include(state.SummaryOfColumn[i]);
             var found = state.Bounds.Value;
