@@ -17,8 +17,9 @@ sealed class DensityMap
     {
         upAxis.Directions(out var east, out var north, out _);
         double3 size = bounds.Size * lengths;
-        double width = Math.Max(math.dot(size, math.abs(east)), 1e-9), depth = Math.Max(math.dot(size, math.abs(north)), 1e-9);
+        double width = math.dot(size, math.abs(east)), depth = math.dot(size, math.abs(north));
         HasArea = Math.Min(width, depth) > 1e-6 * math.cmax(size);
+        (width, depth) = (Math.Max(width, 1e-9), Math.Max(depth, 1e-9));
         double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, sample.Count));
         Edge = Math.Max(wanted, Math.Max(width, depth) / MostCells);
         int columns = (int)(width / Edge) + 1, rows = (int)(depth / Edge) + 1;

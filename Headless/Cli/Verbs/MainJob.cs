@@ -274,7 +274,9 @@ public sealed class MainJob : Verb
             };
         }
 
-        static string NameOf(string file) => Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file);
+        /// <summary>Indexes of octrees are all of one name: that of their folder tells more.</summary>
+        static string NameOf(string file) => Directory.Exists(file) || SourceFolder.IsIndex(Path.GetFileName(file))
+            ? CloudName.Of(file) : Path.GetFileName(file);
 
         public void WriteKeys(Utf8JsonWriter json)
         {

@@ -95,7 +95,8 @@ public sealed class WalkTests : GraphicsFixture
         m_project.Scratch.Demo("project/PointClouds/street.las", 60_000);
         MakeScene("First cloud");
         // The conversion waits, so what is drawn is the preview.
-        Until(() => Imports.Queue.Session?.State == BuildState.Building);
+        Until(() => Imports.Queue.Session?.State == BuildState.Building &&
+            Progress.Entries.Any(e => e.Name == "Convert street.pointcloud"));
         int converting = Progress.Entries.FindIndex(e => e.Name == "Convert street.pointcloud");
         Assert.That(Progress.Entries.Count(e => e.Name == "Scan a street"), Is.EqualTo(1), "step 2");
         Assert.That(Progress.Pause(converting), Is.True);
@@ -344,6 +345,8 @@ public sealed class WalkTests : GraphicsFixture
         SceneLoop.Update();
         HeadlessGraphics.WaitForIdle();
         m_world.Dispose();
+        // As the loaded scripts do.
+        EditModePasses.Begin();
         MakeWorld();
         EditorApplication.isPlaying = isPlaying;
         foreach (var root in roots)

@@ -161,8 +161,7 @@ static class SettingsFile
     public static void Write(string path, Object of)
     {
         Directory.CreateDirectory(Path.GetDirectoryName(path));
-        File.WriteAllLines(path, Fields(of).Select(f =>
-            f.Name + ": " + Convert.ToString(f.GetValue(of), CultureInfo.InvariantCulture)));
+        File.WriteAllLines(path, Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of))));
     }
 
     public static void Read(string path, Object into)
@@ -172,7 +171,22 @@ static class SettingsFile
         foreach (var field in Fields(into))
             if (lines.TryGetValue(field.Name, out string text))
                 field.SetValue(into, field.FieldType.IsEnum ? Enum.Parse(field.FieldType, text)
+                    : field.FieldType.IsArray ? AssetsOf(text, field.FieldType.GetElementType())
                     : Convert.ChangeType(text, field.FieldType, CultureInfo.InvariantCulture));
+    }
+
+    /// <summary>Assets by their GUIDs, as Unity refers to them.</summary>
+    static string TextOf(object value) => value is Object[] assets
+        ? string.Join(",", assets.Select(a => AssetDatabase.AssetPathToGUID(AssetDatabase.GetAssetPath(a))))
+        : Convert.ToString(value, CultureInfo.InvariantCulture);
+
+    static Array AssetsOf(string text, Type type)
+    {
+        var assets = text.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(guid =>
+            AssetDatabase.LoadAssetAtPath<Object>(AssetDatabase.GUIDToAssetPath(guid))).ToArray();
+        var typed = Array.CreateInstance(type, assets.Length);
+        assets.CopyTo(typed, 0);
+        return typed;
     }
 
     static IEnumerable<FieldInfo> Fields(Object of) =>

@@ -95,8 +95,8 @@ namespace FastPoints.Tests.Streaming
         public void Convert_FolderIsShown_ClosesItsFilesBeforeItIsReplaced()
         {
             Add();
-            MostOpenWhileItSettles();
-            Assert.That(m_stream.Files.OpenPaths, Is.Not.Empty);
+            while (m_stream.Files.OpenPaths.Count == 0)
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
             m_cloud.ConvertAgain(20_000);
             Assert.That(m_stream.Files.OpenPaths, Is.Empty);
         }
