@@ -44,7 +44,8 @@ sealed class Spread
             (low[axis], high[axis]) = (sorted[strays], sorted[sorted.Length - 1 - strays]);
         }
         var bounds = new BoundsGeo(low, high);
-        return new Spread(bounds, new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, sample.Found), Human.Unit(unit));
+        var density = new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, sample.Found);
+        return new Spread(bounds, density, Human.Unit(unit));
     }
 
     public void WriteKeys(Utf8JsonWriter json)
