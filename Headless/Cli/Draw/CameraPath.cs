@@ -56,14 +56,11 @@ public sealed class CameraPath
     /// <summary>An overview, a dive, a way along the ground, a cut to the other side, and a rest there.</summary>
     public static CameraPath Around(BoundsGeo bounds, UpAxis upAxis, int frames, double fovDegrees)
     {
-        var up = new double3(0, 0, 0);
-        up[(int)upAxis] = 1;
+        upAxis.Directions(out var east, out var north, out var up);
         var path = new CameraPath(up, fovDegrees);
-        var east = upAxis == UpAxis.X ? new double3(0, 1, 0) : new double3(1, 0, 0);
-        var north = math.cross(up, east);
         var size = bounds.Size;
         double width = math.dot(math.abs(east), size), depth = math.dot(math.abs(north), size);
-        double reach = math.max(math.max(width, depth), 1e-6 + math.dot(up, size));
+        double reach = math.max(math.max(width, depth), 1e-6 + math.dot(math.abs(up), size));
         var ground = bounds.Center;
         double3 At(double x, double y, double z) => ground + east * (x * width) + north * (y * depth) + up * (z * reach);
         void Add(double share, double3 eye, double3 target, bool isCut = false) =>

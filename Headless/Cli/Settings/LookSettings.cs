@@ -10,7 +10,7 @@ public sealed class LookSettings
     };
     readonly Option<string?> m_up = new("--up")
     {
-        HelpName = "x|y|z",
+        HelpName = "x|y|z|-x|-y|-z",
         Description = "The axis that points up (default: z; of PLY by the plane that most points lie in).",
     };
     readonly Option<bool> m_plain = new("--plain") { Description = "No legend and no scale bar on the picture." };

@@ -82,8 +82,7 @@ public sealed class PictureSettings
             throw new UsageException("--view and --eye exclude each other");
         if (eye != null)
         {
-            var up = new double3(0, 0, 0);
-            up[(int)options.UpAxis] = 1;
+            options.UpAxis.Directions(out _, out _, out var up);
             options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up, options.FovDegrees);
         }
         options.View = view switch

@@ -107,6 +107,27 @@ public class FirstPictureTests
         Assert.That(call.Output.Contains("taken for up"), Is.EqualTo(up == ""));
     }
 
+    /// <summary>A cloud that stands on its head, and the same half a turn about the east.</summary>
+    [TestCase("x", -1, 1, -1), TestCase("y", 1, -1, -1), TestCase("z", 1, -1, -1)]
+    public void Picture_NegativeUp_IsThatOfTheTurnedCloud(string axis, int x, int y, int z)
+    {
+        var random = new System.Random(5);
+        string[] files = [m_scratch["down.xyz"], m_scratch["turned.xyz"]];
+        string[] pictures = [m_scratch["down.png"], m_scratch["turned.png"]];
+        var places = Enumerable.Range(0, 4000)
+            .Select(_ => (x: random.Next(900), y: random.Next(700), z: random.Next(200))).ToList();
+        File.WriteAllLines(files[0], places.Select(p => $"{p.x} {p.y} {p.z}"));
+        File.WriteAllLines(files[1], places.Select(p => $"{x * p.x} {y * p.y} {z * p.z}"));
+        foreach (int i in new[] { 0, 1 })
+        {
+            var call = CliCall.Of("picture", files[i], "-o", pictures[i], "--up", (i == 0 ? "-" : "") + axis, "--size", "320x180",
+                "--style", "color=elevation", "--plain");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        }
+        byte[] down = Png.Read(pictures[0]).Rgba, turned = Png.Read(pictures[1]).Rgba;
+        Assert.That(down.Zip(turned).Count(p => Math.Abs(p.First - p.Second) > 2), Is.LessThan(down.Length / 100));
+    }
+
     [Test]
     public void MainJob_UpOfNoAxis_IsWrongUsage() =>
         Assert.That(CliCall.Of(m_scratch.Demo(), "--up", "w").Status, Is.EqualTo(ExitStatus.Usage));

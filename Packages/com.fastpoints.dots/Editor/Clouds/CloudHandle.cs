@@ -164,7 +164,7 @@ namespace FastPoints.Editor
             if (text == null)
                 return UpAxis.Z;
             return Enum.TryParse(text, out UpAxis axis) && Enum.IsDefined(typeof(UpAxis), axis) ? axis
-                : throw json.Wrong(name, "wanted X, Y or Z, got \"" + text + "\"");
+                : throw json.Wrong(name, "wanted X, Y, Z or one of these behind Negative, got \"" + text + "\"");
         }
     }
 }

@@ -45,7 +45,7 @@ namespace FastPoints.Picking
             get
             {
                 var across = DeltaGeo;
-                across[(int)Up] = 0;
+                across[Up.Index()] = 0;
                 return math.length(across);
             }
         }

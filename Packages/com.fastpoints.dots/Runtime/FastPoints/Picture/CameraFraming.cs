@@ -65,8 +65,9 @@ namespace FastPoints.Picture
 
         static Camera FrameLengths(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim)
         {
-            bool isPoint = bounds.IsEmpty || !(math.cmax(bounds.Size) > 0);
-            bounds = Solid(bounds);
+            var solid = Solid(bounds);
+            bool isPoint = bounds.IsEmpty || math.cmax(solid.Size) > 2 * math.cmax(bounds.Size);
+            bounds = solid;
             if (outline == null || outline.Length < 8 || isPoint)
                 outline = Corners(bounds);
             options.UpAxis.Directions(out var east, out var north, out var up);
@@ -203,17 +204,17 @@ namespace FastPoints.Picture
             (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
             (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
 
-        /// <summary>Makes the box at least a millionth as thick in every direction as it is long, and as long as doubles can
-        /// resolve there.</summary>
+        /// <summary>Makes the box at least a millionth as thick in every direction as it is long; one place becomes a cube of
+        /// a unit, or of what doubles can resolve there.</summary>
         static BoundsGeo Solid(BoundsGeo bounds)
         {
             if (bounds.IsEmpty || !bounds.IsFinite)
                 bounds = new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0));
             var center = bounds.Center;
             double length = math.cmax(bounds.Max * 0.5 - bounds.Min * 0.5);
-            if (!(length > math.cmax(math.abs(center)) * 1e-12))
-                length = Math.Max(0.5, math.cmax(math.abs(center)) * 1e-9);
-            var half = math.max(bounds.Max * 0.5 - bounds.Min * 0.5, new double3(1, 1, 1) * (length * 1e-6));
+            double least = length > math.cmax(math.abs(center)) * 1e-12 ? length * 1e-6
+                : Math.Max(0.5, math.cmax(math.abs(center)) * 1e-9);
+            var half = math.max(bounds.Max * 0.5 - bounds.Min * 0.5, new double3(1, 1, 1) * least);
             return new BoundsGeo(center - half, center + half);
         }
     }

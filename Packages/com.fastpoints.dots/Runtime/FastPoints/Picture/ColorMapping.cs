@@ -74,11 +74,12 @@ namespace FastPoints.Picture
                     mapping.Wraps = true;
                     break;
                 default:
-                    int axis = (int)ranges.UpAxis;
+                    int axis = ranges.UpAxis.Index();
+                    double sign = ranges.UpAxis.IsNegative() ? -1 : 1;
                     mapping.SetRange(ranges.ElevationLow, ranges.ElevationHigh);
-                    mapping.Bias += transform.Offset[axis] * mapping.Scale;
+                    mapping.Bias += sign * transform.Offset[axis] * mapping.Scale;
                     var weights = new double3(0, 0, 0);
-                    weights[axis] = transform.Scale[axis];
+                    weights[axis] = sign * transform.Scale[axis];
                     mapping.PositionWeights = weights;
                     break;
             }

@@ -80,7 +80,8 @@ namespace FastPoints.Picture
         /// <summary>Points with a position that is not finite: in no range.</summary>
         public long NonFinite;
 
-        /// <summary>Along <see cref="UpAxis"/>, in CRS units.</summary>
+        /// <summary>Heights along <see cref="UpAxis"/>, in CRS units: of a negative axis, coordinates with the other
+        /// sign.</summary>
         public double ElevationLow;
         public double ElevationHigh;
 
@@ -165,8 +166,7 @@ namespace FastPoints.Picture
                 return this;
             var along = (DisplayRanges)MemberwiseClone();
             along.UpAxis = up;
-            along.ElevationLow = Robust.Min[(int)up];
-            along.ElevationHigh = Robust.Max[(int)up];
+            along.SetElevation(Robust.Min, Robust.Max);
             return along;
         }
 
@@ -356,11 +356,15 @@ namespace FastPoints.Picture
         /// <param name="low">What nearly all points lie between, and <paramref name="high"/>.</param>
         void Frame(double3 low, double3 high)
         {
-            int up = (int)UpAxis;
-            ElevationLow = low[up];
-            ElevationHigh = high[up];
+            SetElevation(low, high);
             var widening = (high * 0.5 - low * 0.5) * (2 * Widening);
             Robust = new BoundsGeo(math.max(low - widening, Full.Min), math.min(high + widening, Full.Max));
+        }
+
+        void SetElevation(double3 low, double3 high)
+        {
+            ElevationLow = UpAxis.Height(UpAxis.IsNegative() ? high : low);
+            ElevationHigh = UpAxis.Height(UpAxis.IsNegative() ? low : high);
         }
 
         /// <summary>What is left where far points are left out, by the outline.</summary>

@@ -87,7 +87,7 @@ namespace FastPoints.Picture
             "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
             "points=square|round|paraboloid|splat (the last of converted clouds), " +
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
-            "background=RRGGBB[AA], up=x|y|z";
+            "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
         /// <param name="error">What was wanted, or null.</param>
@@ -103,7 +103,10 @@ namespace FastPoints.Picture
                     return TryName(value, out Gradient, ref error);
                 case "up":
                     GuessesUp = false;
-                    return TryName(value, out UpAxis, ref error);
+                    if (TryName(value.StartsWith("-") ? "Negative" + value.Substring(1) : value, out UpAxis, ref error))
+                        return true;
+                    error = "wanted x, y, z, -x, -y or -z, got " + value;
+                    return false;
                 case "size":
                     if (!TrySize(value))
                         error = "size: wanted auto, 1 to " + NumberText.Of(PointDrawing.MaxSizePx) +

@@ -26,6 +26,15 @@ namespace FastPoints.Tests.Picture
             Assert.That(options.UpAxis, Is.EqualTo(UpAxis.Y));
         }
 
+        [TestCase("z", UpAxis.Z), TestCase("-x", UpAxis.NegativeX), TestCase("-Y", UpAxis.NegativeY)]
+        [TestCase("-z", UpAxis.NegativeZ), TestCase("w", null), TestCase("-", null), TestCase("-5", null)]
+        public void TrySetStyle_Up_IsAnAxisOrItsNegative(string value, UpAxis? expected)
+        {
+            var options = new PictureOptions();
+            Assert.That(options.TrySetStyle("up", value, out string error), Is.EqualTo(expected != null), error);
+            Assert.That(expected == null ? error.Contains("-z, got " + value) : options.UpAxis == expected, Is.True);
+        }
+
         [TestCase("2", PointSizeMode.Pixels, 2)]
         [TestCase("0.25u", PointSizeMode.World, 0.25f)]
         [TestCase("adaptive", PointSizeMode.Adaptive, PointSize.DefaultGaps)]

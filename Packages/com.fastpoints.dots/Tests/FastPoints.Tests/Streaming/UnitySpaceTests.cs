@@ -19,10 +19,11 @@ namespace FastPoints.Tests.Streaming
             var low = math.min(a, b);
             Assert.That(low.y, Is.EqualTo(0).Within(0.5), "the floor, to a whole unit");
             Assert.That(math.cmax(math.abs(((a + b) / 2).xz)), Is.LessThan(0.51));
-            Assert.That(math.abs(b - a).y, Is.EqualTo(s_bounds.Size[(int)up]));
+            Assert.That(math.abs(b - a).y, Is.EqualTo(s_bounds.Size[(int)up % 3]));
         }
 
         [TestCase(UpAxis.X, 2, 1, 3), TestCase(UpAxis.Y, 1, 2, -3), TestCase(UpAxis.Z, 1, 3, 2)]
+        [TestCase(UpAxis.NegativeX, 2, -1, -3), TestCase(UpAxis.NegativeY, 1, -2, 3), TestCase(UpAxis.NegativeZ, 1, -3, -2)]
         public void FromGeo_Axes_AreLeftHandedWithUpAsY(UpAxis up, double x, double y, double z)
         {
             var space = new UnitySpace { Scale = 0.5, Up = up };

@@ -24,7 +24,7 @@ namespace FastPoints.Streaming
         {
             bool isKnown = metresPerUnit > 0 && metresPerUnit <= double.MaxValue;
             var floor = boundsGeo.Center;
-            floor[(int)up] = boundsGeo.Min[(int)up];
+            floor[up.Index()] = (up.IsNegative() ? boundsGeo.Max : boundsGeo.Min)[up.Index()];
             return new UnitySpace
             {
                 OriginGeo = boundsGeo.IsEmpty ? new double3(0, 0, 0) : math.round(floor),
