@@ -117,8 +117,8 @@ public sealed class DrawStep
 
     public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.On(Image);
 
-    public string Describe() => Human.Count(Points) + " points"
-        + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "") + " in " + Human.Seconds(Seconds);
+    public string Describe() => Human.Count(Points, "point")
+        + (Nodes is { } nodes ? " of " + Human.Count(nodes, "node") : "") + " in " + Human.Seconds(Seconds);
 
     /// <summary>The keys of <c>picture</c> but for <c>seconds</c>, into an object that is open.</summary>
     public void WriteKeys(Utf8JsonWriter json)

@@ -1,8 +1,10 @@
 namespace FastPoints.Cli.Draw;
 
 /// <summary>Draws what a stream's last frame listed.</summary>
-public abstract class FlightPicture : IDisposable
+public abstract class FlightPicture(PictureOptions options) : IDisposable
 {
+    public PictureOptions Options => options;
+
     /// <summary>One more of the stream's clouds.</summary>
     internal abstract void Add(int cloud, PicturePlan plan);
 

@@ -11,7 +11,6 @@ namespace FastPoints.Cli.Draw;
 public sealed class GpuPicture : FlightPicture
 {
     readonly StreamContext m_stream;
-    readonly PictureOptions m_options;
     readonly PointMaterials m_materials;
     readonly PointRenderer m_renderer;
     readonly SizeTree m_sizes = new();
@@ -22,9 +21,9 @@ public sealed class GpuPicture : FlightPicture
     /// <param name="stream">Its pool is one of the graphics card's.</param>
     /// <param name="canCompute">Points of one pixel by a compute shader; without, as point primitives.</param>
     public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
+        : base(options)
     {
         m_stream = stream;
-        m_options = options;
         m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
         m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool, m_sizes);
         m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
@@ -39,15 +38,15 @@ public sealed class GpuPicture : FlightPicture
 
     public override RgbaImage Draw(in Camera camera)
     {
-        int width = m_options.WidthPx, height = m_options.HeightPx;
+        int width = Options.WidthPx, height = Options.HeightPx;
         var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
-        view.Style = StyleOf(m_options, m_edlStrength);
+        view.Style = StyleOf(Options, m_edlStrength);
         view.Color = m_target;
         view.Depth = m_target;
         m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);
         m_commands.Clear();
         m_commands.SetRenderTarget(m_target);
-        m_commands.ClearRenderTarget(true, true, ColorOf(m_options.Background));
+        m_commands.ClearRenderTarget(true, true, ColorOf(Options.Background));
         m_renderer.Record(m_commands, view);
         Graphics.ExecuteCommandBuffer(m_commands);
         var request = AsyncGPUReadback.Request(m_target);

@@ -4,6 +4,10 @@ namespace FastPoints.Cli.Output;
 public static class Human
 {
     public static string Count(long value) => value.ToString("N0", CultureInfo.InvariantCulture);
+
+    /// <summary>1 node, 2 nodes.</summary>
+    public static string Count(long value, string what) => Count(value) + " " + what + (value == 1 ? "" : "s");
+
     public static string Count(ulong value) => value.ToString("N0", CultureInfo.InvariantCulture);
 
     public static string Bytes(double bytes)

@@ -30,10 +30,10 @@ public sealed class FlyVerb : Verb
         new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
     readonly Option<string?> m_output = new("--output", "-o")
     {
-        HelpName = "DIR",
-        Description = "Draw: frames.csv, flight.png (an animation that browsers play), last.png and "
+        HelpName = "DIR|NAME.webp|NAME.png|NAME%04d.png",
+        Description = "Draw: an animation, or single pictures; a folder gets the smaller animation, last.png, frames.csv and "
             + "report.html (the camera's way in 3D, and charts of each frame). "
-            + "Without it nothing is drawn.",
+            + "Without it nothing is drawn. WebP takes the system's libwebp.",
     };
     readonly Option<long> m_every = Counts.Of("--every", "Draw every Nth frame (default: 6, ten pictures a second).", 6);
     readonly Option<long> m_budget = Counts.Of("--budget", "Points of all clouds at once (default: 2,000,000).", 2_000_000);
@@ -62,6 +62,7 @@ public sealed class FlyVerb : Verb
     public override IReadOnlyList<(string, string)> Examples =>
     [
         ("./fastpoints fly scan.fastpoints -o flight", "look at it"),
+        ("./fastpoints fly scan.fastpoints -o flight.webp", "an animation to send"),
         ("./fastpoints fly a.fastpoints b.copc.laz --frames 1200", "figures only"),
     ];
 
@@ -73,7 +74,10 @@ public sealed class FlyVerb : Verb
         if (output != null)
         {
             OutputNames.RefuseInputs(output, clouds);
-            OutputNames.RefuseForeignFolder("a flight", output, "frames.csv", run.Settings.IsForced);
+            if (!FlightPictures.IsFile(output))
+                OutputNames.RefuseForeignFolder("a flight", output, "frames.csv", run.Settings.IsForced);
+            else
+                OutputNames.RefuseForeign(FlightPictures.NameOf(output, 0), run.Settings.IsForced);
         }
         var options = m_picture.Read(parsed);
         int every = Counts.ToInt(parsed.GetValue(m_every)), asked = Counts.ToInt(parsed.GetValue(m_frames) ?? 0);
@@ -81,8 +85,9 @@ public sealed class FlyVerb : Verb
             throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
         if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
             throw new UsageException("--cpu or --gpu, not both");
-        if (output != null)
-            OutputFile.MakeFolder(output);
+        string? folder = output == null || FlightPictures.IsFile(output) ? null : output;
+        if (folder != null)
+            OutputFile.MakeFolder(folder);
 
         long pool = Math.Min(parsed.GetValue(m_pool), 1 << 30) << 20;
         int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 20, parsed.GetValue(m_upload)) << 10;
@@ -105,56 +110,61 @@ public sealed class FlyVerb : Verb
         }
         if (bounds.IsEmpty)
             throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to fly over");
-        var up = new double3(0, 0, 0);
-        up[(int)options.UpAxis] = 1;
+        options.UpAxis.Directions(out _, out _, out var up);
         var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
             : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : DefaultFrames, options.FovDegrees);
         int frames = asked > 0 ? asked : path.FrameCount;
 
         var log = new FlightLog(frames);
         double disposeMs = 0;
-        run.WriteKeys = json => WriteKeys(json, log, disposeMs);
-        var last = Fly(stream, path, frames, options, picture, output, every, log, run);
-        if (output != null)
-            OutputFile.Write(Path.Combine(output, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
+        // The end of each stretch is drawn: at its beginning the first has nothing to show yet.
+        every = Math.Min(every, frames);
+        using var pictures = output == null ? null
+            : new FlightPictures(output, options, frames / every, (int)(every * FrameSeconds * 1000), AnimatedWebp.CanWrite);
+        run.WriteKeys = json => WriteKeys(json, log, pictures, disposeMs);
+        var last = Fly(stream, path, frames, picture, pictures, every, log, run);
+        pictures?.Keep();
+        if (folder != null)
+            OutputFile.Write(Path.Combine(folder, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
         long end = Stopwatch.GetTimestamp();
         stream.Dispose();
         disposeMs = Stopwatch.GetElapsedTime(end).TotalMilliseconds;
-        if (last != null)
-            OutputFile.Write(Path.Combine(output!, "report.html"), FlightPage.Make(clouds, path, log, options, last, run));
+        if (folder != null && last != null)
+        {
+            OutputFile.Write(Path.Combine(folder, "last.png"), Png.Encode(last));
+            OutputFile.Write(Path.Combine(folder, "report.html"), FlightPage.Make(clouds, path, log, options, last, run));
+        }
+        if (pictures?.Kept is { } kept)
+            run.Out.WriteLine(kept + ": " + Human.Count(frames / every) + " pictures, " + Human.Bytes(pictures.Bytes));
         while (stream.TryTakeFailure(out var failure))
             run.Warnings.Add(failure.ToString());
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
 
     /// <returns>The last picture; null where none is drawn.</returns>
-    static RgbaImage? Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options,
-        FlightPicture picture, string? output, int every, FlightLog log, CliRun run)
+    static RgbaImage? Fly(StreamContext stream, CameraPath path, int frames, FlightPicture picture, FlightPictures? pictures,
+        int every, FlightLog log, CliRun run)
     {
         run.Progress.Begin("fly");
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
-        // The end of each stretch: at its beginning the first has nothing to show yet.
-        every = Math.Min(every, frames);
-        using var animation = output == null ? null : new AnimatedPng(Path.Combine(output!, "flight.png"), options.WidthPx,
-            options.HeightPx, frames / every, (int)(every * FrameSeconds * 1000));
         RgbaImage? last = null;
         double begin = run.Seconds;
         for (int frame = 0; frame < frames; frame++)
         {
             run.Cancellation.ThrowIfCancellationRequested();
             var camera = path.CameraAt(frame);
-            view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
+            view[0] = camera.ToStreamView(picture.Options.WidthPx, picture.Options.HeightPx);
             long garbage = GC.GetAllocatedBytesForCurrentThread(), start = Stopwatch.GetTimestamp();
             var stats = FrameStep.Run(stream, view);
             double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
             garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
             JobHandle.ScheduleBatchedJobs();
-            if (output != null && ((frame + 1) % every == 0 || frame == frames - 1))
+            if (pictures != null && ((frame + 1) % every == 0 || frame == frames - 1))
             {
                 last = picture.Draw(camera);
                 if ((frame + 1) % every == 0)
-                    animation!.Add(last);
+                    pictures.Add(last);
             }
             picture.EndFrame();
             // A frame of 60 a second: whoever has nothing to draw waits for the screen.
@@ -166,16 +176,14 @@ public sealed class FlyVerb : Verb
             run.Progress.Report((frame + 1.0) / frames, stats.DrawnPoints, 0);
         }
         run.Progress.End();
-        if (last != null)
-            OutputFile.Write(Path.Combine(output!, "last.png"), Png.Encode(last));
         return last;
     }
 
     static void Describe(CliRun run, FlightLog log, int uploadBytes, double disposeMs)
     {
         static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
-        run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints) + " points of "
-            + Human.Count(log.Last.DrawnNodes) + " nodes, "
+        run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints, "point") + " of "
+            + Human.Count(log.Last.DrawnNodes, "node") + ", "
             + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
         var main = log.MainThreadMs;
         run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(main[2])} (selection p99 "
@@ -190,7 +198,7 @@ public sealed class FlyVerb : Verb
             run.Out.WriteLine("  " + warning);
     }
 
-    static void WriteKeys(Utf8JsonWriter json, FlightLog log, double disposeMs)
+    static void WriteKeys(Utf8JsonWriter json, FlightLog log, FlightPictures? pictures, double disposeMs)
     {
         void Write(string name, double[] values)
         {
@@ -225,5 +233,9 @@ public sealed class FlyVerb : Verb
         }
         json.WriteEndArray();
         json.WriteReal("disposeMs", disposeMs);
+        if (pictures?.Kept is not { } kept)
+            return;
+        json.WriteString("animation", kept);
+        json.WriteInteger("bytes", pictures.Bytes);
     }
 }

@@ -12,6 +12,8 @@ public class AnimatedPngTests
     [TearDown]
     public void Delete() => File.Delete(m_path);
 
+    string[] Beside() => Directory.GetFiles(Path.GetTempPath(), Path.GetFileName(m_path) + "*");
+
     static RgbaImage Image(uint color)
     {
         var image = new RgbaImage(5, 3);
@@ -33,7 +35,7 @@ public class AnimatedPngTests
             }
             Assert.That(() => animation.Add(Image(0)), Throws.ArgumentException);
         }
-        Assert.That(File.Exists(m_path + ".partial"), Is.False);
+        Assert.That(Beside(), Is.EqualTo(new[] { m_path }));
         Assert.That(Png.Read(m_path).Rgba, Is.EqualTo(Image(0xFF000000u).Rgba));
 
         byte[] file = File.ReadAllBytes(m_path);
@@ -59,7 +61,7 @@ public class AnimatedPngTests
     {
         using (var animation = new AnimatedPng(m_path, 5, 3, 3, 250))
             animation.Add(Image(0xFF000000u));
-        Assert.That(File.Exists(m_path) || File.Exists(m_path + ".partial"), Is.False);
+        Assert.That(Beside(), Is.Empty);
     }
 
     static uint Big(byte[] from, int at) =>

@@ -1,3 +1,6 @@
+using FastPoints.Cli.Draw;
+using FastPoints.Cli.Output;
+
 namespace FastPoints.HostTests.Cli;
 
 public sealed class FlyTests
@@ -37,8 +40,12 @@ public sealed class FlyTests
         Assert.That(File.ReadLines(Path.Combine(folder, "frames.csv")).Count(), Is.EqualTo(41));
         var last = Png.Read(Path.Combine(folder, "last.png"));
         Assert.That(last.Rgba.Distinct().Count(), Is.GreaterThan(10), "the picture is empty");
-        var first = Png.Read(Path.Combine(folder, "flight.png"));
-        Assert.That((first.Width, first.Height), Is.EqualTo((160, 90)));
+        string[] animations = Directory.GetFiles(folder, "flight.*");
+        Assert.That(animations, Has.Length.EqualTo(1), "the smaller");
+        Assert.That(json.GetProperty("animation").GetString(), Is.EqualTo(animations[0]));
+        Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(animations[0]).Length));
+        if (AnimatedWebp.CanWrite)
+            Assert.That(Path.GetExtension(animations[0]), Is.EqualTo(".webp"));
     }
 
     [Test]
@@ -57,11 +64,53 @@ public sealed class FlyTests
     [Test]
     public void Fly_FewerFramesThanAPictureTakes_DrawsTheLast()
     {
-        string folder = m_scratch["short"];
-        Assert.That(CliCall.Of("fly", m_cloud, "--frames", "3", "--every", "10", "--size", "32x18", "-o", folder).Status,
-            Is.EqualTo(ExitStatus.Done));
-        Assert.That(Png.Read(Path.Combine(folder, "flight.png")).Rgba,
-            Is.EqualTo(Png.Read(Path.Combine(folder, "last.png")).Rgba));
+        string[] outputs = [m_scratch["short"], m_scratch["short.png"], m_scratch["single-%04d.png"]];
+        foreach (string output in outputs)
+            Assert.That(CliCall.Of("fly", m_cloud, "--frames", "3", "--every", "10", "--size", "32x18", "-o", output).Status,
+                Is.EqualTo(ExitStatus.Done), output);
+        byte[] last = Png.Read(Path.Combine(outputs[0], "last.png")).Rgba;
+        Assert.That(Png.Read(outputs[1]).Rgba, Is.EqualTo(last));
+        Assert.That(Png.Read(m_scratch["single-0000.png"]).Rgba, Is.EqualTo(last));
+    }
+
+    /// <summary>The container by its specification; a browser decodes it among the pages.</summary>
+    [Test]
+    public void Fly_WebpName_WritesAnAnimationWithAFrameForEachPicture()
+    {
+        if (!AnimatedWebp.CanWrite)
+            Assert.Ignore("no libwebp here, WebP is not tried; with root: apt-get install libwebp7");
+        string output = m_scratch["flight.webp"];
+        // The second is written over the first, which is the tool's own.
+        for (int i = 0; i < 2; i++)
+            Assert.That(CliCall.Of("fly", m_cloud, "--frames", "35", "--every", "10", "--size", "33x17", "-o", output).Status,
+                Is.EqualTo(ExitStatus.Done));
+        byte[] file = File.ReadAllBytes(output);
+        Assert.That(BitConverter.ToUInt32(file, 4), Is.EqualTo(file.Length - 8));
+        var chunks = new List<string>();
+        for (int at = 12; at < file.Length; at += 8 + BitConverter.ToInt32(file, at + 4))
+        {
+            chunks.Add(Encoding.ASCII.GetString(file, at, 4));
+            if (chunks[^1] != "ANMF")
+                continue;
+            Assert.That((file[at + 14], file[at + 17], BitConverter.ToInt32(file, at + 19) >> 8), Is.EqualTo((32, 16, 166)));
+            Assert.That(Encoding.ASCII.GetString(file, at + 24, 4), Is.EqualTo("VP8 "));
+        }
+        Assert.That(chunks, Is.EqualTo(new[] { "VP8X", "ANIM", "MADE", "ANMF", "ANMF", "ANMF" }));
+        Assert.That(Directory.GetFiles(Path.GetDirectoryName(output)!, "flight.*"), Is.EqualTo(new[] { output }), "nothing else");
+    }
+
+    [Test]
+    public void FlightPictures_WithoutLibwebp_IsAPngUnlessTheNameSaysWebp()
+    {
+        var options = new PictureOptions { WidthPx = 32, HeightPx = 18 };
+        Assert.That(() => new FlightPictures(m_scratch["x.webp"], options, 1, 100, canWebp: false),
+            Throws.TypeOf<UsageException>().With.Message.Contains("libwebp"));
+        string folder = Directory.CreateDirectory(m_scratch["without"]).FullName;
+        using var pictures = new FlightPictures(folder, options, 1, 100, canWebp: false);
+        pictures.Add(new RgbaImage(32, 18));
+        pictures.Keep();
+        Assert.That(Directory.GetFiles(folder), Is.EqualTo(new[] { pictures.Kept }));
+        Assert.That(pictures.Kept, Does.EndWith("flight.png"));
     }
 
     [TestCase("0 1 2 3 4 5\n", "line 1")]

@@ -103,7 +103,7 @@ public sealed class UsageTests
     [TestCase("picture", "x.las", "-o", "x.tiff")]
     [TestCase("info", "x.las", "--json", "x.png")]
     [TestCase("convert", "x.las", "-o", "x.png")]
-    [TestCase("fly", "x.fastpoints", "-o", "x.png")]
+    [TestCase("fly", "x.fastpoints", "-o", "x.jpg")]
     [TestCase("preview", "x.las", "-o", "x.png", "--report-output", "x")]
     public void Arguments_ThatCannotBeMeant_AreUsageErrors(params string[] args)
     {

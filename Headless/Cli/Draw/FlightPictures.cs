@@ -1,0 +1,75 @@
+using System.Text.RegularExpressions;
+
+namespace FastPoints.Cli.Draw;
+
+/// <summary>The pictures of a flight: an animation as WebP or PNG, whichever its name says, or is smaller; or single
+/// files.</summary>
+sealed partial class FlightPictures : IDisposable
+{
+    readonly List<Animation> m_animations = [];
+    readonly string m_singles = "";
+    int m_count;
+
+    /// <param name="output">A folder, NAME.webp, NAME.png, or NAME%04d.png for single pictures.</param>
+    /// <param name="canWebp">Whether there is something to write it with.</param>
+    /// <exception cref="UsageException">The name asks for WebP, which cannot be written here.</exception>
+    public FlightPictures(string output, PictureOptions options, int pictures, int delayMs, bool canWebp)
+    {
+        canWebp &= Math.Max(options.WidthPx, options.HeightPx) <= AnimatedWebp.MostEdgePx;
+        bool isFile = IsFile(output), isWebp = Path.GetExtension(output).Equals(".webp", StringComparison.OrdinalIgnoreCase);
+        if (isWebp && !canWebp)
+            throw new UsageException("--output: WebP takes libwebp, which is not here, and edges up to "
+                + AnimatedWebp.MostEdgePx + " pixels; NAME.png takes neither");
+        string name = isFile ? output : Path.Combine(output, "flight.png");
+        if (isFile && Numbers().IsMatch(output))
+            m_singles = output;
+        else if (!isWebp)
+            m_animations.Add(new AnimatedPng(name, options.WidthPx, options.HeightPx, pictures, delayMs));
+        if (canWebp && m_singles.Length == 0 && (isWebp || !isFile))
+            m_animations.Add(new AnimatedWebp(Path.ChangeExtension(name, ".webp"), options.WidthPx, options.HeightPx, pictures,
+                delayMs));
+    }
+
+    /// <summary>What was written: the animation's name, or the pattern of single pictures; null where it is not
+    /// complete.</summary>
+    public string? Kept { get; private set; }
+
+    public long Bytes { get; private set; }
+
+    /// <summary>In place of a folder that has more than pictures.</summary>
+    public static bool IsFile(string output) => Path.GetExtension(output).ToLowerInvariant() is ".png" or ".webp";
+
+    /// <summary>Of single pictures, the file of one.</summary>
+    public static string NameOf(string output, int number) => Numbers().Replace(output, match =>
+        number.ToString("D" + match.Groups[1].Value, CultureInfo.InvariantCulture), 1);
+
+    public void Add(RgbaImage image)
+    {
+        foreach (var animation in m_animations)
+            animation.Add(image);
+        if (m_singles.Length == 0)
+            return;
+        byte[] png = Png.Encode(image);
+        OutputFile.Write(NameOf(m_singles, m_count++), png);
+        (Kept, Bytes) = (m_singles, Bytes + png.Length);
+    }
+
+    /// <summary>Of two animations, the smaller is kept.</summary>
+    public void Keep()
+    {
+        foreach (var animation in m_animations.OrderBy(a => a.Bytes))
+            if (Kept == null)
+                (Kept, Bytes) = (animation.Path, animation.Bytes);
+            else
+                File.Delete(animation.Path);
+    }
+
+    public void Dispose()
+    {
+        foreach (var animation in m_animations)
+            animation.Dispose();
+    }
+
+    [GeneratedRegex("%0?([0-9]?)d")]
+    private static partial Regex Numbers();
+}
