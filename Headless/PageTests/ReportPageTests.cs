@@ -243,6 +243,45 @@ public sealed class ReportPageTests
     }
 
     [Test]
+    public async Task View_OnePlace_IsSeen()
+    {
+        string file = m_scratch["place.xyz"];
+        File.WriteAllText(file, string.Concat(Enumerable.Repeat("500000 5400000 100\n", 50)));
+        await Open(Report(file, "place"));
+        foreach (string view in new[] { "#view-top", "#view-side", "#view-home" })
+        {
+            await Click(view);
+            byte[] pixels = await Pixels();
+            Assert.That(Enumerable.Range(0, GridWidth * GridHeight).Count(p => IsCovered(pixels, p)), Is.InRange(1, 100), view);
+        }
+    }
+
+    /// <summary>Frames that the browser decodes, and how large they are.</summary>
+    [TestCase("flown.webp", "image/webp"), TestCase("flown.png", "image/png")]
+    public async Task Flight_Animation_IsDecodedWhole(string name, string type)
+    {
+        if (type == "image/webp" && !AnimatedWebp.CanWrite)
+            Assert.Ignore("no libwebp here, WebP is not tried; with root: apt-get install libwebp7");
+        string output = m_scratch[name];
+        var call = CliCall.Of("fly", m_scratch["demo.las"], "--frames", "35", "--every", "10", "--size", "161x91", "-o", output);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        await Open(m_report);
+        string decoded = await m_page.EvaluateAsync<string>("""
+            async ([base64, type]) => {
+              const decoder = new ImageDecoder({ data: Uint8Array.from(atob(base64), c => c.charCodeAt(0)), type });
+              await decoder.tracks.ready;
+              const frames = [], count = decoder.tracks.selectedTrack.frameCount;
+              for (let i = 0; i < count; i++) {
+                const { image } = await decoder.decode({ frameIndex: i });
+                frames.push([image.displayWidth, image.displayHeight, Math.round(image.duration / 1000)].join(" "));
+              }
+              return frames.join();
+            }
+            """, new[] { System.Convert.ToBase64String(File.ReadAllBytes(output)), type });
+        Assert.That(decoded, Is.EqualTo(string.Join(",", Enumerable.Repeat("161 91 166", 3))));
+    }
+
+    [Test]
     public async Task Flight_Play_MovesTheCamera()
     {
         string folder = m_scratch["flight"];
@@ -304,6 +343,10 @@ public sealed class ReportPageTests
                 """);
             Assert.That(worst, Is.Empty, width + " " + scheme);
         }
+        await m_page.SetViewportSizeAsync(400, 800);
+        await m_page.EmulateMediaAsync(new() { Media = Media.Print });
+        Assert.That(await m_page.EvaluateAsync<int>("() => Math.max(...[...document.querySelectorAll('.copy code')].map(e => "
+            + "e.scrollWidth - e.clientWidth))"), Is.Zero, "commands are printed whole");
         string nameless = await m_page.EvaluateAsync<string>("""
             () => [...document.querySelectorAll("button, input, select, canvas, img, svg[role=img]")].filter(e =>
               !(e.getAttribute("aria-label") || e.alt || e.textContent.trim() || e.labels?.length)).map(e => e.outerHTML).join()

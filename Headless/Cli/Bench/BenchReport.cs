@@ -16,7 +16,7 @@ public static class BenchReport
             ("run", DateTimeOffset.FromUnixTimeMilliseconds(run.Date).ToString("yyyy-MM-dd HH:mm",
                 CultureInfo.InvariantCulture) + " UTC"),
             ("machine", Machine.Describe()),
-            ("made inputs", Human.Count(points) + " points"),
+            ("made inputs", Human.Count(points, "point")),
             ("samples", samples.Max(s => s.Ms.Count) + " of each workload, in turns with its limit; short runs "
                 + "are repeated within one"),
         ]);

@@ -54,7 +54,7 @@ public sealed class ConvertStep
             ? " (" + Human.Value(System.Math.Round(Result.BytesOnDisk / (double)manifest.Points, 2)) + " bytes a point)"
             : "";
         string note = Result.Note == null ? "" : " (" + Result.Note + ")";
-        return Human.Count(manifest.Points) + " points" + leftOut + " in " + Human.Count(manifest.NodeCount) + " nodes, "
+        return Human.Count(manifest.Points, "point") + leftOut + " in " + Human.Count(manifest.NodeCount, "node") + ", "
             + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds) + note;
     }
 

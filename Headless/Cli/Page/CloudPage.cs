@@ -94,7 +94,7 @@ sealed class CloudPage
             yield return "The header claims " + Human.Count(Info.PointsClaimed) + " points; " + Human.Count(found)
                 + " were found.";
         if (Manifest.PointsLeftOut > 0)
-            yield return Human.Count(Manifest.PointsLeftOut) + " points have no position that is a number: they are left out.";
+            yield return Human.Count(Manifest.PointsLeftOut, "point") + " have no position that is a number: they are left out.";
         if (Info.HasBoundsClaimed && !Manifest.BoundsGeo.IsEmpty)
             for (int axis = 0; axis < 3; axis++)
                 foreach (var (claimed, real, end) in new[]
@@ -137,7 +137,7 @@ sealed class CloudPage
     string Note(int shown)
     {
         var error = View.PositionError;
-        string text = Human.Count(shown) + " of " + Human.Count(Manifest.Points) + " points, chosen as the preview chooses them. "
+        string text = Human.Count(shown) + " of " + Human.Count(Manifest.Points, "point") + ", as the preview chooses them. "
             + "Positions are rounded for this page: each is within " + string.Join(" × ", new[] { error.x, error.y, error.z }
                 .Select(e => e.ToString("G2", CultureInfo.InvariantCulture))) + " (x, y, z, in the file's units) of the file's. "
             + "Amounts are rounded to 256 steps. The data themselves are not changed.";
@@ -147,7 +147,7 @@ sealed class CloudPage
     IEnumerable<string> Histograms()
     {
         var points = View.Points;
-        yield return BarChart.Histogram("Elevation", points.Positions[(int)UpAxis],
+        yield return BarChart.Histogram("Elevation", points.Positions[UpAxis.Index()].Select(v => UpAxis.IsNegative() ? -v : v),
             View.Unit == "m" ? "m" : "in units of the file");
         foreach (string name in new[] { AttributeNames.Intensity, AttributeNames.Classification, AttributeNames.ReturnNumber,
             AttributeNames.GpsTime })

@@ -39,7 +39,7 @@ sealed class StoredReport
         page.Tiles([("points", Human.Count(report.m_facts.Points)), ("size", Human.Bytes(report.m_facts.Bytes))]);
         string json = view.ToJson(ViewBytes, out int shown);
         page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + Human.Count(shown) + " of its points", "",
-            Human.Count(shown) + " points of the upper levels.");
+            Human.Count(shown, "point") + " of the upper levels.");
         page.Heading("Facts");
         page.Facts(report.m_facts.Lines());
         foreach (var table in report.m_facts.Tables())

@@ -210,7 +210,7 @@ sealed class ViewCloud
         return Encoding.UTF8.GetString(stream.GetBuffer(), 0, (int)stream.Length);
     }
 
-    public string Describe(ViewWave wave) => Human.Count(wave.Points) + " points after " + Human.Seconds(wave.Seconds)
+    public string Describe(ViewWave wave) => Human.Count(wave.Points, "point") + " after " + Human.Seconds(wave.Seconds)
         + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.Measured(wave.Rms) + " " + Unit);
 
     bool IsInside(double3 geo) => math.all(geo >= Bounds.Min) && math.all(geo <= Bounds.Max);
@@ -224,7 +224,7 @@ sealed class ViewCloud
         json.WriteVector("origin", Bounds.Min);
         json.WriteVector("size", Bounds.Size);
         json.WriteVector("lengths", Ranges.LengthsPerUnit);
-        json.WriteNumber("up", (int)m_options.UpAxis);
+        json.WriteNumber("up", m_options.UpAxis.Index());
         json.WriteStartArray("axes");
         foreach (var axis in new[] { east, north, up })
             Write(json, axis);

@@ -52,11 +52,11 @@
   function colorsOf(set) {
     const colors = new Uint32Array(set.count), n = set.count, column = data.columns[mode], values = set.columns[mode];
     if (mode < 0) {
-      const axis = data.up, table = tables.viridis;
-      const scale = data.size[axis] / 65535, low = data.elevation[0] - data.origin[axis];
-      const perStep = 255 / Math.max(data.elevation[1] - data.elevation[0], 1e-300);
+      const axis = data.up, sign = data.axes[2][axis], table = tables.viridis;
+      const scale = sign * data.size[axis] / 65535, low = data.elevation[0] - sign * data.origin[axis];
+      const span = data.elevation[1] - data.elevation[0], perStep = span > 0 ? 255 / span : 0;
       for (let i = 0; i < n; i++) {
-        const t = (set.positions[4 * i + axis] * scale - low) * perStep;
+        const t = perStep ? (set.positions[4 * i + axis] * scale - low) * perStep : 127;
         colors[i] = table[t > 255 ? 255 : t > 0 ? t | 0 : 0];
       }
     } else if (column.kind === "rgb")
@@ -149,7 +149,8 @@
   const add = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-  const extent = [0, 1, 2].map(k => data.size[k] * data.lengths[k]), reach = Math.hypot(...extent) / 2 || 1;
+  const extent = [0, 1, 2].map(k => data.size[k] * data.lengths[k]);
+  const reach = Math.max(Math.hypot(...extent) / 2, Math.hypot(...data.camera.eye) / 100) || 1;
   // What the command line frames for 16 to 9 is to be seen in narrower views, too.
   const tan = () => camera.tan * Math.max(1, 16 / 9 * height / width);
   const camera = { target: [0, 0, 0], yaw: 0, pitch: 0.6, distance: 2 * reach, tan: Math.tan(Math.PI / 8), isFlat: false };
@@ -232,7 +233,8 @@
     gl.useProgram(points.program);
     gl.uniformMatrix4fv(points.toClip, false, new Float32Array(m));
     gl.uniform1f(points.size, world * perLength);
-    gl.uniform1f(points.least, Math.max(1, sizeFactor) * (count < 2000 ? 4 : 1) * Math.min(window.devicePixelRatio || 1, 2));
+    const least = Math.max(1, Math.min(12, 200 / Math.sqrt(count))) * Math.max(1, sizeFactor);
+    gl.uniform1f(points.least, least * Math.min(window.devicePixelRatio || 1, 2));
     gl.bindVertexArray(set.array);
     gl.drawArrays(gl.POINTS, 0, count);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -370,8 +372,7 @@
   const views = {
     home: () => look(data.camera),
     top: () => fit(0, Math.PI / 2),
-    front: () => fit(0, 0),
-    side: () => fit(-Math.PI / 2, 0),
+    front: () => fit(0, 0), side: () => fit(-Math.PI / 2, 0),
   };
   /** All of the bounds, without perspective: plans and elevations that can be measured on. */
   function fit(yaw, pitch) {
@@ -470,8 +471,7 @@
     redraw();
   }
   function stop() {
-    clearInterval(timer);
-    timer = 0;
+    timer = clearInterval(timer);
     $("view-play").textContent = "▶ Play";
   }
   $("view-play").addEventListener("click", () => {

@@ -18,12 +18,12 @@ public static class ErrorReport
         {
             byte[] png = FastPoints.Picture.Png.Encode(step.FullViews[view]);
             OutputFile.Write(Path.Combine(folder, "full-" + s_viewNames[view] + ".png"), png);
-            pictures.Add((png, "all " + Human.Count(step.PointsInCloud) + " points, " + s_viewNames[view]));
+            pictures.Add((png, "all " + Human.Count(step.PointsInCloud, "point") + ", " + s_viewNames[view]));
         }
         string cloud = Path.GetFileName(Path.TrimEndingDirectorySeparator(info.Path));
         var page = new ReportPage("Preview of " + cloud + ": error against time");
         page.Facts([
-            ("cloud", cloud + ", " + info.Format + ", " + Human.Count(step.PointsInCloud) + " points, "
+            ("cloud", cloud + ", " + info.Format + ", " + Human.Count(step.PointsInCloud, "point") + ", "
                 + Human.Bytes(info.FileBytes)),
             ("machine", Machine.Describe()),
             ("times", "from the open call, the file in the system's cache, the process warmed; the fastest of three runs, "
@@ -55,7 +55,7 @@ public static class ErrorReport
                 string name = string.Concat(curve.Name.Where(c => char.IsAsciiLetter(c) || c == ' ')).Replace(' ', '-');
                 OutputFile.Write(Path.Combine(folder, "iso-" + points + "-" + name + ".png"), wave.IsoPng);
                 yield return (wave.IsoPng,
-                    curve.Name + ": " + Human.Count(points) + " points in " + Human.Seconds(wave.Wave.Seconds));
+                    curve.Name + ": " + Human.Count(points, "point") + " in " + Human.Seconds(wave.Wave.Seconds));
             }
     }
 

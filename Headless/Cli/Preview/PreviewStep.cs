@@ -53,7 +53,7 @@ public sealed class PreviewStep
 
     public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.On(Image));
 
-    public string Describe() => Human.Count(Points) + " points, " + Human.Value(100 * Share) + "% of the cloud, from "
+    public string Describe() => Human.Count(Points, "point") + ", " + Human.Value(100 * Share) + "% of the cloud, from "
         + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";
 
     /// <summary>The keys of <c>preview</c>, into an object that is open.</summary>

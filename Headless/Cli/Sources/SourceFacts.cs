@@ -40,7 +40,7 @@ public sealed class SourceFacts(PointReader reader)
         else
             yield return ("points", claimed);
         if (Found is { NonFinite: > 0 })
-            yield return ("not finite", Human.Count(Found.NonFinite) + " points have a coordinate that is no number");
+            yield return ("not finite", Human.Count(Found.NonFinite, "point") + " have a coordinate that is no number");
         if (Info.HasBoundsClaimed)
             foreach (var line in BoundsLines(Found == null ? "bounds" : "bounds (header)", Info.BoundsClaimed))
                 yield return line;
@@ -53,9 +53,9 @@ public sealed class SourceFacts(PointReader reader)
         yield return ("unit", UnitOf(Info.Crs.MetresPerUnit));
         TakeTree();
         if (m_tree is { } tree)
-            yield return ("octree", Human.Count(tree.Nodes) + " nodes on " + tree.Levels.Count + " levels"
+            yield return ("octree", Human.Count(tree.Nodes, "node") + " on " + Human.Count(tree.Levels.Count, "level")
                 + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints) + " of them without points"
-                + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages) + " pages of hierarchy" : ""));
+                + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages, "page") + " of hierarchy" : ""));
     }
 
     /// <summary>Keeps what is known of the source's own octree: the summary is written when the source is closed.</summary>

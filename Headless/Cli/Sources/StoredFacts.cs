@@ -107,8 +107,8 @@ public sealed class StoredFacts
                 + Human.Coordinate(bounds.Max[axis], m_cloud.Grid.Step[axis]));
         yield return ("crs", m_cloud.CrsName ?? "unknown");
         yield return ("unit", SourceFacts.UnitOf(m_cloud.MetresPerUnit));
-        yield return ("octree", Human.Count(m_cloud.NodeCount) + " nodes on " + m_levels.Count + " levels in "
-            + Human.Count(m_cloud.ChunkCount) + " chunks");
+        yield return ("octree", Human.Count(m_cloud.NodeCount, "node") + " on " + Human.Count(m_levels.Count, "level") + " in "
+            + Human.Count(m_cloud.ChunkCount, "chunk"));
         yield return ("sampler", m_cloud.Sampler);
         yield return ("checksum", m_cloud.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");

@@ -87,7 +87,7 @@ public sealed class DemoCloudVerb : Verb
             json.WriteInteger("points", written);
             json.WriteInteger("bytes", bytes);
         };
-        run.Out.WriteLine(output + ": " + Human.Count(written) + " points, " + Human.Bytes(bytes));
+        run.Out.WriteLine(output + ": " + Human.Count(written, "point") + ", " + Human.Bytes(bytes));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 

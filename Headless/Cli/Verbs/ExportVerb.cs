@@ -106,7 +106,7 @@ public sealed class ExportVerb : Verb
             json.WriteReal("positionError", result.PositionError);
         };
         string moved = result.PositionError > 0 ? ", coordinates rounded by at most " + Human.Value(result.PositionError) : "";
-        run.Out.WriteLine(output + ": " + Human.Count(result.Points) + " points, " + Human.Bytes(result.Bytes) + moved);
+        run.Out.WriteLine(output + ": " + Human.Count(result.Points, "point") + ", " + Human.Bytes(result.Bytes) + moved);
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 

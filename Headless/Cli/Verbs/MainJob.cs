@@ -83,7 +83,7 @@ public sealed class MainJob : Verb
         if (files.Length == 0)
         {
             Report.Mark(folders[0], demo);
-            run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points) + " points into " + demo);
+            run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points, "point") + " into " + demo);
             run.Out.Flush();
             DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
         }
