@@ -217,7 +217,7 @@ sealed class CloudPage
         yield return ("Fly over it: a camera path, pictures and a page with figures of each frame",
             "fastpoints fly " + cloud + " -o flight");
         yield return ("Build the octree by itself, with less memory or another sampler", "fastpoints convert " + inputs
-            + " -o scan.fastpoints --memory 1G");
+            + " -o scan.fastpoints --memory 1GiB");
         yield return ("Points out again, whole or a part: for other programs", "fastpoints export " + cloud + " -o part.laz");
         yield return ("Prove that the octree holds every point", "fastpoints verify " + cloud + " --against " + inputs);
         yield return ("Count and check all points", "fastpoints info " + inputs + " --scan");
