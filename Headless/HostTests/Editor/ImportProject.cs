@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using FastPoints.Convert;
 
 namespace FastPoints.HostTests.Editor;
@@ -34,10 +35,13 @@ sealed class ImportProject : IDisposable
         Cloud = Paths.Stored(Target(name)),
     };
 
+    /// <summary>Against waiting for ever, and not a bound on speed: on a busy machine any number of turns may pass idly.</summary>
+    public static readonly TimeSpan MostWait = TimeSpan.FromMinutes(4);
+
     /// <summary>As an editor's updates, until something has come about.</summary>
     public static void Updates(Action update, Func<bool> isDone)
     {
-        for (int i = 0; i < 2_000_000 && !isDone(); i++)
+        for (var wait = Stopwatch.StartNew(); !isDone() && wait.Elapsed < MostWait;)
         {
             update();
             Thread.Yield();

@@ -1,4 +1,6 @@
+using System.Diagnostics;
 using FastPoints.Cli.Draw;
+using FastPoints.HostTests.Editor;
 using FastPoints.HostTests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
@@ -130,11 +132,12 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         {
             using var stream = Stream(3 << 19, 1 << 19, 1 << 16);
             int uploaded = 0;
-            for (int step = 0; step < 400; step++)
+            var wait = Stopwatch.StartNew();
+            for (int step = 0; step < 400 || (uploaded <= 40 && wait.Elapsed < ImportProject.MostWait); step++)
             {
                 using var views = new NativeArray<StreamView>(1, Allocator.Temp)
                 {
-                    [0] = Near(stream, step / 40 / 9.0, step / 40).ToStreamView(320, 180),
+                    [0] = Near(stream, step / 40 % 10 / 9.0, step / 40).ToStreamView(320, 180),
                 };
                 if (step % 7 != 3)
                     uploaded += FrameStep.Run(stream, views).UploadedNodes;
@@ -172,7 +175,8 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
                 renderer.Prepare(stream, view, PointStyle.Default);
                 HeadlessGraphics.EndFrame();
             }
-            for (int step = 0; step < 4000 && (step < 400 || uploaded < 40); step++)
+            var wait = Stopwatch.StartNew();
+            for (int step = 0; step < 400 || (uploaded <= 40 && wait.Elapsed < ImportProject.MostWait); step++)
             {
                 var view = Near(stream, step / 40 % 10 / 9.0, step / 40).ToStreamView(320, 180);
                 using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = view };

@@ -1,4 +1,5 @@
 using FastPoints.Cli.Draw;
+using FastPoints.HostTests.Editor;
 using FastPoints.HostTests.StandIns.Graphics;
 using FastPoints.Rendering.BuiltIn;
 
@@ -86,14 +87,13 @@ public sealed class SelfStartTests : GraphicsFixture
         var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
         cloud.Path = path;
         var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-        for (int frame = 0; frame < 200_000 && !(group.Stats.IsSettled && group.Stats.DrawnPoints > 0); frame++)
+        ImportProject.Updates(() =>
         {
             SceneLoop.Update();
             camera.Render();
             m_world.Update();
             HeadlessGraphics.EndFrame();
-            Thread.Yield();
-        }
+        }, () => group.Stats.IsSettled && group.Stats.DrawnPoints > 0);
         Assert.That(group.Stream.Settings.Selection.PointBudget, Is.EqualTo(5000));
         Assert.That(group.Stream.Pool.LimitBytes, Is.EqualTo(64 << 20));
         Assert.That((group.Scene.Style.Shape, group.Scene.Style.Size.Value), Is.EqualTo((PointShape.Disc, 5f)));
