@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
@@ -19,11 +20,11 @@ namespace FastPoints.Benchmarks
         const int PoolBytes = 512 << 20;
 
         readonly Func<WorkloadContext, string> m_find;
-        readonly int m_frameMs;
+        readonly double m_frameMs;
         string m_path;
         NativeArray<StreamView> m_views;
 
-        StreamSourceWorkload(string kind, Func<WorkloadContext, string> find, int frameMs)
+        StreamSourceWorkload(string kind, Func<WorkloadContext, string> find, double frameMs)
         {
             (m_find, m_frameMs) = (find, frameMs);
             (Name, LimitName) = ("stream " + kind + (frameMs > 0 ? " at 60 Hz" : ""), "scan " + kind);
@@ -42,7 +43,7 @@ namespace FastPoints.Benchmarks
             })
             {
                 yield return new StreamSourceWorkload(kind, find, 0);
-                yield return new StreamSourceWorkload(kind, find, 16);
+                yield return new StreamSourceWorkload(kind, find, 1000.0 / 60);
                 yield return new ColumnsWorkload("scan " + kind, null, find, isByWorkers: true);
             }
         }
@@ -69,12 +70,13 @@ namespace FastPoints.Benchmarks
             long bytes = 0;
             while (true)
             {
+                var frame = Stopwatch.StartNew();
                 var stats = FrameStep.Run(stream, m_views);
                 bytes += stats.UploadedBytes;
                 if (stats.IsSettled)
                     return new WorkloadResult { Points = stats.DrawnPoints, Bytes = bytes };
                 if (m_frameMs > 0)
-                    Thread.Sleep(m_frameMs);
+                    FrameLoop.Rest(frame, m_frameMs);
                 else
                     Thread.Yield();
             }
