@@ -9,6 +9,8 @@ public sealed class FlightLog
     /// <summary>A frame that takes longer than two of 60 a second.</summary>
     const double HitchMs = 1000.0 / 30;
 
+    const int FramesToWarmUp = 60;
+
     readonly record struct Frame(FrameStats Stats, double MainThreadMs, double FrameMs, long GarbageBytes,
         double AtSeconds, bool IsCut);
 
@@ -22,6 +24,13 @@ public sealed class FlightLog
 
     public int Count => m_frames.Count;
     public long GarbageBytes => m_frames.Sum(f => f.GarbageBytes);
+
+    /// <summary>Of frames in which everything has been made once.</summary>
+    public long LaterGarbageBytes => m_frames.Skip(FramesToWarmUp).Sum(f => f.GarbageBytes);
+
+    /// <summary>In the first frame code is compiled or loaded.</summary>
+    public double FirstMs => m_frames[0].MainThreadMs;
+    public double MostLaterMs => m_frames.Skip(1).Select(f => f.MainThreadMs).DefaultIfEmpty().Max();
     public long BytesRead => m_frames.Sum(f => f.Stats.ReadBytes);
     public int Hitches => m_frames.Count(f => f.MainThreadMs > HitchMs);
     public long PoolBytesPeak => m_frames.Max(f => f.Stats.PoolBytes);

@@ -186,9 +186,10 @@ public sealed class FlyVerb : Verb
             + Human.Count(log.Last.DrawnNodes, "node") + ", "
             + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
         var main = log.MainThreadMs;
-        run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(main[2])} (selection p99 "
-            + $"{Ms(log.SelectMs[1])}, "
-            + $"requests p99 {Ms(log.RequestMs[1])}); {log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage");
+        run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(log.MostLaterMs)} after the first frame, "
+            + $"which took {Ms(log.FirstMs)} (selection p99 {Ms(log.SelectMs[1])}, requests p99 {Ms(log.RequestMs[1])}); "
+            + $"{log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage, "
+            + $"{Human.Bytes(log.LaterGarbageBytes)} of it after 60 frames");
         foreach (var (frame, toFull, bytes) in log.Cuts())
             run.Out.WriteLine($"from frame {frame}: "
                 + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
@@ -213,10 +214,13 @@ public sealed class FlyVerb : Verb
             return;
         Write("frameMs", log.FrameMs);
         Write("mainThreadMs", log.MainThreadMs);
+        json.WriteReal("firstFrameMs", log.FirstMs);
+        json.WriteReal("mostLaterMs", log.MostLaterMs);
         Write("selectMs", log.SelectMs);
         Write("requestMs", log.RequestMs);
         json.WriteInteger("hitches", log.Hitches);
         json.WriteInteger("garbageBytes", log.GarbageBytes);
+        json.WriteInteger("garbageBytesAfter60Frames", log.LaterGarbageBytes);
         json.WriteInteger("pointsDrawn", log.Last.DrawnPoints);
         json.WriteInteger("nodesDrawn", log.Last.DrawnNodes);
         json.WriteInteger("bytesRead", log.BytesRead);

@@ -28,7 +28,8 @@ public sealed class FlyTests
             "-o", folder, "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         var json = call.Json;
-        foreach (string key in new[] { "frames", "garbageBytes", "pointsDrawn", "bytesRead",
+        foreach (string key in new[] { "frames", "garbageBytes", "garbageBytesAfter60Frames", "firstFrameMs",
+            "mostLaterMs", "pointsDrawn", "bytesRead",
             "secondsToFull", "hitches", "disposeMs" })
             Assert.That(json.GetProperty(key).ValueKind, Is.EqualTo(JsonValueKind.Number), key);
         foreach (string key in new[] { "frameMs", "mainThreadMs" })

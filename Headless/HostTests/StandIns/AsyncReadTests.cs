@@ -1,4 +1,5 @@
 using StandIns.Io;
+using StandIns.Scheduling;
 using Unity.IO.LowLevel.Unsafe;
 using Random = System.Random;
 
@@ -81,6 +82,53 @@ public sealed unsafe class AsyncReadTests
             garbage += GC.GetAllocatedBytesForCurrentThread() - before;
         }
         Assert.That(garbage, Is.Zero);
+    }
+
+    [Test]
+    public void File_OpenedReadAndClosedAgain_MakesNoGarbage()
+    {
+        const int Files = 8;
+        var commands = stackalloc ReadCommand[1];
+        commands[0] = Command(0, 100, 0);
+        var array = new ReadCommandArray { ReadCommands = commands, CommandCount = 1 };
+        var files = new FileHandle[Files];
+        var reads = new ReadHandle[Files];
+        var closed = new JobHandle[Files];
+        Action nothing = () => { };
+        long garbage = 0, ofChecks = 0;
+        for (int turn = 0; turn < 4; turn++)
+        {
+            IoThreads.Pause(true);
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < Files; i++)
+            {
+                files[i] = AsyncReadManager.OpenFileAsync(m_path);
+                reads[i] = AsyncReadManager.Read(files[i], array);
+            }
+            garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+            IoThreads.Pause(false);
+            foreach (var read in reads)
+            {
+                read.JobHandle.Complete();
+                Assert.That((read.Status, m_buffer[99]), Is.EqualTo((ReadStatus.Complete, m_bytes[99])));
+                read.Dispose();
+            }
+            foreach (var file in files)
+                file.JobHandle.Complete();
+            before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < Files; i++)
+                closed[i] = files[i].Close();
+            garbage += GC.GetAllocatedBytesForCurrentThread() - before;
+            // The safety checks of the test build remember each job; nothing else may allocate.
+            before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < Files; i++)
+                JobScheduler.CallAfter(default, "nothing", nothing);
+            ofChecks = GC.GetAllocatedBytesForCurrentThread() - before;
+            foreach (var close in closed)
+                close.Complete();
+            Assert.That(files.Any(f => f.IsValid()), Is.False);
+        }
+        Assert.That(garbage, Is.EqualTo(ofChecks));
     }
 
     [Test]

@@ -5,15 +5,19 @@ using Microsoft.Win32.SafeHandles;
 
 namespace StandIns.Io;
 
-/// <summary>A file that reads share: opened by the I/O threads, closed when nobody reads it any more.</summary>
+/// <summary>A file that reads share: opened by the I/O threads, closed when nobody reads it any more. Used again then, so that
+/// it makes no garbage on the main thread, as in Unity.</summary>
 sealed unsafe class OpenFile
 {
     // A cancelled read stops after as much.
     internal const int PartBytes = 16 << 20;
 
+    static readonly Stack<OpenFile> s_free = new Stack<OpenFile>();
+
     readonly object m_lock = new object();
-    readonly string m_path;
-    readonly JobNode m_opened;
+    readonly Action m_open;
+    string m_path;
+    JobNode m_opened;
     int m_readers;
     bool m_closing;
 #if NET
@@ -22,34 +26,41 @@ sealed unsafe class OpenFile
     FileStream m_handle;
 #endif
 
-    OpenFile(string path)
-    {
-        m_path = path;
-        Status = FileStatus.Pending;
-        m_opened = JobScheduler.BeginExternal();
-        Opened = new JobHandle(m_opened);
-    }
+    OpenFile() => (m_open, Close) = (Open, CloseAfterReads);
 
     internal FileStatus Status { get; private set; }
-    internal JobHandle Opened { get; }
+    internal JobHandle Opened { get; private set; }
+
+    /// <summary>Closes once the reads that were begun are done.</summary>
+    internal Action Close { get; }
 
     internal static OpenFile Begin(string path)
     {
-        var file = new OpenFile(path);
-        IoThreads.Enqueue(() =>
-        {
-            file.Open();
-            JobScheduler.FinishExternal(file.m_opened);
-        });
+        var file = Take(path);
+        IoThreads.Enqueue(file.m_open);
         return file;
     }
 
     /// <summary>For one read that opens and closes the file itself, on an I/O thread.</summary>
     internal static OpenFile OpenHere(string path)
     {
-        var file = new OpenFile(path);
+        var file = Take(path);
         file.Open();
-        JobScheduler.FinishExternal(file.m_opened);
+        return file;
+    }
+
+    static OpenFile Take(string path)
+    {
+        OpenFile file = null;
+        lock (s_free)
+            if (s_free.Count > 0)
+                file = s_free.Pop();
+        file ??= new OpenFile();
+        file.m_path = path;
+        file.m_closing = false;
+        file.Status = FileStatus.Pending;
+        file.m_opened = JobScheduler.BeginExternal();
+        file.Opened = new JobHandle(file.m_opened);
         return file;
     }
 
@@ -68,8 +79,7 @@ sealed unsafe class OpenFile
         }
     }
 
-    /// <summary>Closes once the reads that were begun are done.</summary>
-    internal void Close()
+    void CloseAfterReads()
     {
         lock (m_lock)
         {
@@ -139,6 +149,7 @@ sealed unsafe class OpenFile
         {
             Status = FileStatus.OpenFailed;
         }
+        JobScheduler.FinishExternal(m_opened);
     }
 
     void CloseIfUnused()
@@ -148,5 +159,7 @@ sealed unsafe class OpenFile
         Status = FileStatus.Closed;
         m_handle?.Dispose();
         m_handle = null;
+        lock (s_free)
+            s_free.Push(this);
     }
 }
