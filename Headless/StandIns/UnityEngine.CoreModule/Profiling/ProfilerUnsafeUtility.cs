@@ -11,8 +11,7 @@ public static class ProfilerUnsafeUtility
         public long Denominator;
     }
 
-    public static long Timestamp => SimulatedWorkers.IsOn ? SimulatedWorkers.Ticks
-        : Stopwatch.GetTimestamp() + SimulatedLatency.Ticks;
+    public static long Timestamp => SimulatedWorkers.IsOn ? SimulatedWorkers.Ticks : SimulatedLatency.Now;
 
     public static TimestampConversionRatio TimestampToNanosecondsConversionRatio => new TimestampConversionRatio
     {
