@@ -99,7 +99,8 @@ public sealed class ExportTests
         Assert.That(File.ReadAllBytes(m_demo), Is.EqualTo(bytes));
     }
 
-    /// <summary>Killed as soon as anything of it is in the folder. One that is done before is tried again with more points.</summary>
+    /// <summary>Killed as soon as anything of it is in the folder. One that is done before is tried again with more
+    /// points.</summary>
     [TestCase("killed.las"), TestCase("killed.laz")]
     public void Export_Killed_LeavesNothingUnderTheNameAndTheNextRunWorks(string output)
     {

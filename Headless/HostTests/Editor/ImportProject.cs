@@ -35,7 +35,8 @@ sealed class ImportProject : IDisposable
         Cloud = Paths.Stored(Target(name)),
     };
 
-    /// <summary>Against waiting for ever, and not a bound on speed: on a busy machine any number of turns may pass idly.</summary>
+    /// <summary>Against waiting for ever, not a bound on speed: on a busy machine any number of turns may pass
+    /// idly.</summary>
     public static readonly TimeSpan MostWait = TimeSpan.FromMinutes(4);
 
     /// <summary>As an editor's updates, until something has come about.</summary>
