@@ -1,3 +1,4 @@
+using FastPoints.Cli.Preview;
 using FastPoints.Writing;
 
 namespace FastPoints.Cli.Convert;
@@ -6,12 +7,14 @@ namespace FastPoints.Cli.Convert;
 public sealed class ConvertStep
 {
     public required ConvertResult Result { get; init; }
+    public required SliceLengths Slices { get; init; }
     public required double Seconds { get; init; }
 
     public static ConvertStep Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, CliRun run)
     {
         double begin = run.Seconds;
         ConvertResult? result = null;
+        SliceLengths slices;
         // The work is awaited, not ticked.
         settings.AheadMs = 0;
         if (run.IsDiscarding)
@@ -25,7 +28,8 @@ public sealed class ConvertStep
         });
         try
         {
-            WorkPump.RunToEnd(ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress), stop.Token);
+            slices = SliceLengths.Measure(() => WorkPump.RunToEnd(
+                ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress), stop.Token));
         }
         catch (OperationCanceledException)
         {
@@ -41,7 +45,7 @@ public sealed class ConvertStep
         if (result!.Manifest.PointsLeftOut > 0)
             run.Warn(readers[0].Info.Path + ": " + Human.Count(result.Manifest.PointsLeftOut)
                 + " points whose coordinates are no numbers are left out");
-        return new ConvertStep { Result = result, Seconds = run.Seconds - begin };
+        return new ConvertStep { Result = result, Slices = slices, Seconds = run.Seconds - begin };
     }
 
     public long PointsFound => Result.Manifest.Points + Result.Manifest.PointsLeftOut;
@@ -68,11 +72,7 @@ public sealed class ConvertStep
         json.WriteInteger("levelCount", Result.LevelCount);
         json.WriteInteger("bytesOnDisk", Result.BytesOnDisk);
         json.WriteInteger("temporaryBytesPeak", Result.TemporaryBytesPeak);
-        json.WriteStartObject("sliceMs");
-        json.WriteReal("p50", Result.SliceMs[0]);
-        json.WriteReal("p99", Result.SliceMs[1]);
-        json.WriteReal("max", Result.SliceMs[2]);
-        json.WriteEndObject();
+        Slices.WriteKey(json);
         json.WriteString("checksum", manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         json.WriteStartObject("bytesPerPoint");
         foreach (var (name, bytes) in Result.PlaneNames.Zip(Result.BytesOfPlane))

@@ -167,7 +167,7 @@ namespace FastPoints.Nodes
                 Checksum = m_checksum,
                 CostPerSlice = OrderChunkJob.CostOfSlice,
             };
-            for (long done = 0; done < (long)count * OrderChunkJob.CostOfPoint; done += job.CostPerSlice)
+            for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             // Slices end at pages and buckets: what they leave.
             job.CostPerSlice = int.MaxValue;
@@ -198,7 +198,8 @@ namespace FastPoints.Nodes
                 CostPerSlice = SampleNodesJob.CostOfSlice,
             };
             // Slices that come after the end have nothing to do; one takes what is left where levels are many.
-            long usual = (long)count * (isRandom ? SampleNodesJob.UsualCost : SampleNodesJob.UsualCostOfDarts);
+            long usual = (long)count * (isRandom ? SampleNodesJob.UsualCost : SampleNodesJob.UsualCostOfDarts) +
+                (Averaged.IsOn ? (long)count * SampleNodesJob.UsualCostOfAverages : 0);
             for (long done = 0; done < usual; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             job.CostPerSlice = int.MaxValue;
@@ -233,13 +234,12 @@ namespace FastPoints.Nodes
                 BytesOfPlane = m_bytesOfPlane,
                 Points = m_lane.Numbers,
                 Scratch = m_lane.Writing,
-                PointsPerSlice = WriteNodesJob.PointsOfSlice,
+                ValuesPerSlice = WriteNodesJob.ValuesOfSlice,
             };
-            long looks = count + count / WriteNodesJob.PointsSortedForOne;
-            for (long looked = 0; looked < looks; looked += job.PointsPerSlice)
+            for (long done = 0; done < job.Cost; done += job.ValuesPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            // Slices end at nodes: what they leave.
-            job.PointsPerSlice = int.MaxValue;
+            // Slices end at planes: what they leave.
+            job.ValuesPerSlice = int.MaxValue;
             return m_lane.Last = job.Schedule(inputDeps);
         }
 

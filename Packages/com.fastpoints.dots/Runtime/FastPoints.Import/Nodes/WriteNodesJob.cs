@@ -14,15 +14,16 @@ namespace FastPoints.Nodes
 {
     /// <summary>Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top
     /// node is not written: its points go to the merge of the upper levels.</summary>
-    /// <remarks>One run of the job is a slice; the job runs again until it is done. A node is written in one slice.</remarks>
+    /// <remarks>One run of the job is a slice; the job runs again until it is done. A plane of a node is written in one
+    /// slice.</remarks>
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
     {
-        /// <summary>A slice takes about 4 ms with a handful of attributes.</summary>
-        public const int PointsOfSlice = 20000;
+        /// <summary>A slice takes about 2 ms.</summary>
+        public const int ValuesOfSlice = 500000;
 
-        /// <summary>Sorting this many points costs as much as writing one.</summary>
-        public const int PointsSortedForOne = 8;
+        const int CostOfPlace = 4;
+        const int CostOfAverage = 16;
 
         /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
         public const int TinyPoints = PlaneShape.MaxPointsPerBlock;
@@ -63,8 +64,8 @@ namespace FastPoints.Nodes
         /// <summary>Its <see cref="WriteScratch.Now"/> is reset before the first slice.</summary>
         public WriteScratch Scratch;
 
-        /// <summary>About this many points are written in one run.</summary>
-        public int PointsPerSlice;
+        /// <summary>About this many values are written in one run; to group a point costs as much as one.</summary>
+        public int ValuesPerSlice;
 
         /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
         public NativeList<byte> File;
@@ -98,10 +99,22 @@ namespace FastPoints.Nodes
             Slices.End(begin);
         }
 
+        /// <summary>Of all slices, at most.</summary>
+        public long Cost
+        {
+            get
+            {
+                long ofPoint = 1 + CostOfPlace;
+                for (int p = 0; p < Shapes.Length; p++)
+                    ofPoint += CostOf(p);
+                return Count * ofPoint;
+            }
+        }
+
         void Run()
         {
             m_now = Scratch.Now.Value;
-            m_budget = PointsPerSlice;
+            m_budget = ValuesPerSlice;
             m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
             m_points = (uint*)Points.GetUnsafePtr();
             m_packer = new PlanePacker
@@ -114,7 +127,7 @@ namespace FastPoints.Nodes
                 Start();
             if (m_now.Stage == Stage.SortPoints)
                 SortPoints();
-            if (m_now.Stage == Stage.Plan)
+            if (m_now.Stage == Stage.Plan && m_budget > 0)
                 Plan();
             if (m_now.Stage == Stage.Write)
                 WriteHosts();
@@ -124,6 +137,9 @@ namespace FastPoints.Nodes
         void Start()
         {
             File.Clear();
+            // One that grows is copied whole, in one slice. Only what is written takes memory.
+            if (File.Capacity < Count * Layout.StrideBytes)
+                File.SetCapacity(Count * Layout.StrideBytes);
             Table.Clear();
             Top.Clear();
             for (int p = 0; p < BytesOfPlane.Length; p++)
@@ -144,10 +160,10 @@ namespace FastPoints.Nodes
         {
             int* next = Scratch.FirstPointOfDraft.GetUnsafePtr();
             var nodeOfPoint = (int*)NodeOfPoint.GetUnsafeReadOnlyPtr();
-            int end = (int)math.min(Count, m_now.At + m_budget * PointsSortedForOne);
+            int end = (int)math.min(Count, m_now.At + m_budget);
             for (int i = m_now.At; i < end; i++)
                 m_points[next[nodeOfPoint[i]]++] = (uint)i;
-            m_budget -= (end - m_now.At) / PointsSortedForOne;
+            m_budget -= end - m_now.At;
             m_now.At = end;
             if (end < Count)
                 return;
@@ -257,7 +273,8 @@ namespace FastPoints.Nodes
                     return;
                 if (nodes[m_now.At].Host == m_now.At)
                     WriteHost(m_now.At, nodes, ranges + (long)m_now.At * planes);
-                m_budget -= nodes[m_now.At].PointCount;
+                if (m_now.Plane > 0)
+                    return;
             }
             WriteTable(planes, nodes, ranges);
             m_now.Stage = Stage.Done;
@@ -324,38 +341,63 @@ namespace FastPoints.Nodes
                 if (nodes[child].Host == host)
                     AddRun(child, nodes, runs, nodeOfRun, ref runCount, ref blocks);
             nodes[host].HostedBlocks = blocks;
+            long points = 0;
+            for (int r = 0; r < runCount; r++)
+                points += runs[r].Count;
+            if (m_now.Plane == 0)
+            {
+                WritePositions(host, nodes, ranges, runs, nodeOfRun, runCount);
+                m_budget -= points * CostOfPlace;
+            }
+            WriteAttributes(ranges, runs, runCount, points);
+            UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
+            UnsafeUtility.Free(runs, Allocator.Temp);
+        }
 
+        void WritePositions(int host, NodeRecord* nodes, PlaneRange* ranges, PackedRun* runs, int* nodeOfRun, int runCount)
+        {
             ulong* min = Allocate<ulong>(3 * runCount);
             ulong* max = Allocate<ulong>(3 * runCount);
             ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[host].Corner, nodes[host].IsWide, min, max);
             BytesOfPlane[0] += ranges[0].LengthBytes;
-            bool hasAverages = HasAverages(runs, runCount);
-            int averagedColumn = 0;
-            for (int p = 0; p < Shapes.Length; p++)
-            {
-                if (AverageOf[p] >= 0)
-                {
-                    // If every point represents only itself, the averages are the values: the same bytes.
-                    if (!hasAverages)
-                    {
-                        ranges[p + 1] = ranges[AverageOf[p] + 1];
-                        continue;
-                    }
-                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, averagedColumn);
-                    averagedColumn += Shapes[p].ColumnCount;
-                    BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
-                    continue;
-                }
-                ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
-                BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
-            }
             for (int r = 0; r < runCount; r++)
                 SetBounds(ref nodes[nodeOfRun[r]], nodes[host].Corner, min + 3 * r, max + 3 * r);
             UnsafeUtility.Free(max, Allocator.Temp);
             UnsafeUtility.Free(min, Allocator.Temp);
-            UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
-            UnsafeUtility.Free(runs, Allocator.Temp);
+            m_now.HasAverages = HasAverages(runs, runCount);
+            m_now.AveragedColumn = 0;
+            m_now.Plane = 1;
         }
+
+        /// <summary>Writes the planes of attributes that are left, until the budget is spent.</summary>
+        void WriteAttributes(PlaneRange* ranges, PackedRun* runs, int runCount, long points)
+        {
+            for (; m_now.Plane <= Shapes.Length && m_budget > 0; m_now.Plane++)
+            {
+                int p = m_now.Plane - 1;
+                // If every point represents only itself, the averages are the values: the same bytes.
+                if (AverageOf[p] >= 0 && !m_now.HasAverages)
+                {
+                    ranges[p + 1] = ranges[AverageOf[p] + 1];
+                    continue;
+                }
+                m_budget -= points * CostOf(p);
+                if (AverageOf[p] >= 0)
+                {
+                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, m_now.AveragedColumn);
+                    m_now.AveragedColumn += Shapes[p].ColumnCount;
+                }
+                else
+                {
+                    ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
+                }
+                BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
+            }
+            if (m_now.Plane > Shapes.Length)
+                m_now.Plane = 0;
+        }
+
+        int CostOf(int plane) => AverageOf[plane] >= 0 ? CostOfAverage : Shapes[plane].ColumnCount;
 
         bool HasAverages(PackedRun* runs, int runCount)
         {

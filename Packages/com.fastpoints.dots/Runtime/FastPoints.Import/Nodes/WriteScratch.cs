@@ -22,9 +22,14 @@ namespace FastPoints.Nodes
         {
             public Stage Stage;
 
-            /// <summary>The next point or node.</summary>
+            /// <summary>The next point or node, and its next plane.</summary>
             public int At;
+            public int Plane;
             public int NodeCount;
+
+            /// <summary>Of the current node: whether a point of it stands for others, and the next averaged column.</summary>
+            public bool HasAverages;
+            public int AveragedColumn;
         }
 
         public NativeReference<State> Now;

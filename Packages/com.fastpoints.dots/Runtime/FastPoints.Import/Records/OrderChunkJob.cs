@@ -28,12 +28,15 @@ namespace FastPoints.Records
     {
         /// <summary>A slice takes about 4 ms at most, unless a bucket has more points. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
-        public const int CostOfPoint = CostOfCount + CostOfMove + CostOfSort + CostOfEmit;
 
         const int CostOfCount = 8;
         const int CostOfMove = 10;
         const int CostOfSort = 20;
         const int CostOfEmit = 20;
+
+        // A page of memory that is touched for the first time.
+        const int CostOfTouch = 1000;
+        const int TouchedBytes = 4096;
 
         public const int MostBuckets = 1 << 3 * MostLevels;
         const int MostLevels = 4;
@@ -92,6 +95,11 @@ namespace FastPoints.Records
         }
 
         int Count => (int)Pages.Count;
+        long Bytes => (long)Count * Layout.StrideBytes;
+
+        /// <summary>Of all slices, about.</summary>
+        public long Cost =>
+            Count * (long)(CostOfCount + CostOfMove + CostOfSort + CostOfEmit) + Bytes / TouchedBytes * CostOfTouch;
 
         // Levels of the octree above the buckets, and those whose bits a key has.
         int BucketLevels
@@ -114,6 +122,8 @@ namespace FastPoints.Records
             m_records = (byte*)Records.GetUnsafePtr();
             if (m_now.Stage == Stage.Start)
                 Start();
+            if (m_now.Stage == Stage.Touch)
+                Touch();
             if (m_now.Stage == Stage.Count)
                 CountBuckets();
             if (m_now.Stage == Stage.Distribute)
@@ -132,7 +142,20 @@ namespace FastPoints.Records
         {
             UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (MostBuckets + 1) * sizeof(int));
             Checksum.Value = 0;
-            m_now = new OrderScratch.State { Stage = Stage.Count, Page = Pages.First };
+            m_now = new OrderScratch.State { Stage = Stage.Touch, Page = Pages.First };
+        }
+
+        /// <summary>The system makes memory when it is written for the first time. Records come in no order: without this, nearly
+        /// all of it would be made in one slice.</summary>
+        void Touch()
+        {
+            for (; m_now.Touched < Bytes; m_now.Touched += TouchedBytes, m_budget -= CostOfTouch)
+            {
+                if (m_budget <= 0)
+                    return;
+                m_records[m_now.Touched] = 0;
+            }
+            m_now.Stage = Stage.Count;
         }
 
         /// <summary>Finds and counts the records' buckets.</summary>

@@ -14,6 +14,7 @@ namespace FastPoints.Records
         public enum Stage
         {
             Start,
+            Touch,
             Count,
             Distribute,
             Sort,
@@ -30,6 +31,9 @@ namespace FastPoints.Records
             [NativeDisableUnsafePtrRestriction] public RecordPages.Page* Page;
             public int Bucket;
             public int Point;
+
+            /// <summary>Bytes of the ordered records that have memory.</summary>
+            public long Touched;
 
             /// <summary>Which half of the keys is sorted.</summary>
             public bool IsSwapped;

@@ -147,6 +147,7 @@ namespace FastPoints.Samplers
             for (int k = 0; k < m_now.Darts; k++)
                 order[next[DartGrid.ClassOf(darts[k])]++] = k;
             Grid.BeginTile(m_now.Tile);
+            m_budget -= CostOfTile;
             m_now.Dart = 0;
             m_now.Stage = Stage.Throw;
         }

@@ -40,7 +40,7 @@ namespace FastPoints.Samplers
             for (; m_now.Point < range.End && m_budget > 0; m_now.Point++)
             {
                 int i = m_now.Point, own = RangeOf(i);
-                m_budget--;
+                m_budget -= CostOfAverageLook;
                 if (own == m_now.Range || Scratch.Ranges[own].Parent != m_now.Range)
                     continue;
                 m_budget -= CostOfAverage;

@@ -30,19 +30,22 @@ namespace FastPoints.Samplers
     [BurstCompile]
     internal unsafe partial struct SampleNodesJob : IJob
     {
-        /// <summary>A slice takes about 4 ms. Costs are about nanoseconds.</summary>
+        /// <summary>A slice takes about 4 ms at most. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
 
         /// <summary>What a point costs in most clouds.</summary>
         public const int UsualCost = 60;
         public const int UsualCostOfDarts = 150;
+        public const int UsualCostOfAverages = 250;
 
         const int CostOfLook = 2;
         const int CostOfCandidate = 5;
         const int CostOfGather = 12;
         const int CostOfDart = 25;
+        const int CostOfTile = 2000;
         const int CostOfBar = 10;
-        const int CostOfAverage = 60;
+        const int CostOfAverageLook = 4;
+        const int CostOfAverage = 80;
 
         /// <summary>See <see cref="SampleScratch.Counts"/>.</summary>
         public const int CountTables = 4;
