@@ -27,8 +27,11 @@ namespace FastPoints.Convert
         /// halves, and so other bytes are stored.</summary>
         public long MemoryBytes = 928L << 20;
 
-        /// <summary>A build that uses files can be resumed after each so many points.</summary>
+        /// <summary>A build that uses files can be resumed after each so many points, and where reading is slow after fewer: as
+        /// many as <see cref="SecondsPerCheckpoint"/> take at the pace until then.</summary>
         public long PointsPerCheckpoint = 8000000;
+
+        public double SecondsPerCheckpoint = 30;
 
         /// <summary>Once sources have been read for longer than this, points that would fit into memory go to files as well, so
         /// that the build can be resumed. The stored bytes are the same.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Base;
@@ -18,6 +19,7 @@ namespace FastPoints.Convert
         readonly Stopwatch m_watch = Stopwatch.StartNew();
         WorkSteps m_first;
         long m_sinceCheckpoint;
+        long m_resumedPoints;
 
         /// <param name="generations">Shows a sample where reading takes long.</param>
         public ReadSources(BuildContext build, ScatterPoints scatter, BuildCheckpoints checkpoints, BuildGenerations generations)
@@ -34,6 +36,7 @@ namespace FastPoints.Convert
             var journal = m_checkpoints.Journal;
             if (journal.At != BuildJournal.Stage.Read)
                 yield break;
+            m_resumedPoints = m_scatter.PointsDone;
             try
             {
                 for (int i = journal.Source; i < m_build.Readers.Count; i++)
@@ -56,6 +59,17 @@ namespace FastPoints.Convert
         bool UsesFiles() => m_build.Files != null ||
             m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
 
+        /// <summary>A build that goes to files as time passes has its first checkpoint early, which tells the pace.</summary>
+        long PointsToCheckpoint()
+        {
+            var settings = m_build.Settings;
+            if (m_build.Files == null && double.IsPositiveInfinity(settings.SecondsInMemory))
+                return settings.PointsPerCheckpoint;
+            long points = m_scatter.PointsDone - m_resumedPoints;
+            return points == 0 ? Math.Max(1, settings.PointsPerCheckpoint / 8) : (long)Math.Min(settings.PointsPerCheckpoint,
+                points / m_watch.Elapsed.TotalSeconds * settings.SecondsPerCheckpoint);
+        }
+
         IEnumerator<Work> Read(int source)
         {
             var journal = m_checkpoints.Journal;
@@ -72,8 +86,10 @@ namespace FastPoints.Convert
             for (int block = journal.Block; block < reader.BlockCount; block = journal.Block)
             {
                 int end = block;
-                for (; end < reader.BlockCount && m_sinceCheckpoint < m_build.Settings.PointsPerCheckpoint; end++)
+                long wantedPoints = PointsToCheckpoint();
+                do
                     m_sinceCheckpoint += reader.PointsInBlock(end);
+                while (++end < reader.BlockCount && m_sinceCheckpoint < wantedPoints);
                 using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, ahead, m_build.Settings.Workers, block,
                     end, null)))
                 {
@@ -87,7 +103,7 @@ namespace FastPoints.Convert
                 found.Include(m_scatter.TakeStatistics());
                 journal.Statistics[source] = found;
                 journal.Block = end;
-                if (m_sinceCheckpoint < m_build.Settings.PointsPerCheckpoint)
+                if (m_sinceCheckpoint < wantedPoints)
                     continue;
                 m_sinceCheckpoint = 0;
                 if (!UsesFiles())

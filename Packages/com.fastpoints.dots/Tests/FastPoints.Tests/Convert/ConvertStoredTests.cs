@@ -228,6 +228,27 @@ namespace FastPoints.Tests.Convert
         }
 
         [Test]
+        public void Convert_ReadingThatIsSlow_CanBeTakenUpAfterFewerPoints([Values(0, 1e9)] double secondsPerCheckpoint)
+        {
+            var settings = InFiles();
+            (settings.PointsPerCheckpoint, settings.SecondsPerCheckpoint) = (100_000, secondsPerCheckpoint);
+            string journal = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, BuildFiles.JournalName);
+            var blocks = new HashSet<int>();
+            using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven(200_000, 500) }, Target("cloud"), settings, r => { },
+                null)))
+            {
+                while (work.MoveNext())
+                {
+                    work.Current.Complete();
+                    var read = File.Exists(journal) ? BuildJournal.FromJson(File.ReadAllText(journal)) : null;
+                    if (read != null && read.At == BuildJournal.Stage.Read)
+                        blocks.Add(read.Block);
+                }
+            }
+            Assert.That(blocks, Has.Count.InRange(secondsPerCheckpoint == 0 ? 4 : 0, secondsPerCheckpoint == 0 ? 400 : 3));
+        }
+
+        [Test]
         public void Convert_BrokenOffWithOtherSettings_BeginsAgain()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
