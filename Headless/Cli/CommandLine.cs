@@ -91,7 +91,7 @@ public static class CommandLine
         foreach (var word in words.Take(words.Count - plain))
             if (word.Value.StartsWith('-'))
                 return "unknown option " + word.Value + Suggestion(word.Value, parsed.RootCommandResult.Command.Options
-                    .Concat(command.Options).SelectMany(o => o.Aliases.Append(o.Name)));
+                    .Where(o => o.Recursive).Concat(command.Options).SelectMany(o => o.Aliases.Append(o.Name)));
         var root = parsed.RootCommandResult;
         if (command is not RootCommand)
         {

@@ -51,6 +51,14 @@ public sealed class UsageTests
     }
 
     [Test]
+    public void Option_OfTheMainJobBehindAnotherVerb_IsNotSuggestedAgain()
+    {
+        var call = CliCall.Of("info", "x.las", "--points", "5");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(call.Error, Does.Contain("unknown option --points").And.Not.Contains("mean --points?"));
+    }
+
+    [Test]
     public void HelpAndVersion_AreVerbsAsWell()
     {
         Assert.That(CliCall.Of("help").Output, Is.EqualTo(CliCall.Of("--help").Output));
