@@ -209,6 +209,24 @@ namespace FastPoints.Tests.Export
                 Assert.That(read.Points.Column<byte>(0).Take(read.Points.Count), Is.All.Zero));
         }
 
+        /// <summary>What LAS's own field cannot hold is kept whole beside it, and said.</summary>
+        [Test]
+        public void Run_FieldThatCannotHoldIt_InExtraBytesWithAWarning()
+        {
+            var batch = TestBatches.New(20, AttributeType.Float64,
+                new PointAttribute(AttributeNames.Intensity, AttributeType.Float32));
+            for (int i = 0; i < 20; i++)
+                TestBatches.Set(batch, 3, i, i * 0.25);
+            batch.Count = 20;
+            using var source = new MemoryPointReader(batch, 20);
+            var result = Run(source, m_folder.File("out.las"));
+            Assert.That(result.Warnings, Has.One.StartsWith(AttributeNames.Intensity + " is Float32 here, which the field of LAS"));
+            using var reader = PointReaders.Open(m_folder.File("out.las"));
+            var extra = reader.Info.Schema.Single(a => a.Type == AttributeType.Float32);
+            ReadPoints.EachBlock(reader, reader.Info.Schema.Select(extra.Name), read =>
+                Assert.That(read.Points.Column<float>(0).Take(20), Is.EqualTo(Enumerable.Range(0, 20).Select(i => i * 0.25f))));
+        }
+
         [Test]
         public void Run_CancelledAnywhere_LeavesNothing([Values(".las", ".laz", ".ply")] string ending)
         {
