@@ -16,13 +16,14 @@ namespace FastPoints.Benchmarks
     /// scene cost the main thread, frame by frame. Frames follow one another without a pause.</summary>
     sealed class SceneBenchmark : IDisposable
     {
-        const int BankBytes = 1 << 20;
+        /// <summary>Of a bank: as graphics cards have them, or smaller ones in a small pool.</summary>
+        public const int LeastBankBytes = 1 << 20, MostBankBytes = 8 << 20;
 
         readonly World m_world = new World("scene benchmark");
         readonly PointCloudSystemGroup m_group;
         Entity m_cloud;
 
-        /// <param name="poolBytes">In place of graphics memory, in banks of a MiB.</param>
+        /// <param name="poolBytes">In place of graphics memory.</param>
         public SceneBenchmark(long poolBytes)
         {
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
@@ -31,7 +32,8 @@ namespace FastPoints.Benchmarks
                 typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem),
                 typeof(TrackNodesSystem), typeof(ReportFailuresSystem));
             m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            m_group.Begin(new MemoryNodePool(poolBytes, BankBytes));
+            m_group.Begin(new MemoryNodePool(poolBytes,
+                (int)math.clamp(poolBytes / 16, LeastBankBytes, MostBankBytes)));
             PointFileReaders.Register();
         }
 
