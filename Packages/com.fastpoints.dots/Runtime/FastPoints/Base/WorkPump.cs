@@ -108,6 +108,10 @@ namespace FastPoints.Base
         const double LookMs = 1;
         const int MostLooksInVain = 4;
 
+        /// <summary>A tick that gets more than this is no part of a smooth frame: an editor's without focus, of which there are
+        /// few. It waits for jobs as long as its budget.</summary>
+        const double MostOfFrameMs = 16;
+
         static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
 
         readonly WorkSteps m_work;
@@ -148,7 +152,7 @@ namespace FastPoints.Base
         public bool Tick(double budgetMs)
         {
             double beginMs = m_nowMs();
-            bool isAwaiting = false;
+            bool isAwaiting = false, isRare = budgetMs > MostOfFrameMs;
             double lookUntilMs = 0;
             if (m_ticksUntilLook > 0)
                 m_ticksUntilLook--;
@@ -162,7 +166,7 @@ namespace FastPoints.Base
                     Step();
                     lookUntilMs = m_ticksUntilLook == 0 ? m_nowMs() + LookMs : 0;
                 }
-                else if (m_nowMs() < lookUntilMs)
+                else if (isRare || m_nowMs() < lookUntilMs)
                 {
                     isAwaiting = true;
                     Thread.Yield();
@@ -173,7 +177,7 @@ namespace FastPoints.Base
                 }
             }
             JobHandle.ScheduleBatchedJobs();
-            if (!isAwaiting)
+            if (!isAwaiting || isRare)
                 return IsDone;
             LooksInVain++;
             m_ticksUntilLook = 1 << (m_looksInVain = Math.Min(m_looksInVain + 1, MostLooksInVain));

@@ -87,11 +87,30 @@ namespace FastPoints.Tests.Base
             for (; !pump.IsDone; ticks++)
             {
                 s_gate.Reset();
-                pump.Tick(1000);
+                pump.Tick(16);
                 s_gate.Set();
                 Thread.Sleep(1);
             }
             Assert.That(pump.LooksInVain, Is.GreaterThan(0).And.LessThanOrEqualTo(5 + ticks / 16));
+        }
+
+        /// <summary>By a clock that stands as soon as a short look would be over; only then can the job end.</summary>
+        [TestCase(24, true)]
+        [TestCase(16, false)]
+        public void Tick_WithMoreTimeThanAFrame_WaitsForAJobAsLong(int budgetMs, bool waits)
+        {
+            s_gate.Reset();
+            using var workers = new WorkerCount(1);
+            int nowMs = 0;
+            var pump = new WorkPump(Waits(1), () =>
+            {
+                if (nowMs == 10)
+                    s_gate.Set();
+                return nowMs = Math.Min(nowMs + 1, 10);
+            });
+            Assert.That(pump.Tick(budgetMs), Is.EqualTo(waits));
+            s_gate.Set();
+            pump.Cancel();
         }
 
         static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();
