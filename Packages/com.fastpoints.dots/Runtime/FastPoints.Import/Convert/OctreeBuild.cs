@@ -112,7 +112,8 @@ namespace FastPoints.Convert
             {
                 for (int slabs = RecordPagePool.Of(m_build.Pool).SlabCount; slabs > 0; slabs--)
                     freed = new FreeSlabJob { Pool = m_build.Pool }.Schedule(freed);
-                JobHandle.ScheduleBatchedJobs();
+                // Beside them each of the others would wait for the kernel as long.
+                yield return freed;
                 for (; m_spare.Count > 0; m_spare.Pop().Dispose())
                     yield return default;
                 foreach (var lane in m_lanes)
@@ -121,7 +122,6 @@ namespace FastPoints.Convert
                     yield return default;
                 }
                 m_writes.Dispose();
-                yield return freed;
             }
             finally
             {

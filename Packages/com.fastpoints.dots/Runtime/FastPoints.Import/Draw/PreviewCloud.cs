@@ -67,8 +67,11 @@ namespace FastPoints.Draw
             yield return Work.Of(PlanPicture());
 
             progress?.Begin("draw");
+            // Here and below: each of these takes milliseconds.
+            yield return default;
             using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
             {
+                yield return default;
                 yield return Work.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
                 // Degrees are not lengths of a cube's edge.
                 if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))

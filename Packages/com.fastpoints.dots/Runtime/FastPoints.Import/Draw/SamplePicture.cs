@@ -37,11 +37,10 @@ namespace FastPoints.Draw
         }
 
         /// <summary>Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single
-        /// pixels; leaves the canvas empty.</summary>
+        /// pixels. The canvas is empty before and after.</summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
         public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan, long pointsToDraw)
         {
-            canvas.Clear();
             canvas.UseSize(plan.SizePx);
             if (!plan.WantsAutoSize || points.Count == 0)
                 yield break;

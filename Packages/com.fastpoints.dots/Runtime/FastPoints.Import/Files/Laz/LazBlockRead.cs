@@ -40,6 +40,9 @@ namespace FastPoints.Files
         bool m_isPlanned;
         bool m_keepsStates;
 
+        /// <summary>The copies from and to the state.</summary>
+        JobHandle m_copied;
+
         /// <summary>What the range that begins goes on from, or null.</summary>
         LazCheckpoint m_from;
 
@@ -103,7 +106,7 @@ namespace FastPoints.Files
                 state.FileOffset += chunk->InputOffset;
                 PointwiseChunk.Rebase(chunk);
             }
-            state.Save(m_state);
+            m_copied = state.Save(m_state, m_copied);
             return state;
         }
 
@@ -129,7 +132,8 @@ namespace FastPoints.Files
             var checkpoint = m_from ?? m_blocks.CheckpointOf(block);
             if (checkpoint != null && checkpoint.Point > block.FirstInChunk + range.First)
                 throw new ArgumentException("the state is of points behind the range");
-            checkpoint?.Restore(m_state);
+            if (checkpoint != null)
+                m_copied = checkpoint.Restore(m_state, m_copied);
             long start = m_inputOffset = checkpoint?.FileOffset ?? m_blocks.ChunkOf(block).Offset;
             long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
             // Streams of layers are offsets in the input, which is the same for every range that continues another.
@@ -158,7 +162,7 @@ namespace FastPoints.Files
                 FileOffset = start,
             };
             var read = Read(block, start, ref decode);
-            return Schedule(decode, read);
+            return Schedule(decode, JobHandle.CombineDependencies(read, m_copied));
         }
 
         /// <summary>Starts the read of a range's input.</summary>
@@ -261,6 +265,7 @@ namespace FastPoints.Files
 
         protected override void DisposeMemory()
         {
+            m_copied.Complete();
             m_file.Dispose();
             if (m_isPlanned)
                 ClosePlanned();

