@@ -141,6 +141,8 @@ namespace FastPoints.Verify
                     taken++;
                     if (taken > 0)
                         progress?.Report(taken / (double)m_folder.Chunks.Length, m_result.Points, 0);
+                    // What was freed took milliseconds, as the next check's memory does.
+                    yield return default;
                 }
             }
             finally
