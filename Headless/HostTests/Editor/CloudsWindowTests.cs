@@ -95,6 +95,28 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
+    public void List_OfThousands_IsReachedPageByPage()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("z.las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        Collected(0);
+        var rows = ((CloudList)typeof(CloudsWindow).GetField("m_list", BindingFlags.Instance | BindingFlags.NonPublic)
+            .GetValue(m_window)).Rows;
+        rows.InsertRange(0, Enumerable.Range(0, 400).Select(i => new CloudList.Row { Asset = "Assets/" + i, State = "gone" }));
+
+        var selected = new List<string>();
+        foreach (string button in new[] { "Page 1 of 3: next", "Page 2 of 3: next", "Page 3 of 3: next" })
+        {
+            Press("Select");
+            selected.Add(Selection.activeObject == null ? null : AssetDatabase.GetAssetPath(Selection.activeObject));
+            Press(button);
+        }
+
+        Assert.That(selected, Is.EqualTo(new[] { null, null, "Assets/z.pointcloud" }));
+        Selection.activeObject = null;
+    }
+
+    [Test]
     public void Queue_ButtonsOrderAndCancel()
     {
         foreach (string name in new[] { "a", "b", "c" })

@@ -13,13 +13,14 @@ namespace FastPoints.Editor
     /// those that nothing uses.</summary>
     internal sealed class CloudsWindow : EditorWindow
     {
-        /// <summary>More rows would make each repaint slow: the Project window finds the others.</summary>
-        const int MostRows = 200;
+        /// <summary>More would make each repaint slow.</summary>
+        const int RowsPerPage = 200, MostQueued = 50;
 
         PoolWork<CloudList> m_collecting;
         CloudList m_list;
         Vector2 m_scroll;
         string m_shown;
+        int m_page;
 
         [MenuItem("FastPoints/Clouds", false, 1)]
         static void Open() => GetWindow<CloudsWindow>("Point clouds");
@@ -54,10 +55,11 @@ namespace FastPoints.Editor
             if (m_list == null)
                 return;
             m_scroll = EditorGUILayout.BeginScrollView(m_scroll);
-            for (int i = 0; i < Math.Min(MostRows, m_list.Rows.Count); i++)
+            int pages = Math.Max(1, (m_list.Rows.Count + RowsPerPage - 1) / RowsPerPage), first = RowsPerPage * m_page;
+            for (int i = first; i < Math.Min(first + RowsPerPage, m_list.Rows.Count); i++)
                 Draw(m_list.Rows[i]);
-            if (m_list.Rows.Count > MostRows)
-                GUILayout.Label((m_list.Rows.Count - MostRows) + " more: t:PointCloudAsset in the Project window");
+            if (pages > 1 && GUILayout.Button("Page " + (m_page + 1) + " of " + pages + ": next"))
+                m_page = (m_page + 1) % pages;
             DrawUnused();
             EditorGUILayout.EndScrollView();
         }
@@ -76,6 +78,7 @@ namespace FastPoints.Editor
             try
             {
                 m_list = collected.Take();
+                m_page = Math.Min(m_page, Math.Max(0, m_list.Rows.Count - 1) / RowsPerPage);
             }
             catch (PointCloudException e)
             {
@@ -91,6 +94,11 @@ namespace FastPoints.Editor
             // Buttons change the queue.
             foreach (var request in new List<ImportRequest>(imports.Queue.Requests))
             {
+                if (number == MostQueued)
+                {
+                    GUILayout.Label((imports.Queue.Requests.Count - MostQueued) + " more wait");
+                    break;
+                }
                 EditorGUILayout.LabelField(++number + ". " + AssetDatabase.GUIDToAssetPath(request.Asset),
                     CloudImporterEditor.Describe(imports.Queue, request));
                 GUILayout.BeginHorizontal();
