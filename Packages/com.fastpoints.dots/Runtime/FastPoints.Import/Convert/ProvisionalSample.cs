@@ -59,8 +59,9 @@ namespace FastPoints.Convert
         /// <param name="cubes">See <see cref="RegroupCubesJob.Cubes"/>.</param>
         /// <param name="corner">The octree's corner.</param>
         /// <param name="parts">Receives copies of the records for each cube, which <see cref="Return"/> takes back.</param>
-        public JobHandle Distribute(NativeArray<GridCube> cubes, Grid3 corner, NativeArray<RecordPages> parts) =>
-            new RegroupCubesJob
+        public JobHandle Distribute(NativeArray<GridCube> cubes, Grid3 corner, NativeArray<RecordPages> parts)
+        {
+            var job = new RegroupCubesJob
             {
                 Pages = m_pages,
                 Layout = m_build.Records,
@@ -68,7 +69,12 @@ namespace FastPoints.Convert
                 Corner = corner,
                 Chunks = parts,
                 Pool = m_pool,
-            }.Schedule();
+            };
+            var all = default(JobHandle);
+            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesOfSlice)
+                all = job.Schedule(all);
+            return all;
+        }
 
         /// <summary>Takes back a part.</summary>
         public void Return(RecordPages part) => RecordPagePool.Of(m_pool).Return(ref part);

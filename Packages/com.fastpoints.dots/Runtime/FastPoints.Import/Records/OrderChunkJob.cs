@@ -26,16 +26,16 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
     {
-        /// <summary>A slice takes about 4 ms at most, unless a bucket has more points. Costs are about nanoseconds.</summary>
+        /// <summary>A slice takes about 4 ms at most, unless a bucket takes longer. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
 
         const int CostOfCount = 8;
         const int CostOfMove = 10;
-        const int CostOfSort = 20;
+        const int CostOfSort = 30;
         const int CostOfEmit = 20;
 
         // A page of memory that is touched for the first time.
-        const int CostOfTouch = 1000;
+        const int CostOfTouch = 3000;
         const int TouchedBytes = 4096;
 
         public const int MostBuckets = 1 << 3 * MostLevels;
@@ -228,6 +228,13 @@ namespace FastPoints.Records
                 return;
             }
             int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first, stride = Layout.StrideBytes;
+            // One that takes longer than is left has a slice of its own.
+            long cost = (long)count * CostOfSort;
+            if (cost > m_budget && m_budget < CostPerSlice)
+            {
+                m_budget = 0;
+                return;
+            }
             Scratch.Reserve(count, stride);
             byte* records = Scratch.Bucket.GetUnsafePtr();
             UnsafeUtility.MemCpy(records, m_records + (long)first * stride, (long)count * stride);
@@ -236,7 +243,7 @@ namespace FastPoints.Records
             m_now.IsSwapped = Sort(table, keys, keys + count, count);
             m_now.Point = 0;
             m_now.Stage = Stage.Emit;
-            m_budget -= (long)count * CostOfSort;
+            m_budget -= cost;
         }
 
         /// <returns>Whether the sorted keys are in the scratch.</returns>

@@ -6,12 +6,16 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>Copies records to the cubes that contain them, and leaves out the others.</summary>
+    /// <summary>Copies records of some pages to the cubes that contain them, and leaves out the others.</summary>
     [BurstCompile]
     internal unsafe struct RegroupCubesJob : IJob
     {
+        /// <summary>Pages of one run: a millisecond or so.</summary>
+        public const int PagesOfSlice = 8;
+
         /// <summary>The records, which stay unchanged.</summary>
         public RecordPages Pages;
+        public int FirstPage;
         public RecordLayout Layout;
 
         /// <summary>Cubes of one octree in Morton order, which are equal or do not overlap.</summary>
@@ -29,7 +33,10 @@ namespace FastPoints.Records
             int stride = Layout.StrideBytes;
             ref var pool = ref RecordPagePool.Of(Pool);
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
-            for (var page = Pages.First; page != null; page = page->Next)
+            var page = Pages.First;
+            for (int p = 0; p < FirstPage; p++)
+                page = page->Next;
+            for (int p = 0; p < PagesOfSlice && page != null; p++, page = page->Next)
             {
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)

@@ -35,17 +35,18 @@ namespace FastPoints.Samplers
 
         /// <summary>What a point costs in most clouds.</summary>
         public const int UsualCost = 60;
-        public const int UsualCostOfDarts = 150;
-        public const int UsualCostOfAverages = 250;
+        public const int UsualCostOfDarts = 250;
+        public const int UsualCostOfAverages = 400;
 
         const int CostOfLook = 2;
+        const int CostOfFill = 4;
         const int CostOfCandidate = 5;
-        const int CostOfGather = 12;
-        const int CostOfDart = 25;
+        const int CostOfGather = 20;
+        const int CostOfDart = 45;
         const int CostOfTile = 2000;
-        const int CostOfBar = 10;
-        const int CostOfAverageLook = 4;
-        const int CostOfAverage = 80;
+        const int CostOfBar = 18;
+        const int CostOfAverageLook = 6;
+        const int CostOfAverage = 140;
 
         /// <summary>See <see cref="SampleScratch.Counts"/>.</summary>
         public const int CountTables = 4;
@@ -289,7 +290,7 @@ namespace FastPoints.Samplers
         void Fill()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
-            int end = Spend(m_now.Point, range.End, CostOfLook);
+            int end = Spend(m_now.Point, range.End, CostOfFill);
             for (int i = m_now.Point; i < end; i++)
             {
                 m_rangeOfPoint[i] = m_now.Range;

@@ -365,7 +365,8 @@ namespace FastPoints.Tests.Convert
                     Assert.That(Math.Min(size.X, size.Y), Is.GreaterThan(99000));
                 }
             Assert.That(generation, Is.GreaterThan(1));
-            Assert.That(first, Is.InRange(1000, Points / 2));
+            // A sample of several slices.
+            Assert.That(first, Is.InRange(inFiles ? 1000 : 24000, Points / 2));
             Assert.That(last, Is.InRange(first + 1, Points - 1));
             Prove(Uneven(), "cloud");
         }
