@@ -319,10 +319,14 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     /// <summary>No world is updated then, while views are drawn as the user turns them.</summary>
-    [Test]
-    public void EditModeFrames_PausedPlayMode_StreamAlone()
+    [TestCase(false)]
+    [TestCase(true)]
+    public void EditModeFrames_PausedPlayMode_StreamAlone(bool isChosen)
     {
         using var world = StreamingWorld();
+        using var other = new World("other");
+        if (isChosen)
+            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ShownWorld) = (other, world);
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
@@ -343,6 +347,7 @@ public sealed class EditorImportsTests : EditorFixture
         finally
         {
             EditorApplication.isPlaying = EditorApplication.isPaused = false;
+            PointCloudSystemGroup.ShownWorld = null;
             UnityEngine.Object.DestroyImmediate(cloud.gameObject);
         }
     }

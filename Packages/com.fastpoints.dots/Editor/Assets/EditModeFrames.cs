@@ -1,6 +1,5 @@
 using System;
 using FastPoints.Entities;
-using Unity.Entities;
 using UnityEditor;
 using UnityEditorInternal;
 
@@ -12,8 +11,6 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     internal static class EditModeFrames
     {
-        static World s_world;
-        static PointCloudSystemGroup s_group;
         static int s_asked;
 
         static EditModeFrames()
@@ -28,12 +25,13 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor.</summary>
         public static void Update()
         {
-            bool wants = Wants(World.DefaultGameObjectInjectionWorld);
+            var group = PointCloudSystemGroup.Shown;
+            bool wants = group != null && group.WantsFrame;
             if (EditorApplication.isPlaying)
             {
                 if (EditorApplication.isPaused && wants)
                 {
-                    s_group.Update();
+                    group.Update();
                     InternalEditorUtility.RepaintAllViews();
                 }
                 return;
@@ -47,17 +45,5 @@ namespace FastPoints.Editor
 
         /// <summary>Asks for a frame, and for a picture after it.</summary>
         public static void Ask() => s_asked = 2;
-
-        static bool Wants(World world)
-        {
-            if (world == null || !world.IsCreated)
-                return false;
-            if (world != s_world)
-            {
-                s_world = world;
-                s_group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            }
-            return s_group != null && s_group.WantsFrame;
-        }
     }
 }
