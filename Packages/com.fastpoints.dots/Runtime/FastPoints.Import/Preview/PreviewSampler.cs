@@ -102,7 +102,6 @@ namespace FastPoints.Preview
                     if (isLast)
                         break;
                 }
-                yield return Work.Of(FreeReads());
             }
             finally
             {
@@ -153,12 +152,6 @@ namespace FastPoints.Preview
             Filling = default;
             EndReads();
             Buffer.EndClose();
-        }
-
-        /// <summary>Work for a pump: frees what takes long, a part a step.</summary>
-        private protected virtual IEnumerator<Work> FreeReads()
-        {
-            yield break;
         }
 
         /// <summary>Frees what <see cref="Read"/> needs and awaits jobs in flight. May be called twice.</summary>

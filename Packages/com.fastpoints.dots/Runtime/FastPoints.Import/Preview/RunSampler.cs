@@ -224,16 +224,6 @@ namespace FastPoints.Preview
             }.Schedule(before), 1, after, scheduled);
         }
 
-        private protected override IEnumerator<Work> FreeReads()
-        {
-            for (int i = 0; m_reads != null && i < m_reads.Length; i++)
-            {
-                m_reads[i]?.Dispose();
-                m_reads[i] = null;
-                yield return default;
-            }
-        }
-
         private protected override void Free()
         {
             Filling.Complete();
