@@ -35,10 +35,10 @@ namespace FastPoints.Files
 
         public bool HasState => m_content.IsCreated;
 
-        /// <summary>Drops the state but keeps the position: the block then decodes from an earlier checkpoint.</summary>
+        /// <summary>Drops the state but keeps the position: the block then decodes from an earlier checkpoint. Its jobs have
+        /// ended: slots are disposed before it.</summary>
         public void Drop()
         {
-            m_last.Complete();
             if (!HasState)
                 return;
             m_pages.Dispose();

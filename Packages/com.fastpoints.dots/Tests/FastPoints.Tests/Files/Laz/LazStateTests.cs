@@ -94,8 +94,10 @@ namespace FastPoints.Tests.Files
             Assert.That(read.TryKeepStates(), Is.True);
             read.Begin(new BlockRange(0, 0, 50));
             read.Complete();
-            using var state = read.KeepState(null);
+            var state = read.KeepState(null);
             Assert.That(() => read.Begin(new BlockRange(0, 20, 10), state), Throws.ArgumentException);
+            read.Dispose();
+            state.Dispose();
         }
     }
 }
