@@ -26,12 +26,13 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
     {
-        /// <summary>A slice takes about 4 ms at most, unless a bucket takes longer. Costs are about nanoseconds.</summary>
+        /// <summary>A slice takes about 4 ms at most, unless to sort a bucket takes longer. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
 
         const int CostOfCount = 8;
         const int CostOfMove = 10;
-        const int CostOfSort = 30;
+        const int CostOfKey = 10;
+        const int CostOfSort = 20;
         const int CostOfEmit = 20;
 
         // A page of memory that is touched for the first time.
@@ -99,7 +100,7 @@ namespace FastPoints.Records
 
         /// <summary>Of all slices, about.</summary>
         public long Cost =>
-            Count * (long)(CostOfCount + CostOfMove + CostOfSort + CostOfEmit) + Bytes / TouchedBytes * CostOfTouch;
+            Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) + Bytes / TouchedBytes * CostOfTouch;
 
         // Levels of the octree above the buckets, and those whose bits a key has.
         int BucketLevels
@@ -130,7 +131,9 @@ namespace FastPoints.Records
                 Distribute();
             while (m_budget > 0 && m_now.Stage < Stage.Done)
             {
-                if (m_now.Stage == Stage.Sort)
+                if (m_now.Stage == Stage.Keys)
+                    MakeKeys();
+                else if (m_now.Stage == Stage.Sort)
                     SortBucket();
                 else
                     Emit();
@@ -212,11 +215,11 @@ namespace FastPoints.Records
             for (int b = MostBuckets; b > 0; b--)
                 next[b] = next[b - 1];
             next[0] = 0;
-            m_now = new OrderScratch.State { Stage = Stage.Sort };
+            m_now = new OrderScratch.State { Stage = Stage.Keys };
         }
 
-        /// <summary>Finds the order of the next bucket that has records.</summary>
-        void SortBucket()
+        /// <summary>Copies some records of the next bucket that has any, and makes their keys.</summary>
+        void MakeKeys()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
             while (m_now.Bucket < MostBuckets && start[m_now.Bucket] == start[m_now.Bucket + 1])
@@ -228,6 +231,44 @@ namespace FastPoints.Records
                 return;
             }
             int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first, stride = Layout.StrideBytes;
+            if (m_now.Point == 0)
+            {
+                Scratch.Reserve(count, stride);
+                m_now.AnyBits = 0;
+                m_now.CommonBits = ulong.MaxValue;
+            }
+            int numberBits = NumberBitsOf(count), shift = Cube.SideLog2 - Levels, restBits = 3 * (Levels - BucketLevels);
+            int dropped = math.max(0, restBits + numberBits - 64);
+            ulong mask = (1UL << restBits) - 1, or = m_now.AnyBits, and = m_now.CommonBits;
+            ulong* keys = Scratch.Keys.GetUnsafePtr();
+            for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
+            {
+                int end = math.min(count, m_now.Point + PointsOfRun);
+                byte* record = Scratch.Bucket.GetUnsafePtr() + (long)m_now.Point * stride;
+                UnsafeUtility.MemCpy(record, m_records + (long)(first + m_now.Point) * stride,
+                    (long)(end - m_now.Point) * stride);
+                for (int i = m_now.Point; i < end; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record) - Cube.Corner;
+                    ulong key = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+                    key = (key & mask) >> dropped << numberBits | (uint)i;
+                    or |= key;
+                    and &= key;
+                    keys[i] = key;
+                }
+                m_budget -= PointsOfRun * CostOfKey;
+            }
+            m_now.AnyBits = or;
+            m_now.CommonBits = and;
+            if (m_now.Point >= count)
+                m_now.Stage = Stage.Sort;
+        }
+
+        /// <summary>Finds the order of the current bucket.</summary>
+        void SortBucket()
+        {
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            int count = start[m_now.Bucket + 1] - start[m_now.Bucket];
             // One that takes longer than is left has a slice of its own.
             long cost = (long)count * CostOfSort;
             if (cost > m_budget && m_budget < CostPerSlice)
@@ -235,38 +276,26 @@ namespace FastPoints.Records
                 m_budget = 0;
                 return;
             }
-            Scratch.Reserve(count, stride);
-            byte* records = Scratch.Bucket.GetUnsafePtr();
-            UnsafeUtility.MemCpy(records, m_records + (long)first * stride, (long)count * stride);
-            var table = new RecordTable { Records = records, Layout = Layout, Corner = Cube.Corner };
             ulong* keys = Scratch.Keys.GetUnsafePtr();
-            m_now.IsSwapped = Sort(table, keys, keys + count, count);
+            m_now.IsSwapped = Sort(keys, keys + count, count);
             m_now.Point = 0;
             m_now.Stage = Stage.Emit;
             m_budget -= cost;
         }
 
         /// <returns>Whether the sorted keys are in the scratch.</returns>
-        bool Sort(in RecordTable table, ulong* keys, ulong* scratch, int count)
+        bool Sort(ulong* keys, ulong* scratch, int count)
         {
-            int numberBits = NumberBitsOf(count), shift = Cube.SideLog2 - Levels, restBits = 3 * (Levels - BucketLevels);
-            int dropped = math.max(0, restBits + numberBits - 64);
-            ulong mask = (1UL << restBits) - 1, numberMask = (1UL << numberBits) - 1, or = 0, and = ulong.MaxValue;
-            for (int i = 0; i < count; i++)
-            {
-                var place = Layout.PlaceOf(table.At((uint)i)) - Cube.Corner;
-                ulong key = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift)) & mask;
-                key = key >> dropped << numberBits | (uint)i;
-                or |= key;
-                and &= key;
-                keys[i] = key;
-            }
-            int top = 64 - math.lzcnt((or ^ and) & ~numberMask), digit = count < FewPoints ? ShortDigitBits : LongDigitBits;
+            int numberBits = NumberBitsOf(count);
+            ulong numberMask = (1UL << numberBits) - 1;
+            int top = 64 - math.lzcnt((m_now.AnyBits ^ m_now.CommonBits) & ~numberMask);
+            int digit = count < FewPoints ? ShortDigitBits : LongDigitBits;
             // Two long digits, or three short ones, leave few records of one prefix.
             int prefix = count <= InsertedPoints ? top : math.max(numberBits, top - (count < FewPoints ? 3 : 2) * digit);
             ulong* sorted = RadixSort(keys, scratch, count, prefix, top, digit);
             if (!InsertionSort(sorted, count))
                 sorted = RadixSort(sorted, sorted == keys ? scratch : keys, count, numberBits, top, digit);
+            var table = new RecordTable { Records = Scratch.Bucket.GetUnsafePtr(), Layout = Layout, Corner = Cube.Corner };
             for (int i = 1; i < count; i++)
             {
                 if ((sorted[i - 1] ^ sorted[i]) > numberMask)
@@ -305,7 +334,8 @@ namespace FastPoints.Records
             if (m_now.Point < count)
                 return;
             m_now.Bucket++;
-            m_now.Stage = Stage.Sort;
+            m_now.Point = 0;
+            m_now.Stage = Stage.Keys;
         }
 
         /// <returns>Whether it was done: it gives up where many are far from their place.</returns>

@@ -17,6 +17,7 @@ namespace FastPoints.Records
             Touch,
             Count,
             Distribute,
+            Keys,
             Sort,
             Emit,
             Done,
@@ -34,6 +35,10 @@ namespace FastPoints.Records
 
             /// <summary>Bytes of the ordered records that have memory.</summary>
             public long Touched;
+
+            /// <summary>Bits that any of the bucket's keys has, and those that all have.</summary>
+            public ulong AnyBits;
+            public ulong CommonBits;
 
             /// <summary>Which half of the keys is sorted.</summary>
             public bool IsSwapped;

@@ -39,6 +39,7 @@ namespace FastPoints.Samplers
         const int Lanes = 8;
         const int WordsOfBucket = 2 * Lanes;
         const int FewestSlots = 4096;
+        const int DartsOfBucket = 7;
 
         NativeList<uint> m_buckets;
 
@@ -82,9 +83,17 @@ namespace FastPoints.Samplers
             return grid;
         }
 
-        public void Clear()
+        /// <param name="darts">At most as many are thrown. In most clouds there is room for their samples at once: a list that grows
+        /// is copied, in one slice.</param>
+        public void Clear(int darts)
         {
             m_buckets.Clear();
+            int words = darts / DartsOfBucket * WordsOfBucket;
+            if (m_buckets.Capacity < words)
+            {
+                m_buckets.SetCapacity(WordsOfBucket);
+                m_buckets.SetCapacity(words);
+            }
             m_links.Clear();
             m_tiles.Clear();
             m_cells.Clear();

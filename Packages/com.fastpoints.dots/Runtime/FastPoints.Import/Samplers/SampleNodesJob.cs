@@ -33,10 +33,10 @@ namespace FastPoints.Samplers
         /// <summary>A slice takes about 4 ms at most. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
 
-        /// <summary>What a point costs in most clouds.</summary>
-        public const int UsualCost = 60;
-        public const int UsualCostOfDarts = 250;
-        public const int UsualCostOfAverages = 400;
+        /// <summary>More than a point costs in most clouds (20 to 30, 95 to 120, and for averages 140 to 170 more).</summary>
+        public const int UsualCost = 40;
+        public const int UsualCostOfDarts = 150;
+        public const int UsualCostOfAverages = 200;
 
         const int CostOfLook = 2;
         const int CostOfFill = 4;
@@ -327,7 +327,7 @@ namespace FastPoints.Samplers
                 if (ranges[r].Kind == RangeKind.Passed && ranges[r].CellLog2 == next)
                     PassOn(ranges, r);
             if (!IsRandom)
-                Scratch.Grid.Clear();
+                Scratch.Grid.Clear(Count);
             m_now.IsFixing = !IsRandom && Tops.Length > 0;
             BeginRange(-1);
         }

@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Samplers
             using (var all = new DartGrid(Allocator.Persistent))
             {
                 var grid = all.For(cell, true);
-                grid.Clear();
+                grid.Clear(64);
                 var samples = new Grid3[900];
                 int count = 0, near = 0, chained = 0;
                 for (int tileNumber = 0; tileNumber < Tiles * Tiles; tileNumber++)
