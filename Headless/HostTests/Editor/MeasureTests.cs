@@ -7,8 +7,6 @@ namespace FastPoints.HostTests.Editor;
 /// <summary>Picking and measuring in a scene, as it is in an editor that does not play.</summary>
 public sealed class MeasureTests
 {
-    const int MostFrames = 500_000;
-
     ScratchFolder m_scratch;
     string m_path;
     CloudFolder m_folder;
@@ -35,19 +33,11 @@ public sealed class MeasureTests
     public void MakeScene()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(ScenePicking).TypeHandle);
-        m_world = new World("default");
-        World.DefaultGameObjectInjectionWorld = m_world;
-        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
-        m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+        m_world = CloudWorld.Make();
         m_scene = new GameObject("scan");
         m_cloud = m_scene.AddComponent<PointCloud>();
         m_cloud.Path = m_path;
-        // Turned by a right angle about the vertical, enlarged and moved.
-        var place = Matrix4x4.zero;
-        (place.m02, place.m11, place.m20, place.m33) = (2, 2, -2, 1);
-        (place.m03, place.m13, place.m23) = (100, 50, -30);
-        SceneLoop.Place(m_scene.transform, place);
+        CloudWorld.Turn(m_scene.transform);
         Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
         Frames(() => true);
     }
@@ -63,16 +53,9 @@ public sealed class MeasureTests
 
     void Frames(Func<bool> isDone)
     {
-        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
-        {
-            SceneLoop.Update();
-            m_world.Update();
-            EditorApplication.update?.Invoke();
-            Thread.Yield();
-        }
+        CloudWorld.Frames(m_world, isDone);
         SceneLoop.Update();
         m_world.Update();
-        Assert.That(isDone(), Is.True);
     }
 
     double3 WorldOf(double3 geo)

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Editor;
 /// <summary>Points that the scene's boxes and classes leave, written by the editor.</summary>
 public sealed class SceneExportTests : EditorFixture
 {
-    const int Points = 20_000, MostFrames = 500_000;
+    const int Points = 20_000;
 
     World m_world;
     GameObject m_scene, m_box;
@@ -19,19 +19,11 @@ public sealed class SceneExportTests : EditorFixture
         string cloud = m_project.Scratch["scan.fastpoints"];
         Assert.That(CliCall.Of("convert", m_source, "-o", cloud, "--quiet").Status, Is.Zero);
         m_folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
-        m_world = new World("default");
-        World.DefaultGameObjectInjectionWorld = m_world;
-        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
-        m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+        m_world = CloudWorld.Make();
         m_scene = new GameObject("street");
         m_cloud = m_scene.AddComponent<PointCloud>();
         m_cloud.Path = cloud;
-        // Turned by a right angle about the vertical, enlarged and moved.
-        var place = Matrix4x4.zero;
-        (place.m02, place.m11, place.m20, place.m33) = (2, 2, -2, 1);
-        (place.m03, place.m13, place.m23) = (100, 50, -30);
-        SceneLoop.Place(m_scene.transform, place);
+        CloudWorld.Turn(m_scene.transform);
         Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
     }
 
@@ -46,16 +38,9 @@ public sealed class SceneExportTests : EditorFixture
 
     void Frames(Func<bool> isDone)
     {
-        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
-        {
-            SceneLoop.Update();
-            m_world.Update();
-            EditorApplication.update?.Invoke();
-            Thread.Yield();
-        }
+        CloudWorld.Frames(m_world, isDone);
         SceneLoop.Update();
         m_world.Update();
-        Assert.That(isDone(), Is.True);
     }
 
     /// <summary>Points of the source in a box of the world.</summary>

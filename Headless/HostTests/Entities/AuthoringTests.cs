@@ -6,9 +6,6 @@ namespace FastPoints.HostTests.Entities;
 /// <summary>GameObjects and subscenes: what they make of a cloud.</summary>
 public sealed class AuthoringTests
 {
-    /// <summary>The folder is opened on another thread, which may get its turn late on a machine at work.</summary>
-    const int MostFrames = 10_000_000;
-
     ScratchFolder m_scratch;
     World m_world;
     PointCloudSystemGroup m_group;
@@ -27,12 +24,8 @@ public sealed class AuthoringTests
     [SetUp]
     public void MakeWorld()
     {
-        m_world = new World("default");
-        World.DefaultGameObjectInjectionWorld = m_world;
-        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
+        m_world = CloudWorld.Make();
         m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-        m_group.Begin(new MemoryNodePool(1 << 24, 1 << 20));
     }
 
     [TearDown]
@@ -42,16 +35,7 @@ public sealed class AuthoringTests
             m_world.Dispose();
     }
 
-    void Frames(Func<bool> isDone)
-    {
-        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
-        {
-            SceneLoop.Update();
-            m_world.Update();
-            Thread.Yield();
-        }
-        Assert.That(isDone(), Is.True);
-    }
+    void Frames(Func<bool> isDone) => CloudWorld.Frames(m_world, isDone);
 
     bool IsStreamed(Entity entity) => m_world.EntityManager.HasComponent<StreamedPointCloud>(entity);
 

@@ -21,7 +21,7 @@ namespace FastPoints.Rendering
         bool m_isDrawn;
 
         /// <param name="copyPages">The package's CopyPages.compute.</param>
-        /// <param name="limitBytes">Limit of the banks; upload buffers (<see cref="UploadBytes"/>) come on top.</param>
+        /// <param name="limitBytes">Limit of the banks; upload buffers come on top.</param>
         /// <param name="bankBytes">No node may be larger.</param>
         /// <param name="bytesPerUpload">The usual upload of one frame.</param>
         public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes,
@@ -36,9 +36,6 @@ namespace FastPoints.Rendering
             !SystemInfo.supportsComputeShaders ? SystemInfo.graphicsDeviceType + " has no compute shaders here"
             : SystemInfo.maxComputeBufferInputsVertex < VertexBuffers
                 ? SystemInfo.graphicsDeviceType + " gives vertex shaders fewer than two storage buffers here" : null;
-
-        /// <summary>Bytes of the buffers that uploads go through.</summary>
-        public long UploadBytes => m_upload.AllocatedBytes;
 
         /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];

@@ -33,7 +33,6 @@ namespace FastPoints.Rendering
 
         public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
-        public long AllocatedBytes => (long)Capacity * (NodePool.PageBytes + PageEntryBytes);
 
         public void Lock()
         {

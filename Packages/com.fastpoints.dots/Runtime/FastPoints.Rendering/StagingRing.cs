@@ -36,18 +36,6 @@ namespace FastPoints.Rendering
             m_endOfBank = new NativeList<int>(Allocator.Persistent);
         }
 
-        /// <summary>Bytes of its own memory.</summary>
-        public long AllocatedBytes
-        {
-            get
-            {
-                long bytes = 0;
-                foreach (var buffer in m_buffers)
-                    bytes += buffer.AllocatedBytes;
-                return bytes;
-            }
-        }
-
         /// <param name="frame">Counts frames that a picture was drawn in.</param>
         /// <returns>Whether there is memory to write to.</returns>
         public bool TryBegin(long frame)

@@ -26,7 +26,7 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
     {
-        /// <summary>A slice takes about 4 ms at most, unless to sort a bucket takes longer. Costs are about nanoseconds.</summary>
+        /// <summary>A slice takes about 4 ms at most, unless a bucket's sort takes longer. Costs are about nanoseconds.</summary>
         public const int CostOfSlice = 2500000;
 
         const int CostOfCount = 8;
@@ -100,7 +100,8 @@ namespace FastPoints.Records
 
         /// <summary>Of all slices, about.</summary>
         public long Cost =>
-            Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) + Bytes / TouchedBytes * CostOfTouch;
+            Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) +
+            Bytes / TouchedBytes * CostOfTouch;
 
         // Levels of the octree above the buckets, and those whose bits a key has.
         int BucketLevels

@@ -83,8 +83,8 @@ namespace FastPoints.Samplers
             return grid;
         }
 
-        /// <param name="darts">At most as many are thrown. In most clouds there is room for their samples at once: a list that grows
-        /// is copied, in one slice.</param>
+        /// <param name="darts">At most as many are thrown. In most clouds there is room for their samples at once: a list that
+        /// grows is copied, in one slice.</param>
         public void Clear(int darts)
         {
             m_buckets.Clear();

@@ -14,9 +14,6 @@ namespace FastPoints.Feeds
         static readonly string[] s_none = new string[0];
         static Func<IReadOnlyList<string>, CloudFeed> s_openSource;
 
-        /// <summary>Whether files other than converted clouds can be opened.</summary>
-        public static bool HasReaders => s_openSource != null;
-
         /// <summary>Registers what opens files that are not converted clouds. The last registration wins.</summary>
         /// <param name="openSource">Opens files and folders that make one cloud, on any thread; throws a <see
         /// cref="PointCloudException"/>. Null for none.</param>

@@ -81,9 +81,7 @@ namespace FastPoints.Tests.Convert
 
         void Prove(PointReader reader, string name)
         {
-            var result = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(Target(name), new[] { reader }, result, null));
-            Assert.That(result.Problems, Is.Empty);
+            var result = Verified(name, reader);
             Assert.That(result.Points, Is.EqualTo(reader.PointCount));
         }
 
@@ -160,9 +158,7 @@ namespace FastPoints.Tests.Convert
                 foreach (var node in folder.Upper.Nodes)
                     goes.Add(node.SampledWith);
             Assert.That(goes.Count, Is.GreaterThan(1));
-            var result = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(Target("cloud"), Array.Empty<PointReader>(), result, null));
-            Assert.That(result.Problems, Is.Empty);
+            var result = Verified("cloud");
             int levels = 0;
             double ofAll = double.PositiveInfinity;
             foreach (var level in result.Levels)
@@ -339,31 +335,19 @@ namespace FastPoints.Tests.Convert
             settings.SecondsPerGeneration = 0;
             settings.Sampler = sampler;
             settings.MemoryBytes *= inFiles ? 4 : 1;
-            string part = Target("cloud") + StoreFormat.PartSuffix;
-            string manifest = Path.Combine(part, StoreFormat.ManifestName);
             long generation = 0, first = 0, last = 0;
-            using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null)))
-                while (work.MoveNext())
-                {
-                    work.Current.Complete();
-                    if (!File.Exists(manifest))
-                        continue;
-                    var said = CloudManifest.FromJson(File.ReadAllText(manifest), manifest);
-                    if (!said.IsBuilding || said.Generation == generation)
-                        continue;
-                    generation = said.Generation;
-                    var result = new VerifyResult();
-                    WorkPump.RunToEnd(VerifyCloud.Run(Target("cloud"), Array.Empty<PointReader>(), result, null));
-                    Assert.That(result.Problems, Is.Empty);
-                    last = result.Points;
-                    if (generation > 1)
-                        continue;
-                    first = result.Points;
-                    using var cloud = CloudFolder.Open(Target("cloud"));
-                    Assert.That(cloud.Chunks.Length, Is.Zero);
-                    var size = cloud.Manifest.BoundsMax - cloud.Manifest.BoundsMin;
-                    Assert.That(Math.Min(size.X, size.Y), Is.GreaterThan(99000));
-                }
+            foreach (long next in Generations(settings))
+            {
+                generation = next;
+                last = Verified("cloud").Points;
+                if (generation > 1)
+                    continue;
+                first = last;
+                using var cloud = CloudFolder.Open(Target("cloud"));
+                Assert.That(cloud.Chunks.Length, Is.Zero);
+                var size = cloud.Manifest.BoundsMax - cloud.Manifest.BoundsMin;
+                Assert.That(Math.Min(size.X, size.Y), Is.GreaterThan(99000));
+            }
             Assert.That(generation, Is.GreaterThan(1));
             // A sample of several slices.
             Assert.That(first, Is.InRange(inFiles ? 1000 : 24000, Points / 2));
@@ -377,32 +361,45 @@ namespace FastPoints.Tests.Convert
             var settings = inFiles ? InFiles() : InMemory();
             settings.SecondsPerGeneration = 0;
             settings.MemoryBytes *= inFiles ? 4 : 1;
-            string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);
-            long generation = 0, points = 0;
+            long points = 0;
             int generations = 0;
-            using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null)))
-                while (work.MoveNext())
-                {
-                    work.Current.Complete();
-                    if (!File.Exists(manifest))
-                        continue;
-                    var said = CloudManifest.FromJson(File.ReadAllText(manifest), manifest);
-                    if (!said.IsBuilding || said.Generation == generation)
-                        continue;
-                    generation = said.Generation;
-                    generations++;
-                    if (generations % 8 != 1)
-                        continue;
-                    var result = new VerifyResult();
-                    WorkPump.RunToEnd(VerifyCloud.Run(Target("cloud"), Array.Empty<PointReader>(), result, null));
-                    Assert.That(result.Problems, Is.Empty);
-                    Assert.That(result.IsBuilding, Is.True);
-                    Assert.That(result.Points, Is.InRange(Math.Max(1, points), Points - 1));
-                    points = result.Points;
-                }
+            foreach (long _ in Generations(settings))
+            {
+                if (generations++ % 8 != 0)
+                    continue;
+                var result = Verified("cloud");
+                Assert.That(result.IsBuilding, Is.True);
+                Assert.That(result.Points, Is.InRange(Math.Max(1, points), Points - 1));
+                points = result.Points;
+            }
             Assert.That(generations, Is.GreaterThan(0));
             Prove(Uneven(), "cloud");
             Assert.That(Directory.GetFiles(Target("cloud")), Has.Length.EqualTo(3));
+        }
+
+        /// <summary>Converts, and stops at each new generation.</summary>
+        IEnumerable<long> Generations(ConvertSettings settings)
+        {
+            string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);
+            long generation = 0;
+            using var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null));
+            while (work.MoveNext())
+            {
+                work.Current.Complete();
+                if (!File.Exists(manifest))
+                    continue;
+                var said = CloudManifest.FromJson(File.ReadAllText(manifest), manifest);
+                if (said.IsBuilding && said.Generation != generation)
+                    yield return generation = said.Generation;
+            }
+        }
+
+        VerifyResult Verified(string name, params PointReader[] sources)
+        {
+            var result = new VerifyResult();
+            WorkPump.RunToEnd(VerifyCloud.Run(Target(name), sources, result, null));
+            Assert.That(result.Problems, Is.Empty);
+            return result;
         }
 
         [TestCase(1000L, 928L << 20, false, 200000L)]

@@ -4,7 +4,6 @@ namespace FastPoints.Files
     /// of bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.</summary>
     unsafe struct E57Packet
     {
-        public const int IndexKind = 0;
         public const int DataKind = 1;
         public const int IgnoredKind = 2;
 

@@ -34,12 +34,9 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * RgbContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         RgbItem.Start((RgbItem*)place, (byte*)last);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = ((RgbItem*)place)->Last;
                 }
@@ -48,10 +45,7 @@ namespace FastPoints.Files
                     break;
                 field += stride;
             }
-            layer->Current = current;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(current, value, length, next);
             return done;
         }
 
@@ -71,12 +65,9 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * InfraredContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         StartInfraredContext(place, *last);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = (ushort*)place;
                 }
@@ -93,10 +84,7 @@ namespace FastPoints.Files
                 *(ushort*)field = *last;
                 field += stride;
             }
-            layer->Current = current;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(current, value, length, next);
             return done;
         }
 
@@ -114,21 +102,15 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * RgbContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         RgbItem.Start((RgbItem*)place, (byte*)last);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = ((RgbItem*)place)->Last;
                 }
                 RgbItem.Encode(place, last, field, ref low, ref length, ref next);
             }
-            layer->Current = current;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(current, low, length, next);
         }
 
         public static void EncodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
@@ -145,12 +127,9 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * InfraredContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         StartInfraredContext(place, *(ushort*)last);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = place;
                 }
@@ -164,10 +143,7 @@ namespace FastPoints.Files
                     last[b] = field[b];
                 }
             }
-            layer->Current = current;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(current, low, length, next);
         }
     }
 }

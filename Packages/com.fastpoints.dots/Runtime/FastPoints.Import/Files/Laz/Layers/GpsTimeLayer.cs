@@ -31,11 +31,8 @@ namespace FastPoints.Files
                     long last = ((GpsTimeLayer*)place)->m_last;
                     channel = context;
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, last);
-                    }
                 }
                 if ((point & PointContext.TimeChangedBit) != 0)
                 {
@@ -62,11 +59,8 @@ namespace FastPoints.Files
                     long last = ((GpsTimeLayer*)place)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, last);
-                    }
                 }
                 if ((point & PointContext.TimeChangedBit) != 0)
                     GpsTimeItem.Encode((GpsTimeItem*)(place + ItemAt), &layer->Stream, *(long*)field);

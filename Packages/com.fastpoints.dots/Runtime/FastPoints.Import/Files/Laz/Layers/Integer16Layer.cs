@@ -43,11 +43,8 @@ namespace FastPoints.Files
                     int last = ((Integer16Layer*)place)->m_last;
                     channel = context;
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, (ushort)last);
-                    }
                 }
 
                 if (kind == LazLayerKind.Intensity)
@@ -70,10 +67,7 @@ namespace FastPoints.Files
                 *(ushort*)field = (ushort)((Integer16Layer*)place)->m_last;
                 field += stride;
             }
-            layer->Current = channel;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, value, length, next);
             return done;
         }
 
@@ -94,11 +88,8 @@ namespace FastPoints.Files
                     int left = ((Integer16Layer*)place)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, (ushort)left);
-                    }
                 }
                 if (isIntensity)
                 {
@@ -115,10 +106,7 @@ namespace FastPoints.Files
                 }
                 ((Integer16Layer*)place)->m_last = *(ushort*)field;
             }
-            layer->Current = channel;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, low, length, next);
         }
     }
 }

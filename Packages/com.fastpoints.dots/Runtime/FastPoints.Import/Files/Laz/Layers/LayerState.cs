@@ -31,6 +31,24 @@ namespace FastPoints.Files
 
         /// <summary>Context of the last point.</summary>
         public int Current;
+
+        /// <returns>Whether a context is new: it is made from what the last point had.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public bool Make(int context)
+        {
+            bool isNew = (Made >> context & 1) == 0;
+            Made |= 1 << context;
+            return isNew;
+        }
+
+        /// <summary>Keeps where a coder stops.</summary>
+        public void Keep(int context, uint value, uint length, byte* next)
+        {
+            Current = context;
+            Stream.Value = value;
+            Stream.Length = length;
+            Stream.Next = next;
+        }
     }
 
     /// <summary>

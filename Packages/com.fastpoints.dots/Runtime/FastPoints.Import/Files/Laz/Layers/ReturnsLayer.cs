@@ -90,11 +90,8 @@ namespace FastPoints.Files
                     uint step = SymbolModel.Decode(place + ChannelAt, 4, ref value, ref length, ref next);
                     channel = (int)((uint)channel + step + 1) & 3;
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, context->m_x, context->m_y, context->m_returns);
-                    }
                     context = (ReturnsLayer*)place;
                     returns = context->m_returns;
                 }
@@ -157,10 +154,7 @@ namespace FastPoints.Files
                 record[15] = (byte)(flags | channel << 4);
                 record += stride;
             }
-            layer->Current = channel;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, value, length, next);
             return done;
         }
 
@@ -196,12 +190,9 @@ namespace FastPoints.Files
                     byte* last = lasts + 32 * channel;
                     channel = to;
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, context->m_x, context->m_y, context->m_returns);
                         UnsafeUtility.MemCpy(lasts + 32 * channel, last, 30);
-                    }
                     context = (ReturnsLayer*)place;
                 }
                 byte* before = lasts + 32 * channel;
@@ -240,10 +231,7 @@ namespace FastPoints.Files
                 context->m_y = *(int*)(record + 4);
                 points[i] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
             }
-            layer->Current = channel;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, low, length, next);
         }
 
         /// <summary>The <see cref="PointContext"/> of a point.</summary>

@@ -43,12 +43,9 @@ namespace FastPoints.Files
                 {
                     channel = context;
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         ((SymbolLayer*)place)->m_last = last;
                         ((SymbolLayer*)place)->m_made = 0;
-                    }
                 }
                 byte* model = ModelOf((SymbolLayer*)place, kind, point);
                 int symbol = (int)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
@@ -58,10 +55,7 @@ namespace FastPoints.Files
                 *field = kind == LazLayerKind.Flags ? (byte)(symbol & 15 | symbol >> 4 << 6 | *field & 0x30) : (byte)symbol;
                 field += stride;
             }
-            layer->Current = channel;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, value, length, next);
             return done;
         }
 
@@ -80,22 +74,16 @@ namespace FastPoints.Files
                     int left = ((SymbolLayer*)place)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         ((SymbolLayer*)place)->m_last = left;
                         ((SymbolLayer*)place)->m_made = 0;
-                    }
                 }
                 byte* model = ModelOf((SymbolLayer*)place, kind, point);
                 int symbol = kind == LazLayerKind.Flags ? ToSymbol(*field) : *field;
                 SymbolModel.Encode(model, 256, (uint)symbol, ref low, ref length, ref next);
                 ((SymbolLayer*)place)->m_last = symbol;
             }
-            layer->Current = channel;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, low, length, next);
         }
 
         /// <summary>The model by the last symbol, made on first use.</summary>

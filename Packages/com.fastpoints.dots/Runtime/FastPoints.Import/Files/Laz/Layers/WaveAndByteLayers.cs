@@ -27,13 +27,10 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * WaveContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         // The item's first byte, the descriptor, is not predicted: only the 28 behind it count.
                         WavePacketItem.Start((WavePacketItem*)place, last - 1);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = ((WavePacketItem*)place)->Last;
                 }
@@ -62,12 +59,9 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * ByteContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         StartByteContext(place, *last);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = place;
                 }
@@ -77,10 +71,7 @@ namespace FastPoints.Files
                 *field = *last;
                 field += stride;
             }
-            layer->Current = current;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(current, value, length, next);
             return done;
         }
 
@@ -96,12 +87,9 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * WaveContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         WavePacketItem.Start((WavePacketItem*)place, last - 1);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = ((WavePacketItem*)place)->Last;
                 }
@@ -124,22 +112,16 @@ namespace FastPoints.Files
                 {
                     current = context;
                     place = contexts + (long)current * ByteContextBytes;
-                    bool isNew = (layer->Made >> current & 1) == 0;
+                    bool isNew = layer->Make(current);
                     if (isNew)
-                    {
-                        layer->Made |= 1 << current;
                         StartByteContext(place, *last);
-                    }
                     if (isNew || layer->FollowsChannel != 0)
                         last = place;
                 }
                 SymbolModel.Encode(place + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
                 *last = *field;
             }
-            layer->Current = current;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(current, low, length, next);
         }
     }
 }

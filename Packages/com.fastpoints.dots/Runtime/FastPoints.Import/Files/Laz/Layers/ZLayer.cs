@@ -39,11 +39,8 @@ namespace FastPoints.Files
                     int z = ((ZLayer*)place)->m_last;
                     channel = context;
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, z);
-                    }
                 }
                 int* last = ((ZLayer*)place)->m_lastOfLevel + PointContext.Level(point);
                 int added = *last + IntegerModel.Decode(place + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift),
@@ -55,10 +52,7 @@ namespace FastPoints.Files
                 *(int*)field = added;
                 field += stride;
             }
-            layer->Current = channel;
-            layer->Stream.Value = value;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, value, length, next);
             return done;
         }
 
@@ -76,21 +70,15 @@ namespace FastPoints.Files
                     int z = ((ZLayer*)place)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
                     place = contexts + (long)channel * ContextBytes;
-                    if ((layer->Made >> channel & 1) == 0)
-                    {
-                        layer->Made |= 1 << channel;
+                    if (layer->Make(channel))
                         StartContext(place, z);
-                    }
                 }
                 int* last = ((ZLayer*)place)->m_lastOfLevel + PointContext.Level(point);
                 IntegerModel.Encode(place + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last, out _,
                     ref low, ref length, ref next);
                 *last = ((ZLayer*)place)->m_last = *(int*)field;
             }
-            layer->Current = channel;
-            layer->Stream.Value = low;
-            layer->Stream.Length = length;
-            layer->Stream.Next = next;
+            layer->Keep(channel, low, length, next);
         }
     }
 }

@@ -1,0 +1,38 @@
+namespace FastPoints.HostTests;
+
+/// <summary>A default world with the systems that open and place clouds, and frames of an editor that does not play.</summary>
+static class CloudWorld
+{
+    /// <summary>Folders are opened on another thread, which may get its turn late on a machine at work.</summary>
+    const int MostFrames = 10_000_000;
+
+    public static World Make()
+    {
+        var world = World.DefaultGameObjectInjectionWorld = new World("default");
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
+            typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
+        world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+        return world;
+    }
+
+    /// <summary>Turns an object by a right angle about the vertical, enlarges and moves it.</summary>
+    public static void Turn(Transform transform)
+    {
+        var place = Matrix4x4.zero;
+        (place.m02, place.m11, place.m20, place.m33) = (2, 2, -2, 1);
+        (place.m03, place.m13, place.m23) = (100, 50, -30);
+        SceneLoop.Place(transform, place);
+    }
+
+    public static void Frames(World world, Func<bool> isDone)
+    {
+        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
+        {
+            SceneLoop.Update();
+            world.Update();
+            EditorApplication.update?.Invoke();
+            Thread.Yield();
+        }
+        Assert.That(isDone(), Is.True);
+    }
+}
