@@ -220,8 +220,8 @@ public sealed class JobDependencyTests
     public void Exception_ThatNoTestTook_FailsTheTest()
     {
         new ThrowingJob().Schedule().Complete();
-        Assert.That(() => new FailsOnLoggedExceptionsAttribute().AfterTest(null), Throws.TypeOf<ArithmeticException>());
-        Assert.That(() => new FailsOnLoggedExceptionsAttribute().AfterTest(null), Throws.Nothing);
+        Assert.That(() => new AsInUnityAttribute().AfterTest(null), Throws.TypeOf<ArithmeticException>());
+        Assert.That(() => new AsInUnityAttribute().AfterTest(null), Throws.Nothing);
     }
 
     [Test]

@@ -27,6 +27,7 @@ public sealed class FrameTests : GraphicsFixture
     [SetUp]
     public void Make()
     {
+        HeadlessGraphics.FramesBehind = 0;
         m_compute = HeadlessShaders.LoadCompute(PathOf("Numbers.compute"));
         m_material = new Material(HeadlessShaders.Load(PathOf("Quads.shader")));
         m_target = new RenderTexture(16, 16, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
@@ -130,22 +131,15 @@ public sealed class FrameTests : GraphicsFixture
     public void Frames_CardFarBehind_FencesPassSoManyFramesLater()
     {
         HeadlessGraphics.FramesBehind = 3;
-        try
-        {
-            Frame(0, draws: 1);
-            GraphicsFence first = m_fence;
-            for (int frame = 1; frame < 3; frame++)
-                Frame(frame, draws: 1);
-            System.Threading.Thread.Sleep(20);
-            Assert.That(first.passed, Is.False, "however long ago the device was done");
-            HeadlessGraphics.EndFrame();
-            Assert.That(first.passed, Is.True);
-            Assert.That(m_fence.passed, Is.False);
-        }
-        finally
-        {
-            HeadlessGraphics.FramesBehind = 0;
-        }
+        Frame(0, draws: 1);
+        GraphicsFence first = m_fence;
+        for (int frame = 1; frame < 3; frame++)
+            Frame(frame, draws: 1);
+        System.Threading.Thread.Sleep(20);
+        Assert.That(first.passed, Is.False, "however long ago the device was done");
+        HeadlessGraphics.EndFrame();
+        Assert.That(first.passed, Is.True);
+        Assert.That(m_fence.passed, Is.False);
     }
 
     [Test]

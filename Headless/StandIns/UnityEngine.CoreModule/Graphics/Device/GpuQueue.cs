@@ -1,3 +1,4 @@
+using FastPoints.Headless.Graphics;
 namespace StandIns.Graphics;
 
 /// <summary>What the host asks of the device, in order: one recording is open at a time, a submission is a number, and what is no
@@ -38,7 +39,7 @@ sealed unsafe class GpuQueue
 
     /// <summary>What was submitted after this one is not done, whatever the device says: for cards that are frames
     /// behind.</summary>
-    internal ulong NotBeyond { get; set; } = ulong.MaxValue;
+    internal ulong NotBeyond { get; set; } = HeadlessGraphics.FramesBehind == 0 ? ulong.MaxValue : 0;
 
     /// <summary>The number that what is recorded now will have.</summary>
     internal ulong Next => m_submitted + 1;

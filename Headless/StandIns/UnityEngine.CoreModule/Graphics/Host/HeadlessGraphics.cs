@@ -49,6 +49,8 @@ public static class HeadlessGraphics
         {
             s_framesBehind = value;
             s_endsOfFrames.Clear();
+            if (!GpuDevice.Exists)
+                return;
             GpuQueue queue = GpuDevice.Current.Queue;
             queue.Await(queue.Flush());
             queue.NotBeyond = value == 0 ? ulong.MaxValue : queue.Known;
