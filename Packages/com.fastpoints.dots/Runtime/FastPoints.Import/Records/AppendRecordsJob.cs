@@ -34,12 +34,6 @@ namespace FastPoints.Records
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            Run();
-            Slices.End(begin);
-        }
-
-        void Run()
-        {
             var records = (byte*)Records.GetUnsafeReadOnlyPtr();
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             ref var pool = ref RecordPagePool.Of(Pool);
@@ -55,6 +49,7 @@ namespace FastPoints.Records
             if (pool.PagesInUse - detached > MostPages)
                 detached += Detach(chunks, pool.PagesInUse - detached - MostPages / 4 * 3);
             PagesDetached.Value = detached;
+            Slices.End(begin);
         }
 
         /// <returns>The number of detached pages.</returns>

@@ -21,12 +21,6 @@ namespace FastPoints.Records
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            Run();
-            Slices.End(begin);
-        }
-
-        void Run()
-        {
             int stride = Layout.StrideBytes;
             for (var page = Pages.First; page != null; page = page->Next)
             {
@@ -37,6 +31,7 @@ namespace FastPoints.Records
                     PointsOfCell[Cells.CellOf(place.X, place.Y, place.Z)]++;
                 }
             }
+            Slices.End(begin);
         }
     }
 }

@@ -48,12 +48,6 @@ namespace FastPoints.Records
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            Run();
-            Slices.End(begin);
-        }
-
-        void Run()
-        {
             int count = Decoded.Value.Points;
             var statistics = Statistics.Value;
             var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
@@ -96,6 +90,7 @@ namespace FastPoints.Records
             }
             statistics.Checksum += sum;
             Statistics.Value = statistics;
+            Slices.End(begin);
         }
 
         void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointStatistics statistics)

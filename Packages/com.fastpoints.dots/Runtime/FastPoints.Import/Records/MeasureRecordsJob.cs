@@ -21,12 +21,6 @@ namespace FastPoints.Records
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            Run();
-            Slices.End(begin);
-        }
-
-        void Run()
-        {
             Grid3 min = Bounds[0], max = Bounds[1];
             int stride = Layout.StrideBytes;
             for (var page = Pages.First; page != null; page = page->Next)
@@ -41,6 +35,7 @@ namespace FastPoints.Records
             }
             Bounds[0] = min;
             Bounds[1] = max;
+            Slices.End(begin);
         }
     }
 }

@@ -23,12 +23,6 @@ namespace FastPoints.Records
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            Run();
-            Slices.End(begin);
-        }
-
-        void Run()
-        {
             int stride = Layout.StrideBytes;
             ref var pool = ref RecordPagePool.Of(Pool);
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
@@ -44,6 +38,7 @@ namespace FastPoints.Records
                 pool.Return(page);
                 page = next;
             }
+            Slices.End(begin);
         }
     }
 }

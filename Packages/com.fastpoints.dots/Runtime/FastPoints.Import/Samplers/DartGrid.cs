@@ -107,7 +107,7 @@ namespace FastPoints.Samplers
             (ushort)(place.X >> m_dropped) | (ulong)(ushort)(place.Y >> m_dropped) << 16 |
             (ulong)(ushort)(place.Z >> m_dropped) << 32 | (ulong)priorityClass << 48;
 
-        public static int ClassOf(ulong dart) => (int)(dart >> 48 & 0x7F);
+        public static int ClassOf(ulong dart) => (int)(dart >> 48 & 0xFF);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Grid3 TileOf(in Grid3 place)

@@ -13,6 +13,9 @@ namespace FastPoints.Samplers
 
         public const int Classes = 4 * Octaves + 1;
 
+        /// <summary>And once more for points beside the faces of their chunk, which come last.</summary>
+        public const int ClassesWithFaces = 2 * Classes;
+
         /// <summary>The class of a record's hash: 0 is tried first and has 2^-16 of the points.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int ClassOf(uint priority)

@@ -320,7 +320,7 @@ namespace FastPoints.Tests.Convert
                     continue;
                 sampledLevels++;
                 Assert.That(level.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
-                Assert.That(level.NearAcrossChunks, Is.LessThanOrEqualTo(0.1 * level.SampledPoints));
+                Assert.That(level.NearAcrossChunks, Is.LessThanOrEqualTo(0.003 * level.SampledPoints));
             }
             Assert.That(sampledLevels, Is.GreaterThan(1));
         }

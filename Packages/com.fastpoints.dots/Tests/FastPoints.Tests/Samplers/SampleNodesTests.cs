@@ -58,10 +58,8 @@ namespace FastPoints.Tests.Samplers
 
         /// <summary>A scanner's dead pixels: the time must not grow with the square of their number.</summary>
         [Test]
-        public void Sample_ManyEqualPoints_TakesBoundedTime([Values] Sampler sampler)
+        public void Sample_ManyEqualPoints_TakesBoundedTime([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
-            if (sampler == Sampler.Average)
-                return;
             var places = SamplingClouds.Make(400000, (r, i) => (i % 3 == 0
                 ? new Grid3(r.NextInt(1 << 20), r.NextInt(1 << 20), r.NextInt(1 << 12))
                 : new Grid3(77777, 88888, 99), r));
@@ -70,6 +68,14 @@ namespace FastPoints.Tests.Samplers
             Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30));
             CheckNodes(sampled, NodeSizes.Default);
             Assert.That(sampled.Nodes.Where(n => n.SideLog2 == 0).Sum(n => n.Count), Is.EqualTo(266666).Within(30));
+        }
+
+        [Test]
+        public void Sample_SurfaceAlongAFace_KeepsItsPoints([Values(0, 1 << 19)] int z)
+        {
+            var places = SamplingClouds.Make(20000,
+                (r, i) => (new Grid3(r.NextInt(1 << 20), r.NextInt(1 << 20), i < 9 ? i << 17 : z), r));
+            Assert.That(SampledPoints.Run(places, Sampler.Poisson, s_small).Nodes[0].Count, Is.InRange(37, 48));
         }
 
         [TestCase(40), TestCase(61)]

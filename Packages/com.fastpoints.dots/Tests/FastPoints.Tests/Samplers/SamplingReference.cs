@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Points;
+using FastPoints.Records;
 using FastPoints.Samplers;
 
 namespace FastPoints.Tests.Samplers
@@ -26,6 +27,7 @@ namespace FastPoints.Tests.Samplers
         readonly Grid3[] m_places;
         readonly uint[] m_priority;
         readonly NodeSizes m_sizes;
+        readonly long m_side;
 
         // Nearer to a sample than its spacing, without having been a candidate there.
         readonly HashSet<int> m_barred = new HashSet<int>();
@@ -39,6 +41,8 @@ namespace FastPoints.Tests.Samplers
             m_places = places;
             m_priority = priority;
             m_sizes = sizes;
+            for (m_side = 1; places.Any(p => Math.Max(p.X, Math.Max(p.Y, p.Z)) >= m_side);)
+                m_side *= 2;
             CellOfPoint = new int[places.Length];
             Array.Fill(CellOfPoint, InLeaf);
             var cubes = new List<Cube> { new Cube { Points = Enumerable.Range(0, places.Length).ToList() } };
@@ -115,11 +119,16 @@ namespace FastPoints.Tests.Samplers
         {
             var own = new List<int>();
             int tileLog2 = Math.Min(62, cube.CellLog2 + DartGrid.TileSpacingsLog2);
+            long strip = m_side >= 1L << tileLog2 ? 1L << cube.CellLog2 >> 1 : 0, step = strip * 7 / 4;
+            long Inward(long at) => at < strip ? at + step : m_side - at <= strip ? at - step : at;
+            Grid3 Moved(Grid3 p) => new Grid3(Inward(p.X), Inward(p.Y), Inward(p.Z));
+            bool IsAtFace(int point) => MortonOrder.Compare(Moved(m_places[point]), m_places[point]) != 0;
             foreach (var tile in Candidates(cube).GroupBy(p => CellOf(p, tileLog2)))
             {
-                foreach (int point in tile.OrderBy(p => PoissonPriority.ClassOf(m_priority[p])).ThenBy(p => p))
+                foreach (int point in tile.OrderBy(IsAtFace).ThenBy(p => PoissonPriority.ClassOf(m_priority[p])).ThenBy(p => p))
                 {
-                    if (own.Count == m_sizes.MaxPointsPerNode || takenOfSpacing.Any(t => IsNear(point, t, cube.CellLog2)))
+                    if (own.Count == m_sizes.MaxPointsPerNode || takenOfSpacing.Any(t => IsNear(point, t, cube.CellLog2) ||
+                        IsNear(Moved(m_places[point]), m_places[t], cube.CellLog2)))
                         continue;
                     own.Add(point);
                     takenOfSpacing.Add(point);
@@ -129,11 +138,13 @@ namespace FastPoints.Tests.Samplers
             return own;
         }
 
+        bool IsNear(int a, int b, int cell) => IsNear(m_places[a], m_places[b], cell);
+
         /// <summary>To the step for spacings of up to 2048 steps.</summary>
-        bool IsNear(int a, int b, int cell)
+        static bool IsNear(Grid3 a, Grid3 b, int cell)
         {
             int unit = Math.Max(0, cell - 11);
-            Grid3 p = CellOf(a, unit), q = CellOf(b, unit);
+            Grid3 p = new Grid3(a.X >> unit, a.Y >> unit, a.Z >> unit), q = new Grid3(b.X >> unit, b.Y >> unit, b.Z >> unit);
             long near = (1L << cell - unit) + (unit > 0 ? 2 : 0);
             double x = p.X - q.X, y = p.Y - q.Y, z = p.Z - q.Z;
             return x * x + y * y + z * z < near * near;
