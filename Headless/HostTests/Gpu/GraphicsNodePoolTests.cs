@@ -122,8 +122,8 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         Assert.That(stream.Pool.FindProblem(), Is.Null);
     }
 
-    /// <summary>Frames without updates, updates without frames: what a copy has yet to read is
-    /// not written to again. (Memory that is locked is filled with something else; locked too early, it throws.)</summary>
+    /// <summary>Frames without updates, updates without frames: what a copy has yet to read is not written to again. (Memory that
+    /// is locked is filled with something else; locked too early, it throws.)</summary>
     [Test]
     public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
     {

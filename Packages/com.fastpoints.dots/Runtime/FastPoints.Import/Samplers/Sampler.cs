@@ -6,7 +6,7 @@ namespace FastPoints.Samplers
         /// <summary>One random point of each cell of a grid.</summary>
         Random,
 
-        /// <summary>Blue noise: no two points are nearer than the spacing, and no further point would fit between.</summary>
+        /// <summary>Blue noise: no two points of a chunk are nearer than the spacing; off its faces no other would fit.</summary>
         Poisson,
 
         /// <summary>Like <see cref="Poisson"/>, with colour and intensity averaged over the points that each point represents, in

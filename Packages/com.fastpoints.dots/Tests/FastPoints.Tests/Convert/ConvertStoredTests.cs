@@ -81,8 +81,7 @@ namespace FastPoints.Tests.Convert
 
         void Prove(PointReader reader, string name)
         {
-            var result = Verified(name, reader);
-            Assert.That(result.Points, Is.EqualTo(reader.PointCount));
+            Assert.That(Verified(name, reader).Points, Is.EqualTo(reader.PointCount));
         }
 
         Dictionary<string, byte[]> Files(string name)
