@@ -191,8 +191,10 @@ namespace FastPoints.Files
                     channel = to;
                     place = contexts + (long)channel * ContextBytes;
                     if (layer->Make(channel))
+                    {
                         StartContext(place, context->m_x, context->m_y, context->m_returns);
                         UnsafeUtility.MemCpy(lasts + 32 * channel, last, 30);
+                    }
                     context = (ReturnsLayer*)place;
                 }
                 byte* before = lasts + 32 * channel;

@@ -44,8 +44,7 @@ namespace FastPoints.Files
                     channel = context;
                     place = contexts + (long)channel * ContextBytes;
                     if (layer->Make(channel))
-                        ((SymbolLayer*)place)->m_last = last;
-                        ((SymbolLayer*)place)->m_made = 0;
+                        *(SymbolLayer*)place = new SymbolLayer { m_last = last };
                 }
                 byte* model = ModelOf((SymbolLayer*)place, kind, point);
                 int symbol = (int)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
@@ -75,8 +74,7 @@ namespace FastPoints.Files
                     channel = (int)(point & PointContext.ChannelMask);
                     place = contexts + (long)channel * ContextBytes;
                     if (layer->Make(channel))
-                        ((SymbolLayer*)place)->m_last = left;
-                        ((SymbolLayer*)place)->m_made = 0;
+                        *(SymbolLayer*)place = new SymbolLayer { m_last = left };
                 }
                 byte* model = ModelOf((SymbolLayer*)place, kind, point);
                 int symbol = kind == LazLayerKind.Flags ? ToSymbol(*field) : *field;
