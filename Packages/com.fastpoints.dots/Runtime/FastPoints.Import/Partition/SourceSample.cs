@@ -14,9 +14,9 @@ namespace FastPoints.Partition
     /// read in milliseconds. It is only an estimate: correctness never depends on it.</summary>
     internal sealed class SourceSample : IDisposable
     {
-        // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then missed its target by a tenth.
-        const int MaxRuns = 1024;
-        const int RunPoints = 1024;
+        // Eight times as many points gave the same chunks on tiles of 5 and 20 M points, and took 0.15 to 0.25 s longer.
+        const int MaxRuns = 512;
+        const int RunPoints = 256;
 
         const int PointsOfSlice = 1 << 16;
 
