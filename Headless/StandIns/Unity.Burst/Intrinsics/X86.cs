@@ -27,11 +27,15 @@ namespace Unity.Burst.Intrinsics
 
             public static v256 mm256_set1_epi32(int a) => new v256(Vector256.Create((uint)a));
 
+            public static v256 mm256_set1_epi64x(long a) => new v256(Vector256.Create(a).AsUInt32());
+
             public static void mm256_storeu_si256(void* ptr, v256 v) => v.Bits.Store((uint*)ptr);
 #else
             public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
 
             public static v256 mm256_set1_epi32(int a) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_set1_epi64x(long a) => throw new System.PlatformNotSupportedException();
 
             public static void mm256_storeu_si256(void* ptr, v256 v) => throw new System.PlatformNotSupportedException();
 #endif
@@ -54,15 +58,57 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_madd_epi16(v256 a, v256 b) =>
                 new v256(Net.MultiplyAddAdjacent(a.Bits.AsInt16(), b.Bits.AsInt16()).AsUInt32());
 
+            public static v256 mm256_max_epu8(v256 a, v256 b) => new v256(Net.Max(a.Bits.AsByte(), b.Bits.AsByte()).AsUInt32());
+
             public static v256 mm256_max_epu32(v256 a, v256 b) => new v256(Net.Max(a.Bits, b.Bits));
 
             public static v256 mm256_min_epi32(v256 a, v256 b) =>
                 new v256(Net.Min(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
 
+            public static v256 mm256_min_epu8(v256 a, v256 b) => new v256(Net.Min(a.Bits.AsByte(), b.Bits.AsByte()).AsUInt32());
+
             public static v256 mm256_min_epu32(v256 a, v256 b) => new v256(Net.Min(a.Bits, b.Bits));
 
             public static v256 mm256_sub_epi16(v256 a, v256 b) =>
                 new v256(Net.Subtract(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
+
+            public static v256 mm256_and_si256(v256 a, v256 b) => new v256(a.Bits & b.Bits);
+
+            public static v256 mm256_max_epu16(v256 a, v256 b) =>
+                new v256(Net.Max(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
+
+            public static v256 mm256_min_epu16(v256 a, v256 b) =>
+                new v256(Net.Min(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
+
+            public static v256 mm256_mullo_epi32(v256 a, v256 b) => new v256(a.Bits * b.Bits);
+
+            public static v256 mm256_or_si256(v256 a, v256 b) => new v256(a.Bits | b.Bits);
+
+            public static v256 mm256_permute2x128_si256(v256 a, v256 b, int imm8) => new v256(imm8 switch
+            {
+                0x20 => Vector256.Create(a.Bits.GetLower(), b.Bits.GetLower()),
+                0x31 => Vector256.Create(a.Bits.GetUpper(), b.Bits.GetUpper()),
+                _ => throw new System.NotSupportedException(),
+            });
+
+            public static v256 mm256_slli_epi64(v256 a, int imm8) => new v256((a.Bits.AsUInt64() << imm8).AsUInt32());
+
+            public static v256 mm256_srli_epi16(v256 a, int imm8) => new v256((a.Bits.AsUInt16() >>> imm8).AsUInt32());
+
+            public static v256 mm256_srli_epi64(v256 a, int imm8) => new v256((a.Bits.AsUInt64() >>> imm8).AsUInt32());
+
+            public static v256 mm256_srlv_epi32(v256 a, v256 count) =>
+                new v256(Net.ShiftRightLogicalVariable(a.Bits, count.Bits));
+
+            public static v256 mm256_sub_epi32(v256 a, v256 b) => new v256(a.Bits - b.Bits);
+
+            public static v256 mm256_unpackhi_epi64(v256 a, v256 b) =>
+                new v256(Net.UnpackHigh(a.Bits.AsUInt64(), b.Bits.AsUInt64()).AsUInt32());
+
+            public static v256 mm256_unpacklo_epi64(v256 a, v256 b) =>
+                new v256(Net.UnpackLow(a.Bits.AsUInt64(), b.Bits.AsUInt64()).AsUInt32());
+
+            public static v256 mm256_xor_si256(v256 a, v256 b) => new v256(a.Bits ^ b.Bits);
 #else
             public static bool IsAvx2Supported => false;
 
@@ -74,13 +120,46 @@ namespace Unity.Burst.Intrinsics
 
             public static v256 mm256_madd_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 
+            public static v256 mm256_max_epu8(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
             public static v256 mm256_max_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 
             public static v256 mm256_min_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 
+            public static v256 mm256_min_epu8(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
             public static v256 mm256_min_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 
             public static v256 mm256_sub_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_and_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_max_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_min_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_mullo_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_or_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_permute2x128_si256(v256 a, v256 b, int imm8) =>
+                throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_slli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_srli_epi16(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_srli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_srlv_epi32(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_sub_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_unpackhi_epi64(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_unpacklo_epi64(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_xor_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif
         }
     }

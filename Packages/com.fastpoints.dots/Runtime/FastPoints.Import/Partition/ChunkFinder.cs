@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using FastPoints.Points;
+using Unity.Mathematics;
 
 namespace FastPoints.Partition
 {
@@ -27,13 +28,35 @@ namespace FastPoints.Partition
             if (cell < 0)
                 return m_outside;
             int chunk = chunkOfCell[cell];
-            if (chunk >= 0)
-                return chunk;
+            return chunk >= 0 ? chunk : chunkOfCell[~chunk + PartOf(x, y, z)];
+        }
+
+        /// <summary>Whether the cube holds a box, and is small enough for <see cref="ChunksOf"/>.</summary>
+        public bool Contains(Grid3 min, Grid3 max) => m_cells.SideLog2 <= 31 && m_cells.CellOf(min.X, min.Y, min.Z) >= 0 &&
+            m_cells.CellOf(max.X, max.Y, max.Z) >= 0;
+
+        /// <summary>The chunks of many positions, all of them within the cube.</summary>
+        /// <param name="x">Offsets from the origin.</param>
+        public unsafe void ChunksOf(int* chunkOfCell, uint* x, uint* y, uint* z, int count, Grid3 origin, int* chunks)
+        {
+            var corner = m_cells.Corner - origin;
+            Morton.EncodeFew(x, y, z, count, new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2,
+                (uint*)chunks);
+            for (int i = 0; i < count; i++)
+            {
+                int chunk = chunkOfCell[chunks[i]];
+                chunks[i] = chunk >= 0 ? chunk : chunkOfCell[~chunk + PartOf(origin.X + x[i], origin.Y + y[i], origin.Z + z[i])];
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        int PartOf(long x, long y, long z)
+        {
             uint mask = (1u << m_partLevels) - 1;
             uint px = (uint)((x - m_cells.Corner.X) >> m_partLog2) & mask;
             uint py = (uint)((y - m_cells.Corner.Y) >> m_partLog2) & mask;
             uint pz = (uint)((z - m_cells.Corner.Z) >> m_partLog2) & mask;
-            return chunkOfCell[~chunk + Morton.EncodeFew(px, py, pz)];
+            return Morton.EncodeFew(px, py, pz);
         }
     }
 

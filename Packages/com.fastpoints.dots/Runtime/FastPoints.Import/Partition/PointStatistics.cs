@@ -1,4 +1,6 @@
 using FastPoints.Points;
+using Unity.Burst.Intrinsics;
+using Unity.Mathematics;
 
 namespace FastPoints.Partition
 {
@@ -38,6 +40,8 @@ namespace FastPoints.Partition
     /// <summary>Statistics of all values of one attribute. Blittable.</summary>
     internal struct AttributeStatistics
     {
+        const int VectorBytes = 32;
+
         /// <summary>Smallest and largest as <see cref="Store.OrderedBits"/>.</summary>
         public ulong Min;
         public ulong Max;
@@ -51,6 +55,67 @@ namespace FastPoints.Partition
         public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };
 
         public bool IsEmpty => Min > Max;
+
+        /// <summary>Examines consecutive values.</summary>
+        public static unsafe AttributeStatistics Of(byte* values, AttributeType type, int count)
+        {
+            int size = type.SizeOf();
+            if (type == AttributeType.UInt16 || type == AttributeType.UInt8)
+                return OfUnsigned(values, size, count);
+            var result = None;
+            for (int i = 0; i < count; i++, values += size)
+            {
+                ulong ordered = Store.OrderedBits.Load(values, type);
+                result.Min = math.min(result.Min, ordered);
+                result.Max = math.max(result.Max, ordered);
+                result.Or |= ordered;
+            }
+            return result;
+        }
+
+        /// <summary>The same for the usual types, of one or two bytes. Halves of two bytes, often colours, are examined.</summary>
+        static unsafe AttributeStatistics OfUnsigned(byte* values, int size, int count)
+        {
+            var result = None;
+            int bytes = count * size, at = 0;
+            if (X86.Avx2.IsAvx2Supported && bytes >= VectorBytes)
+            {
+                v256 low = X86.Avx.mm256_set1_epi32(-1), high = X86.Avx.mm256_set1_epi32(0), or = high, notDoubled = high;
+                for (; at + VectorBytes <= bytes; at += VectorBytes)
+                {
+                    var v = X86.Avx.mm256_loadu_si256(values + at);
+                    low = size == 1 ? X86.Avx2.mm256_min_epu8(low, v) : X86.Avx2.mm256_min_epu16(low, v);
+                    high = size == 1 ? X86.Avx2.mm256_max_epu8(high, v) : X86.Avx2.mm256_max_epu16(high, v);
+                    or = X86.Avx2.mm256_or_si256(or, v);
+                    var difference = X86.Avx2.mm256_xor_si256(v, X86.Avx2.mm256_srli_epi16(v, 8));
+                    notDoubled = X86.Avx2.mm256_or_si256(notDoubled, difference);
+                }
+                byte* found = stackalloc byte[4 * VectorBytes];
+                X86.Avx.mm256_storeu_si256(found, low);
+                X86.Avx.mm256_storeu_si256(found + VectorBytes, high);
+                X86.Avx.mm256_storeu_si256(found + 2 * VectorBytes, or);
+                X86.Avx.mm256_storeu_si256(found + 3 * VectorBytes, notDoubled);
+                for (int lane = 0; lane < VectorBytes; lane += size)
+                {
+                    result.Min = math.min(result.Min, Load(found + lane, size));
+                    result.Max = math.max(result.Max, Load(found + VectorBytes + lane, size));
+                    result.Or |= Load(found + 2 * VectorBytes + lane, size);
+                    result.NotDoubled |= found[3 * VectorBytes + lane];
+                }
+            }
+            for (; at < bytes; at += size)
+            {
+                uint value = Load(values + at, size);
+                result.Min = math.min(result.Min, value);
+                result.Max = math.max(result.Max, value);
+                result.Or |= value;
+                result.NotDoubled |= (value >> 8 ^ value) & 0xFF;
+            }
+            result.NotDoubled = size == 1 ? 0 : result.NotDoubled;
+            return result;
+        }
+
+        static unsafe uint Load(byte* value, int size) => size == 1 ? *value : (uint)*(ushort*)value;
 
         public void Include(in AttributeStatistics other)
         {

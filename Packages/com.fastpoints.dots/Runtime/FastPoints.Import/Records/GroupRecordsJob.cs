@@ -47,14 +47,13 @@ namespace FastPoints.Records
 
         public void Execute()
         {
-            long begin = SliceTimes.Begin();
+            long start = SliceTimes.Begin();
             int count = Decoded.Value.Points;
             var statistics = Statistics.Value;
             var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
             var records = (byte*)Records.GetUnsafePtr();
             var chunkOfPoint = (int*)ChunkOfPoint.GetUnsafePtr();
             var first = (int*)FirstOfChunk.GetUnsafePtr();
-            int stride = Layout.StrideBytes;
 
             FindChunks(bytes, count, chunkOfPoint, first, ref statistics);
             int kept = Order(count, chunkOfPoint, first);
@@ -62,70 +61,78 @@ namespace FastPoints.Records
 
             // From here on a point's entry is the place of its record, or -1.
             var run = (byte*)RunRecords.GetUnsafePtr();
-            int padding = Layout.PositionBytes + Layout.AttributeBytes - sizeof(uint);
-            var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
             ulong sum = 0;
-            for (int done = 0; done < count; done += RunPoints)
+            int end;
+            for (int begin = 0; begin < count; begin = end)
             {
-                int points = math.min(RunPoints, count - done);
-                int* placeOfPoint = chunkOfPoint + done;
-                WritePlaces(bytes, done, points, run);
-                for (int i = 0; i < points && Fields.Length > 0; i++)
-                    *(uint*)(run + i * stride + padding) = 0;
-                for (int f = 0; f < Fields.Length; f++)
-                {
-                    var field = Fields[f];
-                    CopyColumn(bytes + field.Column.OffsetBytes + (long)done * field.Column.Type.SizeOf(), field.Column.Type,
-                        points, placeOfPoint, run + Layout.PositionBytes + field.RecordOffset, stride,
-                        ref found[field.Attribute]);
-                }
-                for (int i = 0; i < points; i++)
-                {
-                    if (placeOfPoint[i] < 0)
-                        continue;
-                    byte* record = run + i * stride;
-                    sum += Layout.HashOf(record, Store.RecordHash.ChecksumSeed);
-                    RecordLayout.Copy(record, records + (long)placeOfPoint[i] * stride, stride);
-                }
+                end = begin + 1;
+                if (chunkOfPoint[begin] < 0)
+                    continue;
+                while (end < count && end - begin < RunPoints && chunkOfPoint[end] >= 0)
+                    end++;
+                WriteRun(bytes, begin, end - begin, run);
+                sum += Scatter(run, chunkOfPoint + begin, end - begin, records);
             }
             statistics.Checksum += sum;
             Statistics.Value = statistics;
-            Slices.End(begin);
+            Slices.End(start);
         }
 
         void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointStatistics statistics)
         {
             UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
-            long* x = stackalloc long[RunPoints];
-            long* y = stackalloc long[RunPoints];
-            long* z = stackalloc long[RunPoints];
             var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
-            Grid3 min = statistics.Min, max = statistics.Max;
             for (int done = 0; done < count; done += RunPoints)
             {
                 int run = math.min(RunPoints, count - done);
-                LoadRun(bytes, done, run, x, y, z, ref statistics.WorstLossSteps);
+                int* chunks = chunkOfPoint + done;
+                if (Layout.IsWide || !FindChunksInside(bytes, done, run, chunkOfCell, chunks, ref statistics))
+                    FindChunksAnywhere(bytes, done, run, chunkOfCell, chunks, ref statistics);
                 for (int i = 0; i < run; i++)
-                {
-                    if (x[i] == SourceGrid.Nowhere || y[i] == SourceGrid.Nowhere || z[i] == SourceGrid.Nowhere)
-                    {
-                        chunkOfPoint[done + i] = -1;
-                        statistics.LeftOut++;
-                        continue;
-                    }
-                    min.X = math.min(min.X, x[i]);
-                    min.Y = math.min(min.Y, y[i]);
-                    min.Z = math.min(min.Z, z[i]);
-                    max.X = math.max(max.X, x[i]);
-                    max.Y = math.max(max.Y, y[i]);
-                    max.Z = math.max(max.Z, z[i]);
-                    int chunk = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
-                    chunkOfPoint[done + i] = chunk;
-                    countOfChunk[chunk]++;
-                }
+                    if (chunks[i] >= 0)
+                        countOfChunk[chunks[i]]++;
             }
-            statistics.Min = min;
-            statistics.Max = max;
+        }
+
+        /// <returns>False if some of the points are outside the cube: nothing is done.</returns>
+        bool FindChunksInside(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
+        {
+            uint* x = stackalloc uint[RunPoints];
+            uint* y = stackalloc uint[RunPoints];
+            uint* z = stackalloc uint[RunPoints];
+            LoadOffsets(bytes, first, count, x, y, z);
+            Store.BlockCodec.FindRange(x, count, out uint leastX, out uint mostX);
+            Store.BlockCodec.FindRange(y, count, out uint leastY, out uint mostY);
+            Store.BlockCodec.FindRange(z, count, out uint leastZ, out uint mostZ);
+            Grid3 min = Layout.Base + new Grid3(leastX, leastY, leastZ), max = Layout.Base + new Grid3(mostX, mostY, mostZ);
+            if (!Chunks.Contains(min, max))
+                return false;
+            statistics.Min = Grid3.Min(statistics.Min, min);
+            statistics.Max = Grid3.Max(statistics.Max, max);
+            Chunks.ChunksOf(chunkOfCell, x, y, z, count, Layout.Base, chunks);
+            return true;
+        }
+
+        /// <summary>The same for any points; -1 for those without a position.</summary>
+        void FindChunksAnywhere(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
+        {
+            long* x = stackalloc long[RunPoints];
+            long* y = stackalloc long[RunPoints];
+            long* z = stackalloc long[RunPoints];
+            LoadRun(bytes, first, count, x, y, z, ref statistics.WorstLossSteps);
+            for (int i = 0; i < count; i++)
+            {
+                chunks[i] = -1;
+                if (x[i] == SourceGrid.Nowhere || y[i] == SourceGrid.Nowhere || z[i] == SourceGrid.Nowhere)
+                {
+                    statistics.LeftOut++;
+                    continue;
+                }
+                var place = new Grid3(x[i], y[i], z[i]);
+                statistics.Min = Grid3.Min(statistics.Min, place);
+                statistics.Max = Grid3.Max(statistics.Max, place);
+                chunks[i] = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
+            }
         }
 
         /// <summary>Turns counts into starts, and each point's chunk into the place of its record.</summary>
@@ -149,16 +156,68 @@ namespace FastPoints.Records
             return sum;
         }
 
+        /// <summary>Makes the records of points that follow one another and have a position. What fills the attributes up
+        /// stays zero.</summary>
+        void WriteRun(byte* bytes, int first, int count, byte* records)
+        {
+            WritePlaces(bytes, first, count, records);
+            int stride = Layout.StrideBytes;
+            byte* attributes = Layout.AttributesOf(records);
+            var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
+            for (int f = 0; f < Fields.Length; f++)
+            {
+                var field = Fields[f];
+                var type = field.Column.Type;
+                byte* values = bytes + field.Column.OffsetBytes + (long)first * type.SizeOf();
+                CopyColumn(values, type.SizeOf(), count, attributes + field.RecordOffset, stride);
+                found[field.Attribute].Include(AttributeStatistics.Of(values, type, count));
+            }
+        }
+
         void WritePlaces(byte* bytes, int first, int count, byte* records)
         {
-            long* x = stackalloc long[RunPoints];
-            long* y = stackalloc long[RunPoints];
-            long* z = stackalloc long[RunPoints];
-            double ignored = 0;
             int stride = Layout.StrideBytes;
-            LoadRun(bytes, first, count, x, y, z, ref ignored);
-            for (int i = 0; i < count; i++)
-                Layout.SetPlace(records + i * stride, x[i], y[i], z[i]);
+            if (Layout.IsWide)
+            {
+                long* wide = stackalloc long[3 * RunPoints];
+                double ignored = 0;
+                LoadRun(bytes, first, count, wide, wide + RunPoints, wide + 2 * RunPoints, ref ignored);
+                for (int i = 0; i < count; i++)
+                    Layout.SetPlace(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
+                return;
+            }
+            uint* x = stackalloc uint[RunPoints];
+            uint* y = stackalloc uint[RunPoints];
+            uint* z = stackalloc uint[RunPoints];
+            LoadOffsets(bytes, first, count, x, y, z);
+            for (int i = 0; i < count; i++, records += stride)
+            {
+                ((uint*)records)[0] = x[i];
+                ((uint*)records)[1] = y[i];
+                ((uint*)records)[2] = z[i];
+            }
+        }
+
+        void LoadOffsets(byte* bytes, int first, int count, uint* x, uint* y, uint* z)
+        {
+            SourceGrid.ToOffsets(Grid.X, bytes, X, first, count, Layout.Base.X, x);
+            SourceGrid.ToOffsets(Grid.Y, bytes, Y, first, count, Layout.Base.Y, y);
+            SourceGrid.ToOffsets(Grid.Z, bytes, Z, first, count, Layout.Base.Z, z);
+        }
+
+        /// <summary>Moves records to their places.</summary>
+        /// <returns>The sum of their hashes.</returns>
+        ulong Scatter(byte* run, int* places, int count, byte* records)
+        {
+            var layout = Layout;
+            int stride = layout.StrideBytes;
+            ulong sum = 0;
+            for (int i = 0; i < count; i++, run += stride)
+            {
+                sum += layout.HashOf(run, Store.RecordHash.ChecksumSeed);
+                RecordLayout.Copy(run, records + (long)places[i] * stride, stride);
+            }
+            return sum;
         }
 
         void LoadRun(byte* bytes, int first, int count, long* x, long* y, long* z, ref double worstLoss)
@@ -168,63 +227,27 @@ namespace FastPoints.Records
             SourceGrid.ToGrid(Grid.Z, bytes, Z, first, count, z, ref worstLoss);
         }
 
-        static void CopyColumn(byte* from, AttributeType type, int count, int* placeOfPoint, byte* to, int stride,
-            ref AttributeStatistics statistics)
+        static void CopyColumn(byte* from, int size, int count, byte* to, int stride)
         {
-            if (type == AttributeType.UInt16)
+            switch (size)
             {
-                CopyShorts((ushort*)from, count, placeOfPoint, to, stride, ref statistics);
-                return;
+                case 1:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *to = from[i];
+                    return;
+                case 2:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(ushort*)to = ((ushort*)from)[i];
+                    return;
+                case 4:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(uint*)to = ((uint*)from)[i];
+                    return;
+                default:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(ulong*)to = ((ulong*)from)[i];
+                    return;
             }
-            ulong min = statistics.Min, max = statistics.Max, or = statistics.Or;
-            int size = type.SizeOf();
-            for (int i = 0; i < count; i++)
-            {
-                if (placeOfPoint[i] < 0)
-                    continue;
-                byte* value = from + (long)i * size;
-                byte* target = to + i * stride;
-                switch (size)
-                {
-                    case 1: *target = *value; break;
-                    case 2: *(ushort*)target = *(ushort*)value; break;
-                    case 4: *(uint*)target = *(uint*)value; break;
-                    default: *(ulong*)target = *(ulong*)value; break;
-                }
-                ulong ordered = Store.OrderedBits.Load(value, type);
-                min = math.min(min, ordered);
-                max = math.max(max, ordered);
-                or |= ordered;
-            }
-            statistics.Min = min;
-            statistics.Max = max;
-            statistics.Or = or;
-        }
-
-        /// <summary>Copies the usual type of colours and intensity, whose halves are examined.</summary>
-        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, int stride,
-            ref AttributeStatistics statistics)
-        {
-            uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = statistics.NotDoubled;
-            int copied = 0;
-            for (int i = 0; i < count; i++)
-            {
-                if (placeOfPoint[i] < 0)
-                    continue;
-                uint value = from[i];
-                *(ushort*)(to + i * stride) = (ushort)value;
-                min = math.min(min, value);
-                max = math.max(max, value);
-                or |= value;
-                notDoubled |= value >> 8 ^ value & 0xFF;
-                copied++;
-            }
-            if (copied == 0)
-                return;
-            statistics.Min = math.min(statistics.Min, min);
-            statistics.Max = math.max(statistics.Max, max);
-            statistics.Or |= or;
-            statistics.NotDoubled = notDoubled;
         }
     }
 

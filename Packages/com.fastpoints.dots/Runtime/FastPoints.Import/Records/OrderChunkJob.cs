@@ -115,6 +115,18 @@ namespace FastPoints.Records
             }
         }
 
+        // Positions are whole numbers of less than 32 bits from the corner.
+        bool IsNarrow => !Layout.IsWide && Cube.SideLog2 <= 31;
+
+        uint3 CornerOffset
+        {
+            get
+            {
+                var corner = Cube.Corner - Layout.Base;
+                return new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z);
+            }
+        }
+
         int Levels => math.min(Cube.SideLog2, Morton.BitsPerAxis);
 
         void Run()
@@ -174,12 +186,13 @@ namespace FastPoints.Records
                     return;
                 byte* record = RecordPages.RecordsOf(m_now.Page);
                 int count = m_now.Page->Count;
+                if (IsNarrow)
+                    FindBuckets(record, count, shift, bucketOf);
                 for (int i = 0; i < count; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record) - Cube.Corner;
-                    int bucket = Morton.EncodeFew((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
-                    bucketOf[i] = (uint)bucket;
-                    countOfBucket[bucket]++;
+                    if (!IsNarrow)
+                        bucketOf[i] = (uint)CodeOf(record, shift);
+                    countOfBucket[bucketOf[i]]++;
                 }
                 bucketOf += count;
                 m_now.Point += count;
@@ -193,6 +206,25 @@ namespace FastPoints.Records
                 sum += with;
             }
             m_now = new OrderScratch.State { Stage = Stage.Distribute, Page = Pages.First };
+        }
+
+        void FindBuckets(byte* records, int count, int shift, uint* bucketOf)
+        {
+            uint* x = stackalloc uint[PointsOfRun];
+            uint* y = stackalloc uint[PointsOfRun];
+            uint* z = stackalloc uint[PointsOfRun];
+            for (int first = 0; first < count; first += PointsOfRun)
+            {
+                int run = math.min(PointsOfRun, count - first);
+                Layout.LoadPlaces(records + first * Layout.StrideBytes, run, x, y, z);
+                Morton.EncodeFew(x, y, z, run, CornerOffset, shift, bucketOf + first);
+            }
+        }
+
+        ulong CodeOf(byte* record, int shift)
+        {
+            var place = Layout.PlaceOf(record) - Cube.Corner;
+            return Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
         }
 
         void Distribute()
@@ -242,16 +274,23 @@ namespace FastPoints.Records
             int dropped = math.max(0, restBits + numberBits - 64);
             ulong mask = (1UL << restBits) - 1, or = m_now.AnyBits, and = m_now.CommonBits;
             ulong* keys = Scratch.Keys.GetUnsafePtr();
+            uint* x = stackalloc uint[PointsOfRun];
+            uint* y = stackalloc uint[PointsOfRun];
+            uint* z = stackalloc uint[PointsOfRun];
             for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
             {
                 int end = math.min(count, m_now.Point + PointsOfRun);
                 byte* record = Scratch.Bucket.GetUnsafePtr() + (long)m_now.Point * stride;
                 UnsafeUtility.MemCpy(record, m_records + (long)(first + m_now.Point) * stride,
                     (long)(end - m_now.Point) * stride);
+                if (IsNarrow)
+                {
+                    Layout.LoadPlaces(record, end - m_now.Point, x, y, z);
+                    Morton.Encode(x, y, z, end - m_now.Point, CornerOffset, shift, keys + m_now.Point);
+                }
                 for (int i = m_now.Point; i < end; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record) - Cube.Corner;
-                    ulong key = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+                    ulong key = IsNarrow ? keys[i] : CodeOf(record, shift);
                     key = (key & mask) >> dropped << numberBits | (uint)i;
                     or |= key;
                     and &= key;
@@ -397,24 +436,26 @@ namespace FastPoints.Records
         /// <summary>Finds, from records in order, where cubes end, and priorities.</summary>
         /// <param name="first">First point to process; the one before it is read.</param>
         /// <returns>The sum of the records' hashes.</returns>
-        public static ulong Prepare(byte* records, int first, int end, in RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
+        public static ulong Prepare(byte* records, int first, int end, RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
             uint* priority)
         {
             ulong sum = 0;
-            long stride = layout.StrideBytes;
-            var before = first > 0 ? layout.PlaceOf(records + (first - 1) * stride) - corner : default;
-            for (int i = first; i < end; i++)
+            int stride = layout.StrideBytes;
+            byte* record = records + (long)first * stride;
+            var before = layout.PlaceOf(first > 0 ? record - stride : record) - corner;
+            for (int i = first; i < end; i++, record += stride)
             {
-                byte* record = records + i * stride;
                 var place = layout.PlaceOf(record);
                 ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
                     Store.RecordHash.ChecksumSeed);
                 sum += hash;
                 priority[i] = (uint)(hash >> 32);
                 place -= corner;
-                commonCubeLog2[i] = i == 0 ? byte.MaxValue : (byte)MortonOrder.CommonCubeLog2(before, place);
+                commonCubeLog2[i] = (byte)MortonOrder.CommonCubeLog2(before, place);
                 before = place;
             }
+            if (first == 0)
+                commonCubeLog2[0] = byte.MaxValue;
             return sum;
         }
     }

@@ -70,6 +70,18 @@ namespace FastPoints.Records
             ((uint*)record)[2] = (uint)(z - Base.Z);
         }
 
+        /// <summary>Loads positions of narrow records.</summary>
+        public void LoadPlaces(byte* records, int count, uint* x, uint* y, uint* z)
+        {
+            int stride = StrideBytes;
+            for (int i = 0; i < count; i++, records += stride)
+            {
+                x[i] = ((uint*)records)[0];
+                y[i] = ((uint*)records)[1];
+                z[i] = ((uint*)records)[2];
+            }
+        }
+
         /// <summary>The record's attributes.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public byte* AttributesOf(byte* record) => record + PositionBytes;

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 
 namespace FastPoints.Store
@@ -7,6 +8,9 @@ namespace FastPoints.Store
     /// (frame of reference). Any value can be read on its own. The layout is that of <see cref="PlaneShape"/>.</summary>
     internal static unsafe class BlockCodec
     {
+        // 32-bit values of a vector.
+        const int Lanes = 8;
+
         /// <summary>Bits that a number needs: 0 for 0, 64 for the largest.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int WidthOf(ulong value) => 64 - math.lzcnt(value);
@@ -128,6 +132,46 @@ namespace FastPoints.Store
             if (shift + width > 64)
                 value |= (ulong)at[8] << (64 - shift);
             return width == 64 ? value : value & ((1UL << width) - 1);
+        }
+
+        /// <summary>The smallest and the largest value.</summary>
+        internal static void FindRange(uint* values, int count, out uint least, out uint most)
+        {
+            int first = 0;
+            if (X86.Avx2.IsAvx2Supported && count >= Lanes)
+            {
+                var low = X86.Avx.mm256_loadu_si256(values);
+                var high = low;
+                for (first = Lanes; first + Lanes <= count; first += Lanes)
+                {
+                    var eight = X86.Avx.mm256_loadu_si256(values + first);
+                    low = X86.Avx2.mm256_min_epu32(low, eight);
+                    high = X86.Avx2.mm256_max_epu32(high, eight);
+                }
+                uint* found = stackalloc uint[2 * Lanes];
+                X86.Avx.mm256_storeu_si256(found, low);
+                X86.Avx.mm256_storeu_si256(found + Lanes, high);
+                FindRangePlain(found, 0, 2 * Lanes, found[0], found[0], out least, out most);
+            }
+            else
+            {
+                least = most = values[0];
+            }
+            FindRangePlain(values, first, count, least, most, out least, out most);
+        }
+
+        /// <summary>The same for some of the values and a range that is known: Burst makes vectors of it.</summary>
+        internal static void FindRangePlain(uint* values, int first, int end, uint knownLeast, uint knownMost, out uint least,
+            out uint most)
+        {
+            uint low = knownLeast, high = knownMost;
+            for (int i = first; i < end; i++)
+            {
+                low = math.min(low, values[i]);
+                high = math.max(high, values[i]);
+            }
+            least = low;
+            most = high;
         }
     }
 }

@@ -1,5 +1,7 @@
 using System;
+using FastPoints.Partition;
 using FastPoints.Points;
+using FastPoints.Store;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
@@ -164,6 +166,30 @@ namespace FastPoints.Tests.Points
             Assert.That(found.NonFinite, Is.EqualTo(2));
             Assert.That(found.Bounds.Min, Is.EqualTo(new double3(102, -2, 3)));
             Assert.That(found.Bounds.Max, Is.EqualTo(new double3(108, 5, 6)));
+        }
+
+        /// <summary>Vectors and what is left over behave as single values do.</summary>
+        [TestCase(AttributeType.UInt8)]
+        [TestCase(AttributeType.UInt16)]
+        [TestCase(AttributeType.Int16)]
+        public unsafe void Statistics_AnyCount_AreThoseOfEachValue(AttributeType type)
+        {
+            var random = new Unity.Mathematics.Random(5);
+            byte* values = stackalloc byte[200];
+            for (int count = 1; count <= 100; count++)
+            {
+                for (int i = 0; i < 200; i++)
+                    values[i] = (byte)(count % 7 == 0 ? 17 : random.NextInt(256));
+                var found = AttributeStatistics.Of(values, type, count);
+                var wanted = AttributeStatistics.None;
+                for (int i = 0; i < count; i++)
+                {
+                    ulong value = OrderedBits.Load(values + i * type.SizeOf(), type);
+                    wanted.Include(new AttributeStatistics { Min = value, Max = value, Or = value });
+                    wanted.NotDoubled |= type == AttributeType.UInt16 ? (uint)(value >> 8 ^ value & 0xFF) : 0;
+                }
+                Assert.That(found, Is.EqualTo(wanted));
+            }
         }
     }
 }

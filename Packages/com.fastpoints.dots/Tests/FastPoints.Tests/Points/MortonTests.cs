@@ -52,6 +52,35 @@ namespace FastPoints.Tests.Points
             }
         }
 
+        /// <summary>Vectors and what is left over behave as one position does.</summary>
+        [Test]
+        public unsafe void Encode_Many_GivesTheCodesOfEach()
+        {
+            var random = new Unity.Mathematics.Random(3);
+            uint* x = stackalloc uint[40], y = stackalloc uint[40], z = stackalloc uint[40], few = stackalloc uint[40];
+            ulong* codes = stackalloc ulong[40];
+            for (int count = 0; count <= 40; count++)
+            {
+                var corner = new Unity.Mathematics.uint3(random.NextUInt(), random.NextUInt(), random.NextUInt());
+                int shift = count % 12;
+                for (int i = 0; i < count; i++)
+                {
+                    x[i] = corner.x + (random.NextUInt() & (1 << 30) - 1);
+                    y[i] = corner.y + (random.NextUInt() & (1 << 30) - 1);
+                    z[i] = corner.z + (random.NextUInt() & (1 << 30) - 1);
+                }
+                Morton.Encode(x, y, z, count, corner, shift, codes);
+                Morton.EncodeFew(x, y, z, count, corner, 30 - Morton.FewBits, few);
+                for (int i = 0; i < count; i++)
+                {
+                    uint dx = x[i] - corner.x, dy = y[i] - corner.y, dz = z[i] - corner.z;
+                    Assert.That(codes[i], Is.EqualTo(Morton.Encode(dx >> shift, dy >> shift, dz >> shift)));
+                    Assert.That(few[i], Is.EqualTo(Morton.EncodeFew(dx >> 30 - Morton.FewBits, dy >> 30 - Morton.FewBits,
+                        dz >> 30 - Morton.FewBits)));
+                }
+            }
+        }
+
         [Test]
         public void Encode_TooManyBits_LeavesThemOut() =>
             Assert.That(Morton.Encode(0xFFFFFFFFu, 0, 0), Is.EqualTo(Morton.Encode(Morton.MaxCoordinate, 0, 0)));

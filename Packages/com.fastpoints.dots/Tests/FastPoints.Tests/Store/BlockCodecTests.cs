@@ -94,8 +94,8 @@ namespace FastPoints.Tests.Store
                     values[extreme] = extreme % 2 == 0 ? 0 : uint.MaxValue;
                     fixed (uint* v = values)
                     {
-                        BlockWriting.FindRange(v, count, out uint least, out uint most);
-                        BlockWriting.FindRangePlain(v, 0, count, v[0], v[0], out uint plainLeast, out uint plainMost);
+                        BlockCodec.FindRange(v, count, out uint least, out uint most);
+                        BlockCodec.FindRangePlain(v, 0, count, v[0], v[0], out uint plainLeast, out uint plainMost);
                         Assert.That((least, most), Is.EqualTo((plainLeast, plainMost)));
                         Assert.That((least, most), Is.EqualTo((values.Min(), values.Max())));
                     }
