@@ -73,14 +73,15 @@ namespace FastPoints.Partition
             return result;
         }
 
-        /// <summary>The same for the usual types, of one or two bytes. Halves of two bytes, often colours, are examined.</summary>
+        /// <summary>The same for one or two bytes, the usual types. Halves of two bytes, often colours, are examined.</summary>
         static unsafe AttributeStatistics OfUnsigned(byte* values, int size, int count)
         {
             var result = None;
             int bytes = count * size, at = 0;
             if (X86.Avx2.IsAvx2Supported && bytes >= VectorBytes)
             {
-                v256 low = X86.Avx.mm256_set1_epi32(-1), high = X86.Avx.mm256_set1_epi32(0), or = high, notDoubled = high;
+                v256 low = X86.Avx.mm256_set1_epi32(-1), high = X86.Avx.mm256_set1_epi32(0);
+                v256 or = high, notDoubled = high;
                 for (; at + VectorBytes <= bytes; at += VectorBytes)
                 {
                     var v = X86.Avx.mm256_loadu_si256(values + at);

@@ -65,8 +65,8 @@ namespace FastPoints.Partition
         }
 
         /// <summary>The same for whole numbers whose grid numbers are less than 2^32 above an origin: offsets from it.</summary>
-        public static unsafe void ToOffsets(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long origin,
-            uint* offsets)
+        public static unsafe void ToOffsets(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count,
+            long origin, uint* offsets)
         {
             if (column.Type == AttributeType.Int32)
             {
