@@ -93,6 +93,9 @@ namespace Unity.Burst.Intrinsics
 
             public static v256 mm256_slli_epi64(v256 a, int imm8) => new v256((a.Bits.AsUInt64() << imm8).AsUInt32());
 
+            public static v256 mm256_sllv_epi64(v256 a, v256 count) =>
+                new v256(Net.ShiftLeftLogicalVariable(a.Bits.AsUInt64(), count.Bits.AsUInt64()).AsUInt32());
+
             public static v256 mm256_srli_epi16(v256 a, int imm8) => new v256((a.Bits.AsUInt16() >>> imm8).AsUInt32());
 
             public static v256 mm256_srli_epi64(v256 a, int imm8) => new v256((a.Bits.AsUInt64() >>> imm8).AsUInt32());
@@ -146,6 +149,8 @@ namespace Unity.Burst.Intrinsics
                 throw new System.PlatformNotSupportedException();
 
             public static v256 mm256_slli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_sllv_epi64(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
 
             public static v256 mm256_srli_epi16(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
 

@@ -119,7 +119,8 @@ namespace FastPoints.Points
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static v256 Step(v256 v, int shift, long mask) => X86.Avx2.mm256_and_si256(
-            X86.Avx2.mm256_or_si256(v, X86.Avx2.mm256_slli_epi64(v, shift)), X86.Avx.mm256_set1_epi64x(mask));
+            X86.Avx2.mm256_or_si256(v, X86.Avx2.mm256_sllv_epi64(v, X86.Avx.mm256_set1_epi64x(shift))),
+            X86.Avx.mm256_set1_epi64x(mask));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Decode(ulong code, out uint x, out uint y, out uint z)
