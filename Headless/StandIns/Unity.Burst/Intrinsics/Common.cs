@@ -7,6 +7,12 @@ public static unsafe partial class Common
     public static ulong umul128(ulong x, ulong y, out ulong high)
     {
 #if NET
+        // Precompiled code would call Math.BigMul.
+        if (System.Runtime.Intrinsics.X86.Bmi2.X64.IsSupported)
+        {
+            high = System.Runtime.Intrinsics.X86.Bmi2.X64.MultiplyNoFlags(x, y);
+            return x * y;
+        }
         high = System.Math.BigMul(x, y, out ulong low);
         return low;
 #else

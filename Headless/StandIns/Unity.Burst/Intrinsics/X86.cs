@@ -22,6 +22,7 @@ namespace Unity.Burst.Intrinsics
     public static unsafe partial class X86
     {
 #if NET
+#pragma warning disable CA1857 // Constants are constants where it is inlined.
         // Precompiled code calls what is not inlined, and what is no instruction in the framework (Vector256.Load).
         const MethodImplOptions Inline = MethodImplOptions.AggressiveInlining;
 #endif

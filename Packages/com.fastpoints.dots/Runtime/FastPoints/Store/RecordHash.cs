@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using FastPoints.Points;
+using Unity.Burst.Intrinsics;
 
 namespace FastPoints.Store
 {
@@ -8,15 +9,15 @@ namespace FastPoints.Store
     /// represents a cell.</summary>
     /// <remarks>The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order
     /// without gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one.
-    /// Each number goes through a round of XXH64's tail, the end through its avalanche. Different seeds give independent
-    /// hashes.</remarks>
+    /// Two numbers at a time are multiplied and folded, as wyhash does: its quality at a third of the instructions of XXH64's
+    /// tail. Different seeds give independent hashes.</remarks>
     internal static unsafe class RecordHash
     {
-        const ulong P1 = 0x9E3779B185EBCA87UL;
-        const ulong P2 = 0xC2B2AE3D27D4EB4FUL;
-        const ulong P3 = 0x165667B19E3779F9UL;
-        const ulong P4 = 0x85EBCA77C2B2AE63UL;
-        const ulong P5 = 0x27D4EB2F165667C5UL;
+        // Their upper bits are those of no position, whose multiple would be the same whatever the other number.
+        const ulong K1 = 0xA0761D6478BD642FUL;
+        const ulong K2 = 0xE7037ED1A0B428DBUL;
+        const ulong K3 = 0x8EBC6AF09C88C6E3UL;
+        const ulong K4 = 0x589965CC75374CC3UL;
 
         /// <summary>The seed of the checksum, and of the choice of the point that represents a cell.</summary>
         public const ulong ChecksumSeed = 0;
@@ -34,28 +35,24 @@ namespace FastPoints.Store
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Of(Grid3 place, byte* attributes, int paddedBytes, ulong seed)
         {
-            ulong hash = seed + P5;
-            hash = Round(hash, (ulong)place.X);
-            hash = Round(hash, (ulong)place.Y);
-            hash = Round(hash, (ulong)place.Z);
+            ulong hash = Fold((ulong)place.X ^ K1 ^ seed, (ulong)place.Y ^ K2);
+            ulong word = (ulong)place.Z ^ K3;
             int at = 0;
             for (; at + 8 <= paddedBytes; at += 8)
-                hash = Round(hash, *(ulong*)(attributes + at));
+            {
+                hash = Fold(word, hash ^ *(ulong*)(attributes + at));
+                word = K3;
+            }
             if (at < paddedBytes)
-                hash = Round(hash, *(uint*)(attributes + at));
-            hash ^= hash >> 33;
-            hash *= P2;
-            hash ^= hash >> 29;
-            hash *= P3;
-            return hash ^ hash >> 32;
+                hash = Fold(word, hash ^ *(uint*)(attributes + at));
+            return Fold(hash ^ K4, paddedBytes == 0 ? word : K2);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static ulong Round(ulong hash, ulong word)
+        static ulong Fold(ulong a, ulong b)
         {
-            word *= P2;
-            hash ^= (word << 31 | word >> 33) * P1;
-            return (hash << 27 | hash >> 37) * P1 + P4;
+            ulong low = Common.umul128(a, b, out ulong high);
+            return low ^ high;
         }
     }
 }

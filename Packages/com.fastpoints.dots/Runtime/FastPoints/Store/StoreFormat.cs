@@ -8,7 +8,7 @@ namespace FastPoints.Store
     /// It does no I/O. The byte tables are in <c>Documentation~/disk-format.md</c>.</summary>
     public static class StoreFormat
     {
-        public const uint Version = 1;
+        public const uint Version = 2;
         public const string FolderExtension = ".fastpoints";
 
         /// <summary>Ends the name of a folder in the making.</summary>

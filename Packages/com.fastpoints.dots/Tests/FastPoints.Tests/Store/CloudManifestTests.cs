@@ -95,7 +95,7 @@ namespace FastPoints.Tests.Store
         [TestCase("\"divisor\": 257", "\"divisor\": 0", "\"divisor\"")]
         [TestCase("\"elevationMax\": 3.75", "\"elevationMax\": \"high\"", "\"elevationMax\"")]
         [TestCase("\"intensityMin\"", "\"intensity\"", "\"intensityMin\"")]
-        [TestCase("\"version\": 1", "\"version\": 2", "version")]
+        [TestCase("\"version\": 2", "\"version\": 3", "version")]
         [TestCase("\"format\": \"fastpoints\"", "\"format\": \"potree\"", "\"format\"")]
         [TestCase("{", "[", "character")]
         public void FromJson_SomethingWrong_NamesIt(string good, string bad, string named)

@@ -1,7 +1,9 @@
 using System;
 using System.Text;
+using FastPoints.Points;
 using FastPoints.Store;
 using NUnit.Framework;
+using Unity.Mathematics;
 
 namespace FastPoints.Tests.Store
 {
@@ -22,7 +24,7 @@ namespace FastPoints.Tests.Store
         [Test]
         public void Copy_AnyLength_CopiesAndGivesTheHash()
         {
-            var random = new Random(5);
+            var random = new System.Random(5);
             var from = new byte[400];
             random.NextBytes(from);
             for (int length = 0; length < 300; length++)
@@ -35,5 +37,38 @@ namespace FastPoints.Tests.Store
                 Assert.That(to, Is.EqualTo(wanted));
             }
         }
+
+        [Test]
+        public void RecordHash_AnyBitOfAnyWord_ChangesHalfOfTheBits([Values(0, 4, 8, 12, 24)] int attributeBytes,
+            [Values(RecordHash.ChecksumSeed, RecordHash.SecondSeed)] ulong seed)
+        {
+            var random = new System.Random(7);
+            int bits = 8 * (24 + attributeBytes);
+            var changed = new long[bits];
+            const int Records = 400;
+            long* record = stackalloc long[6];
+            for (int n = 0; n < Records; n++)
+            {
+                // Neighbours on a map, with small values.
+                record[0] = 50000000 + random.Next(1 << 17);
+                record[1] = 450000000 + random.Next(1 << 17);
+                record[2] = random.Next(1 << 12);
+                record[3] = record[4] = record[5] = 0;
+                for (int b = 0; b < attributeBytes; b += 2)
+                    ((byte*)(record + 3))[b] = (byte)random.Next(256);
+                ulong before = HashOf(record, attributeBytes, seed);
+                for (int bit = 0; bit < bits; bit++)
+                {
+                    record[bit / 64] ^= 1L << (bit & 63);
+                    changed[bit] += math.countbits(before ^ HashOf(record, attributeBytes, seed));
+                    record[bit / 64] ^= 1L << (bit & 63);
+                }
+            }
+            for (int bit = 0; bit < bits; bit++)
+                Assert.That(changed[bit] / (double)Records, Is.EqualTo(32).Within(1.5), "bit " + bit);
+        }
+
+        static ulong HashOf(long* record, int attributeBytes, ulong seed) =>
+            RecordHash.Of(new Grid3(record[0], record[1], record[2]), (byte*)(record + 3), attributeBytes, seed);
     }
 }
