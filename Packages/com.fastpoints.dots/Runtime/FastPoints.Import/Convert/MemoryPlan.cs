@@ -35,6 +35,9 @@ namespace FastPoints.Convert
         /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>
         public long PointsPerChunk { get; private set; }
 
+        /// <summary>The same for the upper levels, which are merged when most of the records are gone.</summary>
+        public long PointsPerRegion { get; private set; }
+
         /// <summary>Whether points go to temporary files because not all of them fit.</summary>
         public bool IsStored { get; private set; }
 
@@ -99,8 +102,14 @@ namespace FastPoints.Convert
             // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
             // and one of these chunks.
             long inMemory = points * strideBytes / 10 * 11;
-            long oneChunk = Math.Min(points, 2 * plan.PointsPerChunk) * (plan.IndexBytesPerPoint - strideBytes);
-            plan.IsStored = inMemory + Math.Max(oneChunk, plan.ReadBytes) > memoryBytes;
+            bool Fits(long ofChunk) => inMemory + Math.Max(plan.ReadBytes,
+                Math.Min(points, 2 * ofChunk) * (plan.IndexBytesPerPoint - strideBytes)) <= memoryBytes;
+            plan.PointsPerRegion = plan.PointsPerChunk;
+            // Smaller chunks where these keep the points in memory: files take a quarter of the time.
+            if (pointsPerChunk <= 0 && Fits(MinPointsPerChunk))
+                while (!Fits(plan.PointsPerChunk) && plan.PointsPerChunk / 2 >= MinPointsPerChunk)
+                    plan.PointsPerChunk /= 2;
+            plan.IsStored = !Fits(plan.PointsPerChunk);
             plan.MostPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
             plan.MostWaitingPages = Math.Max(4, plan.MostPages / 4);
             if (!plan.IsStored)

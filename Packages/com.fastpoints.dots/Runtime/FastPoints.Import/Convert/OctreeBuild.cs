@@ -275,7 +275,7 @@ namespace FastPoints.Convert
             foreach (var result in m_results)
                 tops += result == null ? 0 : result.TopPoints;
             var plan = m_build.Plan;
-            long merged = Math.Min(tops, UpperMerge.MostPointsAtOnce(plan.PointsPerChunk)) * plan.IndexBytesPerPoint;
+            long merged = Math.Min(tops, UpperMerge.MostPointsAtOnce(plan.PointsPerRegion)) * plan.IndexBytesPerPoint;
             long inWork = m_lanes.Count * m_chunkBytes + (m_ahead.Count - m_lanes.Count) * m_aheadBytes;
             return tops > 0 && merged + inWork <= plan.IndexBytes;
         }

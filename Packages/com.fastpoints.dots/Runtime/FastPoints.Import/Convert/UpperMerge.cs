@@ -73,7 +73,7 @@ namespace FastPoints.Convert
                 });
             }
 
-            long pointsPerRegion = Math.Max(m_build.Plan.PointsPerChunk, LeastPointsPerRegion);
+            long pointsPerRegion = Math.Max(m_build.Plan.PointsPerRegion, LeastPointsPerRegion);
             m_upperBytes = FileHeader.SizeBytes;
             while (left > MostPointsAtOnce(pointsPerRegion))
             {
