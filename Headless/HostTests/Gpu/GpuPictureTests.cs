@@ -109,8 +109,8 @@ public sealed class GpuPictureTests : GraphicsFixture
     }
 
     /// <summary>Sizes that differ from point to point: by distance, and by what is drawn at their place.</summary>
-    [TestCase("0.2u", true)]
-    [TestCase("0.2u", false)]
+    [TestCase("3u", true)]
+    [TestCase("3u", false)]
     [TestCase("adaptive", true)]
     [TestCase("adaptive", false)]
     public void Draw_SizesInTheWorld_AreThoseOfTheSoftwareRasterizer(string size, bool isRound)

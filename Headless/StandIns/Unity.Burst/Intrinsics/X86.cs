@@ -1,4 +1,5 @@
 #if NET
+using System.Diagnostics.CodeAnalysis;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Net = System.Runtime.Intrinsics.X86.Avx2;
@@ -22,7 +23,7 @@ namespace Unity.Burst.Intrinsics
     public static unsafe partial class X86
     {
 #if NET
-#pragma warning disable CA1857 // Constants are constants where it is inlined.
+#pragma warning disable CA1857 // Callers give constants, and all is inlined.
         // Precompiled code calls what is not inlined, and what is no instruction in the framework (Vector256.Load).
         const MethodImplOptions Inline = MethodImplOptions.AggressiveInlining;
 #endif
@@ -31,19 +32,13 @@ namespace Unity.Burst.Intrinsics
         {
 #if NET
             [MethodImpl(Inline)] public static v256 mm256_loadu_si256(void* ptr) => new v256(Net.LoadVector256((uint*)ptr));
-
             [MethodImpl(Inline)] public static v256 mm256_set1_epi32(int a) => new v256(Vector256.Create((uint)a));
-
             [MethodImpl(Inline)] public static v256 mm256_set1_epi64x(long a) => new v256(Vector256.Create(a).AsUInt32());
-
             [MethodImpl(Inline)] public static void mm256_storeu_si256(void* ptr, v256 v) => Net.Store((uint*)ptr, v.Bits);
 #else
             public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_set1_epi32(int a) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_set1_epi64x(long a) => throw new System.PlatformNotSupportedException();
-
             public static void mm256_storeu_si256(void* ptr, v256 v) => throw new System.PlatformNotSupportedException();
 #endif
         }
@@ -54,132 +49,94 @@ namespace Unity.Burst.Intrinsics
             // compile; here it says what the processor has, so that what runs is what Burst makes.
 #if NET
             public static bool IsAvx2Supported => Net.IsSupported;
-
             [MethodImpl(Inline)] public static int mm256_movemask_epi8(v256 a) => Net.MoveMask(a.Bits.AsByte());
-
             [MethodImpl(Inline)] public static v256 mm256_add_epi32(v256 a, v256 b) => new v256(Net.Add(a.Bits, b.Bits));
-
-            [MethodImpl(Inline)] public static v256 mm256_cmpgt_epi32(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_cmpgt_epi32(v256 a, v256 b) =>
                 new v256(Net.CompareGreaterThan(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
-
-            [MethodImpl(Inline)] public static v256 mm256_madd_epi16(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_madd_epi16(v256 a, v256 b) =>
                 new v256(Net.MultiplyAddAdjacent(a.Bits.AsInt16(), b.Bits.AsInt16()).AsUInt32());
-
             [MethodImpl(Inline)]
             public static v256 mm256_max_epu8(v256 a, v256 b) => new v256(Net.Max(a.Bits.AsByte(), b.Bits.AsByte()).AsUInt32());
-
             [MethodImpl(Inline)] public static v256 mm256_max_epu32(v256 a, v256 b) => new v256(Net.Max(a.Bits, b.Bits));
-
-            [MethodImpl(Inline)] public static v256 mm256_min_epi32(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_min_epi32(v256 a, v256 b) =>
                 new v256(Net.Min(a.Bits.AsInt32(), b.Bits.AsInt32()).AsUInt32());
-
             [MethodImpl(Inline)]
             public static v256 mm256_min_epu8(v256 a, v256 b) => new v256(Net.Min(a.Bits.AsByte(), b.Bits.AsByte()).AsUInt32());
-
             [MethodImpl(Inline)] public static v256 mm256_min_epu32(v256 a, v256 b) => new v256(Net.Min(a.Bits, b.Bits));
-
-            [MethodImpl(Inline)] public static v256 mm256_sub_epi16(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_sub_epi16(v256 a, v256 b) =>
                 new v256(Net.Subtract(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
-
             [MethodImpl(Inline)] public static v256 mm256_and_si256(v256 a, v256 b) => new v256(Net.And(a.Bits, b.Bits));
-
-            [MethodImpl(Inline)] public static v256 mm256_max_epu16(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_max_epu16(v256 a, v256 b) =>
                 new v256(Net.Max(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
-
-            [MethodImpl(Inline)] public static v256 mm256_min_epu16(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_min_epu16(v256 a, v256 b) =>
                 new v256(Net.Min(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
-
-            [MethodImpl(Inline)] public static v256 mm256_mullo_epi32(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_mullo_epi32(v256 a, v256 b) =>
                 new v256(Net.MultiplyLow(a.Bits, b.Bits));
-
             [MethodImpl(Inline)] public static v256 mm256_or_si256(v256 a, v256 b) => new v256(Net.Or(a.Bits, b.Bits));
-
-            [MethodImpl(Inline)] public static v256 mm256_permute2x128_si256(v256 a, v256 b, int imm8) => new v256(imm8 switch
+            [MethodImpl(Inline)]
+            public static v256 mm256_permute2x128_si256(v256 a, v256 b, [ConstantExpected] int imm8) => new v256(imm8 switch
             {
                 0x20 => Net.Permute2x128(a.Bits, b.Bits, 0x20),
                 0x31 => Net.Permute2x128(a.Bits, b.Bits, 0x31),
                 _ => throw new System.NotSupportedException(),
             });
-
             [MethodImpl(Inline)]
-            public static v256 mm256_slli_epi64(v256 a, int imm8) =>
+            public static v256 mm256_slli_epi64(v256 a, [ConstantExpected] int imm8) =>
                 new v256(Net.ShiftLeftLogical(a.Bits.AsUInt64(), (byte)imm8).AsUInt32());
-
-            [MethodImpl(Inline)] public static v256 mm256_sllv_epi64(v256 a, v256 count) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_sllv_epi64(v256 a, v256 count) =>
                 new v256(Net.ShiftLeftLogicalVariable(a.Bits.AsUInt64(), count.Bits.AsUInt64()).AsUInt32());
-
             [MethodImpl(Inline)]
-            public static v256 mm256_srli_epi16(v256 a, int imm8) =>
+            public static v256 mm256_srli_epi16(v256 a, [ConstantExpected] int imm8) =>
                 new v256(Net.ShiftRightLogical(a.Bits.AsUInt16(), (byte)imm8).AsUInt32());
-
             [MethodImpl(Inline)]
-            public static v256 mm256_srli_epi64(v256 a, int imm8) =>
+            public static v256 mm256_srli_epi64(v256 a, [ConstantExpected] int imm8) =>
                 new v256(Net.ShiftRightLogical(a.Bits.AsUInt64(), (byte)imm8).AsUInt32());
-
-            [MethodImpl(Inline)] public static v256 mm256_srlv_epi32(v256 a, v256 count) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_srlv_epi32(v256 a, v256 count) =>
                 new v256(Net.ShiftRightLogicalVariable(a.Bits, count.Bits));
-
             [MethodImpl(Inline)] public static v256 mm256_sub_epi32(v256 a, v256 b) => new v256(Net.Subtract(a.Bits, b.Bits));
-
-            [MethodImpl(Inline)] public static v256 mm256_unpackhi_epi64(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_unpackhi_epi64(v256 a, v256 b) =>
                 new v256(Net.UnpackHigh(a.Bits.AsUInt64(), b.Bits.AsUInt64()).AsUInt32());
-
-            [MethodImpl(Inline)] public static v256 mm256_unpacklo_epi64(v256 a, v256 b) =>
+            [MethodImpl(Inline)]
+            public static v256 mm256_unpacklo_epi64(v256 a, v256 b) =>
                 new v256(Net.UnpackLow(a.Bits.AsUInt64(), b.Bits.AsUInt64()).AsUInt32());
-
             [MethodImpl(Inline)] public static v256 mm256_xor_si256(v256 a, v256 b) => new v256(Net.Xor(a.Bits, b.Bits));
 #else
             public static bool IsAvx2Supported => false;
-
             public static int mm256_movemask_epi8(v256 a) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_add_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_cmpgt_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_madd_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_max_epu8(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_max_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_min_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_min_epu8(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_min_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_sub_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_and_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_max_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_min_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_mullo_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_or_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_permute2x128_si256(v256 a, v256 b, int imm8) =>
                 throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_slli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_sllv_epi64(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_srli_epi16(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_srli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_srlv_epi32(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_sub_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_unpackhi_epi64(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_unpacklo_epi64(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-
             public static v256 mm256_xor_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif
         }

@@ -102,14 +102,20 @@ namespace FastPoints.Convert
             // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
             // and one of these chunks.
             long inMemory = points * strideBytes / 10 * 11;
-            bool Fits(long ofChunk) => inMemory + Math.Max(plan.ReadBytes,
+            bool Fits(long records, long ofChunk) => records + Math.Max(plan.ReadBytes,
                 Math.Min(points, 2 * ofChunk) * (plan.IndexBytesPerPoint - strideBytes)) <= memoryBytes;
             plan.PointsPerRegion = plan.PointsPerChunk;
-            // Smaller chunks where these keep the points in memory: files take a quarter of the time.
-            if (pointsPerChunk <= 0 && Fits(MinPointsPerChunk))
-                while (!Fits(plan.PointsPerChunk) && plan.PointsPerChunk / 2 >= MinPointsPerChunk)
-                    plan.PointsPerChunk /= 2;
-            plan.IsStored = !Fits(plan.PointsPerChunk);
+            plan.IsStored = !Fits(inMemory, plan.PointsPerChunk);
+            // Chunks of half the size where these keep the points in memory: files take a quarter of the time. Twice as many tops
+            // take as much again; with averages they take more.
+            long half = plan.PointsPerChunk / 2, withTops = inMemory / 11 * 12;
+            if (plan.IsStored && pointsPerChunk <= 0 && half >= MinPointsPerChunk && settings.Sampler != Sampler.Average &&
+                Fits(withTops, half))
+            {
+                plan.PointsPerChunk = half;
+                plan.IsStored = false;
+                inMemory = withTops;
+            }
             plan.MostPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
             plan.MostWaitingPages = Math.Max(4, plan.MostPages / 4);
             if (!plan.IsStored)

@@ -30,6 +30,7 @@ namespace FastPoints.Convert
         IndexLane m_lane;
         UpperRegion[] m_regionOfChunk;
         int[] m_draftOfChunk;
+        WriteTicket m_whole;
         long m_upperBytes;
         long m_upperPoints;
 
@@ -106,6 +107,7 @@ namespace FastPoints.Convert
 
         public void Dispose()
         {
+            m_whole?.Wait();
             m_indexer?.Dispose();
             m_lane?.Dispose();
             foreach (var region in m_regions)
@@ -235,17 +237,19 @@ namespace FastPoints.Convert
                 if (isRoot && m_upperPoints == 0)
                 {
                     m_upperBytes = file.Length;
-                    ticket = m_build.Folder.Write(m_manifest.UpperName, file);
+                    m_upperPoints = file.Length > 0 ? PointsOf(file) : 0;
+                    // The hierarchy is queued behind it, and waited for.
+                    m_whole = m_build.Folder.Write(m_manifest.UpperName, file);
+                    yield break;
                 }
-                else if (file.Length > 0)
+                if (file.Length > 0)
                 {
                     region.PlaneShift = m_upperBytes - FileHeader.SizeBytes;
                     var planes = file.GetSubArray(FileHeader.SizeBytes, file.Length - FileHeader.SizeBytes);
                     ticket = m_build.Folder.WritePiece(m_manifest.UpperName, planes, m_upperBytes);
                     m_upperBytes += planes.Length;
-                }
-                if (file.Length > 0)
                     m_upperPoints += PointsOf(file);
+                }
                 while (ticket != null && !ticket.IsDone(1))
                     yield return default;
                 if (!isRoot || region.PlaneShift == 0)

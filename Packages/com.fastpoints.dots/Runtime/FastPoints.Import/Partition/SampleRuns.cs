@@ -23,7 +23,6 @@ namespace FastPoints.Partition
             int blocks = reader.BlockCount;
             if (points == 0)
                 return runs;
-            // Small clouds are read whole: their grid is chosen from all their digits.
             long wanted = Math.Max(MinRuns, Math.Min(mostRuns, points / (PointsPerSampled * runPoints)));
             long length = Math.Max(1, Math.Min(runPoints, (points + wanted - 1) / wanted));
             if (!reader.HasFixedStride)

@@ -20,7 +20,10 @@ namespace FastPoints.Partition
         const int RunPoints = 256;
         const long ManyPoints = 64 << 20;
         const int MaxRunsOfMany = 1024;
-        const int RunPointsOfMany = 1024;
+        const int LongRunPoints = 1024;
+
+        // By long runs these are read whole: the grid is chosen from all their digits.
+        const int FewPoints = 16 << 10;
 
         const int PointsOfSlice = 1 << 16;
 
@@ -50,7 +53,8 @@ namespace FastPoints.Partition
         {
             var sample = new SourceSample();
             bool isMany = reader.PointCount > ManyPoints;
-            var runs = SampleRuns.Choose(reader, isMany ? MaxRunsOfMany : MaxRuns, isMany ? RunPointsOfMany : RunPoints);
+            var runs = SampleRuns.Choose(reader, isMany ? MaxRunsOfMany : MaxRuns,
+                isMany || reader.PointCount <= FewPoints ? LongRunPoints : RunPoints);
             var positions = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var measured = default(JobHandle);
             try

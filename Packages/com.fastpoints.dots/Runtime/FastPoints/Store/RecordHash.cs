@@ -8,12 +8,13 @@ namespace FastPoints.Store
     /// hashes modulo 2^64 is the cloud's checksum, which does not depend on the order. The hash also decides which point
     /// represents a cell.</summary>
     /// <remarks>The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order
-    /// without gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one.
+    /// without gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one, none
+    /// as a zero.
     /// Two numbers at a time are multiplied and folded, as wyhash does: its quality at a third of the instructions of XXH64's
     /// tail. Different seeds give independent hashes.</remarks>
     internal static unsafe class RecordHash
     {
-        // Their upper bits are those of no position, whose multiple would be the same whatever the other number.
+        // None of them is a position, by which what it is multiplied with would be lost; K2 with neither seed.
         const ulong K1 = 0xA0761D6478BD642FUL;
         const ulong K2 = 0xE7037ED1A0B428DBUL;
         const ulong K3 = 0x8EBC6AF09C88C6E3UL;
@@ -35,7 +36,7 @@ namespace FastPoints.Store
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Of(Grid3 place, byte* attributes, int paddedBytes, ulong seed)
         {
-            ulong hash = Fold((ulong)place.X ^ K1 ^ seed, (ulong)place.Y ^ K2);
+            ulong hash = Fold((ulong)place.X ^ K1, (ulong)place.Y ^ K2 ^ seed);
             ulong word = (ulong)place.Z ^ K3;
             int at = 0;
             for (; at + 8 <= paddedBytes; at += 8)
@@ -43,9 +44,9 @@ namespace FastPoints.Store
                 hash = Fold(word, hash ^ *(ulong*)(attributes + at));
                 word = K3;
             }
-            if (at < paddedBytes)
-                hash = Fold(word, hash ^ *(uint*)(attributes + at));
-            return Fold(hash ^ K4, paddedBytes == 0 ? word : K2);
+            if (at < paddedBytes || paddedBytes == 0)
+                hash = Fold(word, hash ^ (paddedBytes == 0 ? 0 : *(uint*)(attributes + at)));
+            return Fold(hash ^ K4, K2);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -403,6 +403,7 @@ namespace FastPoints.Tests.Convert
 
         [TestCase(1000L, 928L << 20, false, 200000L)]
         [TestCase(20000000L, 928L << 20, false, 1000000L)]
+        [TestCase(20000000L, 580L << 20, false, 500000L)]
         [TestCase(20000000L, 204L << 20, true, 250000L)]
         [TestCase(1L << 40, 928L << 20, true, 1000000L)]
         [TestCase(1L << 40, 1L << 20, true, 1L << 16)]

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Text;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -66,6 +67,29 @@ namespace FastPoints.Tests.Store
             }
             for (int bit = 0; bit < bits; bit++)
                 Assert.That(changed[bit] / (double)Records, Is.EqualTo(32).Within(1.5), "bit " + bit);
+        }
+
+        /// <summary>As in a lattice, or on a plumb line. The lowest priorities are chosen, so they must lie at random.</summary>
+        [Test]
+        public void RecordHash_OneColumn_HasItsLowestPrioritiesAnywhere([Values(0, 4, 8)] int attributeBytes)
+        {
+            long* record = stackalloc long[6];
+            for (int column = 0; column < 100; column++)
+            {
+                record[0] = 1000 + 7 * column;
+                record[1] = 2000 - column;
+                var priorities = new (ulong Hash, int Z)[1024];
+                int different = 0;
+                for (int z = 0; z < priorities.Length; z++)
+                {
+                    record[2] = z;
+                    priorities[z] = (HashOf(record, attributeBytes, RecordHash.ChecksumSeed), z);
+                    different += math.countbits(priorities[z].Hash ^ HashOf(record, attributeBytes, RecordHash.SecondSeed));
+                }
+                Assert.That(different / 1024.0, Is.EqualTo(32).Within(1), "bits by which two seeds differ");
+                var chosen = priorities.OrderBy(p => p.Hash).Take(64).Select(p => p.Z).OrderBy(z => z).ToArray();
+                Assert.That(chosen.Zip(chosen.Skip(1), (a, b) => b - a).Distinct().Count(), Is.InRange(20, 45));
+            }
         }
 
         static ulong HashOf(long* record, int attributeBytes, ulong seed) =>
