@@ -224,17 +224,19 @@ namespace FastPoints.Samplers
         public bool Nearest(ulong dart, out int point)
         {
             int* at = (int*)m_local.GetUnsafePtr() + OwnOf(dart, out int ox, out int oy, out int oz);
+            int* links = m_links.GetUnsafePtr(), pointOfLane = m_pointOfLane.GetUnsafePtr();
+            uint* buckets = m_buckets.GetUnsafePtr();
             int nearest = m_nearSq;
             point = -1;
             for (int n = 0; n < 8; n++)
             {
                 int bucket = at[(n & 1) * ox + (n >> 1 & 1) * oy + (n >> 2) * oz];
-                for (; bucket != 0; bucket = m_links[2 * bucket + 1])
+                for (; bucket != 0; bucket = links[2 * bucket + 1])
                 {
-                    short* sample = (short*)(m_buckets.GetUnsafePtr() + (long)bucket * WordsOfBucket);
-                    for (int lane = 0; lane < m_links[2 * bucket]; lane++)
+                    short* sample = (short*)(buckets + (long)bucket * WordsOfBucket);
+                    for (int lane = 0; lane < links[2 * bucket]; lane++)
                     {
-                        int other = m_pointOfLane[bucket * Lanes + lane], distanceSq = DistanceSq(sample + 2 * lane, dart);
+                        int other = pointOfLane[bucket * Lanes + lane], distanceSq = DistanceSq(sample + 2 * lane, dart);
                         if (distanceSq > nearest || distanceSq == nearest && (point < 0 || other > point))
                             continue;
                         nearest = distanceSq;
