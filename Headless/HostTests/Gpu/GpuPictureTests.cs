@@ -43,7 +43,8 @@ public sealed class GpuPictureTests : GraphicsFixture
 
     /// <summary>Pictures beside the tests' results, for people.</summary>
     /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
-    static void Compare(TwinStreams streams, PictureCamera camera, string name, int mostPerChannel = 0)
+    /// <param name="tiedPixels">Of a disc that is as deep as another but for rounding: either may be in front.</param>
+    static void Compare(TwinStreams streams, PictureCamera camera, string name, int mostPerChannel = 0, float tiedPixels = 0)
     {
         var pictures = streams.Draw(camera);
         double share = streams.ShareThatDiffers(pictures, out int covered, mostPerChannel);
@@ -52,7 +53,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         File.WriteAllBytes(output + "-gpu.png", Png.Encode(pictures.Gpu));
         TestContext.Out.WriteLine(name + ": " + covered + " pixels covered, " + share.ToString("P3") + " differ");
         Assert.That(covered, Is.GreaterThan(500), output);
-        Assert.That(share, Is.LessThan(streams.MostThatDiffer), output);
+        Assert.That(share, Is.LessThan(streams.MostThatDiffer + tiedPixels / covered), output);
     }
 
     /// <summary>Points of one pixel are drawn by a compute shader, or as point primitives.</summary>
@@ -307,7 +308,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         string name = Path.GetFileNameWithoutExtension(data);
         string cloud = Convert(TestData.PathOrIgnore(data), name);
         using var streams = new TwinStreams(cloud, Options(sizePx, sizePx > 3, ColorMode.Auto), 60_000);
-        Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx);
+        Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx, 0, 2 * sizePx);
         var camera = streams.Plan.Camera;
         var near = camera.EyeGeo + (streams.Ranges.Robust.Center - camera.EyeGeo) * 0.7;
         Compare(streams, PictureCamera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60),

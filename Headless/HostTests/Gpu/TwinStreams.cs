@@ -51,11 +51,10 @@ sealed class TwinStreams : IDisposable
 
     /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to
     /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
-    /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that: one of a thousand is on an
-    /// edge but for the rounding of floats, or on one of two discs at the same depth. With eye-dome lighting a pixel that
-    /// differs changes the shade of those around it.</summary>
+    /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
+    /// pixel that differs changes the shade of those around it.</summary>
     public double MostThatDiffer =>
-        !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.002;
+        !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
