@@ -33,7 +33,10 @@ internal sealed class IntrinsicCode
         foreach (HpcTarget target in HpcTarget.All)
         {
             foreach ((Instruction at, string why) in new IntrinsicCode(body, target).Run())
-                refused[(at, why)] = refused.TryGetValue((at, why), out string? others) ? $"{others}, {target.Name}" : target.Name;
+            {
+                refused[(at, why)] = refused.TryGetValue((at, why), out string? others)
+                    ? $"{others}, {target.Name}" : target.Name;
+            }
         }
         return refused.Select(r => (r.Key.At, $"{r.Key.Why} (for {r.Value})"));
     }
@@ -57,7 +60,10 @@ internal sealed class IntrinsicCode
             bool isOnTrue = at.OpCode.Code is Code.Brtrue or Code.Brtrue_S;
             if ((isOnTrue || at.OpCode.Code is Code.Brfalse or Code.Brfalse_S)
                 && m_before[at].LastOrDefault() is { Asked: { } asked } tested && isOnTrue != tested.IsOpposite)
-                yield return (at, $"jumps away where Is{asked}Supported is true (a negated if, ?: or ||): Burst has crashed on it");
+            {
+                yield return (at, $"jumps away where Is{asked}Supported is true (a negated if, ?: or ||): Burst has crashed on " +
+                    "it");
+            }
         }
     }
 
