@@ -44,6 +44,8 @@ internal sealed class HpcWalk
             if (handler.HandlerType != ExceptionHandlerType.Finally)
                 Add(handler.HandlerStart, "catches an exception");
         }
+        foreach ((Instruction at, string why) in IntrinsicCode.Objections(m_method.Body))
+            Add(at, why);
         foreach (Instruction instruction in m_method.Body.Instructions)
         {
             if (m_throwing.Contains(instruction))

@@ -33,12 +33,10 @@ namespace Unity.Burst.Intrinsics
 #if NET
             [MethodImpl(Inline)] public static v256 mm256_loadu_si256(void* ptr) => new v256(Net.LoadVector256((uint*)ptr));
             [MethodImpl(Inline)] public static v256 mm256_set1_epi32(int a) => new v256(Vector256.Create((uint)a));
-            [MethodImpl(Inline)] public static v256 mm256_set1_epi64x(long a) => new v256(Vector256.Create(a).AsUInt32());
             [MethodImpl(Inline)] public static void mm256_storeu_si256(void* ptr, v256 v) => Net.Store((uint*)ptr, v.Bits);
 #else
             public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_set1_epi32(int a) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_set1_epi64x(long a) => throw new System.PlatformNotSupportedException();
             public static void mm256_storeu_si256(void* ptr, v256 v) => throw new System.PlatformNotSupportedException();
 #endif
         }
@@ -69,46 +67,16 @@ namespace Unity.Burst.Intrinsics
             [MethodImpl(Inline)]
             public static v256 mm256_sub_epi16(v256 a, v256 b) =>
                 new v256(Net.Subtract(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
-            [MethodImpl(Inline)] public static v256 mm256_and_si256(v256 a, v256 b) => new v256(Net.And(a.Bits, b.Bits));
             [MethodImpl(Inline)]
             public static v256 mm256_max_epu16(v256 a, v256 b) =>
                 new v256(Net.Max(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
             [MethodImpl(Inline)]
             public static v256 mm256_min_epu16(v256 a, v256 b) =>
                 new v256(Net.Min(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
-            [MethodImpl(Inline)]
-            public static v256 mm256_mullo_epi32(v256 a, v256 b) =>
-                new v256(Net.MultiplyLow(a.Bits, b.Bits));
             [MethodImpl(Inline)] public static v256 mm256_or_si256(v256 a, v256 b) => new v256(Net.Or(a.Bits, b.Bits));
-            [MethodImpl(Inline)]
-            public static v256 mm256_permute2x128_si256(v256 a, v256 b, [ConstantExpected] int imm8) => new v256(imm8 switch
-            {
-                0x20 => Net.Permute2x128(a.Bits, b.Bits, 0x20),
-                0x31 => Net.Permute2x128(a.Bits, b.Bits, 0x31),
-                _ => throw new System.NotSupportedException(),
-            });
-            [MethodImpl(Inline)]
-            public static v256 mm256_slli_epi64(v256 a, [ConstantExpected] int imm8) =>
-                new v256(Net.ShiftLeftLogical(a.Bits.AsUInt64(), (byte)imm8).AsUInt32());
-            [MethodImpl(Inline)]
-            public static v256 mm256_sllv_epi64(v256 a, v256 count) =>
-                new v256(Net.ShiftLeftLogicalVariable(a.Bits.AsUInt64(), count.Bits.AsUInt64()).AsUInt32());
             [MethodImpl(Inline)]
             public static v256 mm256_srli_epi16(v256 a, [ConstantExpected] int imm8) =>
                 new v256(Net.ShiftRightLogical(a.Bits.AsUInt16(), (byte)imm8).AsUInt32());
-            [MethodImpl(Inline)]
-            public static v256 mm256_srli_epi64(v256 a, [ConstantExpected] int imm8) =>
-                new v256(Net.ShiftRightLogical(a.Bits.AsUInt64(), (byte)imm8).AsUInt32());
-            [MethodImpl(Inline)]
-            public static v256 mm256_srlv_epi32(v256 a, v256 count) =>
-                new v256(Net.ShiftRightLogicalVariable(a.Bits, count.Bits));
-            [MethodImpl(Inline)] public static v256 mm256_sub_epi32(v256 a, v256 b) => new v256(Net.Subtract(a.Bits, b.Bits));
-            [MethodImpl(Inline)]
-            public static v256 mm256_unpackhi_epi64(v256 a, v256 b) =>
-                new v256(Net.UnpackHigh(a.Bits.AsUInt64(), b.Bits.AsUInt64()).AsUInt32());
-            [MethodImpl(Inline)]
-            public static v256 mm256_unpacklo_epi64(v256 a, v256 b) =>
-                new v256(Net.UnpackLow(a.Bits.AsUInt64(), b.Bits.AsUInt64()).AsUInt32());
             [MethodImpl(Inline)] public static v256 mm256_xor_si256(v256 a, v256 b) => new v256(Net.Xor(a.Bits, b.Bits));
 #else
             public static bool IsAvx2Supported => false;
@@ -122,21 +90,10 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_min_epu8(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_min_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_sub_epi16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_and_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_max_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_min_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_mullo_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_or_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_permute2x128_si256(v256 a, v256 b, int imm8) =>
-                throw new System.PlatformNotSupportedException();
-            public static v256 mm256_slli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_sllv_epi64(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_srli_epi16(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_srli_epi64(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_srlv_epi32(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_sub_epi32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_unpackhi_epi64(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_unpacklo_epi64(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_xor_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif
         }

@@ -1,5 +1,4 @@
 using FastPoints.Points;
-using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 
 namespace FastPoints.Partition
@@ -27,9 +26,6 @@ namespace FastPoints.Partition
 
         /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
         public const long Nowhere = CommonGrid.Nowhere;
-
-        // 32-bit values of a vector.
-        const int Lanes = 8;
 
         public SourceAxis X;
         public SourceAxis Y;
@@ -73,17 +69,7 @@ namespace FastPoints.Partition
                 // Modulo 2^32, which loses nothing of the result.
                 uint factor = (uint)axis.Factor, shift = (uint)(axis.Shift - origin);
                 uint* stored = (uint*)(bytes + column.OffsetBytes) + first;
-                int i = 0;
-                if (X86.Avx2.IsAvx2Supported)
-                {
-                    v256 factors = X86.Avx.mm256_set1_epi32((int)factor), shifts = X86.Avx.mm256_set1_epi32((int)shift);
-                    for (; i + Lanes <= count; i += Lanes)
-                    {
-                        X86.Avx.mm256_storeu_si256(offsets + i, X86.Avx2.mm256_add_epi32(shifts,
-                            X86.Avx2.mm256_mullo_epi32(X86.Avx.mm256_loadu_si256(stored + i), factors)));
-                    }
-                }
-                for (; i < count; i++)
+                for (int i = 0; i < count; i++)
                     offsets[i] = stored[i] * factor + shift;
                 return;
             }

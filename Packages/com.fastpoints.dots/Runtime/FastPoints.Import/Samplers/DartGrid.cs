@@ -178,25 +178,28 @@ namespace FastPoints.Samplers
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsNear(ulong dart)
         {
-            if (!X86.Avx2.IsAvx2Supported)
-                return IsNearPlain(dart);
-            int* at = (int*)m_local.GetUnsafePtr() + OwnOf(dart, out int ox, out int oy, out int oz);
-            uint* buckets = m_buckets.GetUnsafePtr();
-            var xy = X86.Avx.mm256_set1_epi32((int)dart);
-            var z = X86.Avx.mm256_set1_epi32((int)(dart >> 32 & 0xFFFF));
-            var near = X86.Avx.mm256_set1_epi32(m_nearSq);
-            if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, DistancesSq(buckets, at[0], xy, z))) != 0)
-                return true;
-            var least = DistancesSq(buckets, at[ox], xy, z);
-            least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oy], xy, z));
-            least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oz], xy, z));
-            least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oy], xy, z));
-            least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oz], xy, z));
-            least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oy + oz], xy, z));
-            least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oy + oz], xy, z));
-            if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, least)) != 0)
-                return true;
-            return m_links[1] != 0 && IsNearPlain(dart);
+            if (X86.Avx2.IsAvx2Supported)
+            {
+                int* at = (int*)m_local.GetUnsafePtr() + OwnOf(dart, out int ox, out int oy, out int oz);
+                uint* buckets = m_buckets.GetUnsafePtr();
+                var xy = X86.Avx.mm256_set1_epi32((int)dart);
+                var z = X86.Avx.mm256_set1_epi32((int)(dart >> 32 & 0xFFFF));
+                var near = X86.Avx.mm256_set1_epi32(m_nearSq);
+                if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, DistancesSq(buckets, at[0], xy, z))) != 0)
+                    return true;
+                var least = DistancesSq(buckets, at[ox], xy, z);
+                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oy], xy, z));
+                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oz], xy, z));
+                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oy], xy, z));
+                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oz], xy, z));
+                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oy + oz], xy, z));
+                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oy + oz], xy, z));
+                if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, least)) != 0)
+                    return true;
+                if (m_links[1] == 0)
+                    return false;
+            }
+            return IsNearPlain(dart);
         }
 
         /// <summary>The same without intrinsics: Burst makes vectors of its inner loop on other processors.</summary>
@@ -310,13 +313,19 @@ namespace FastPoints.Samplers
             return FirstOfLocal + (x >> 1 & 7) + LocalSide * (y >> 1 & 7) + LocalSide * LocalSide * (z >> 1 & 7);
         }
 
+        // Burst judges each method by itself: what asks for its caller only is refused for other processors.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static v256 DistancesSq(uint* buckets, int number, v256 xy, v256 z)
         {
-            uint* bucket = buckets + (long)number * WordsOfBucket;
-            var dxy = X86.Avx2.mm256_sub_epi16(X86.Avx.mm256_loadu_si256(bucket), xy);
-            var dz = X86.Avx2.mm256_sub_epi16(X86.Avx.mm256_loadu_si256(bucket + Lanes), z);
-            return X86.Avx2.mm256_add_epi32(X86.Avx2.mm256_madd_epi16(dxy, dxy), X86.Avx2.mm256_madd_epi16(dz, dz));
+            v256 result = default;
+            if (X86.Avx2.IsAvx2Supported)
+            {
+                uint* bucket = buckets + (long)number * WordsOfBucket;
+                var dxy = X86.Avx2.mm256_sub_epi16(X86.Avx.mm256_loadu_si256(bucket), xy);
+                var dz = X86.Avx2.mm256_sub_epi16(X86.Avx.mm256_loadu_si256(bucket + Lanes), z);
+                result = X86.Avx2.mm256_add_epi32(X86.Avx2.mm256_madd_epi16(dxy, dxy), X86.Avx2.mm256_madd_epi16(dz, dz));
+            }
+            return result;
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Points
             }
         }
 
-        /// <summary>Vectors and what is left over behave as one position does.</summary>
+        /// <summary>What Burst makes vectors of has the codes of each position.</summary>
         [Test]
         public unsafe void Encode_Many_GivesTheCodesOfEach()
         {
