@@ -132,6 +132,38 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
+    public void File_AsManyAsWerePreparedFor_MakeNoGarbage()
+    {
+        const int Files = 300;
+        var files = new FileHandle[Files];
+        var reads = new ReadHandle[Files];
+        m_commands[0] = Command(0, 100, 0);
+        var array = new ReadCommandArray { ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(), CommandCount = 1 };
+        // The handles' own tables, and what one of each needs once.
+        for (int turn = 0; turn < 2; turn++)
+        {
+            IoThreads.Prepare(turn == 0 ? 1 : Files);
+            int count = turn == 0 ? 1 : Files;
+            IoThreads.Pause(true);
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < count; i++)
+                files[i] = AsyncReadManager.OpenFileAsync(m_path);
+            for (int i = 0; i < count; i++)
+                reads[i] = AsyncReadManager.Read(files[i], array);
+            long garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+            IoThreads.Pause(false);
+            for (int i = 0; i < count; i++)
+            {
+                reads[i].JobHandle.Complete();
+                reads[i].Dispose();
+                files[i].Close().Complete();
+            }
+            if (turn > 0)
+                Assert.That(garbage, Is.Zero);
+        }
+    }
+
+    [Test]
     public void Read_BeyondTheEnd_IsTruncated()
     {
         ReadHandle read = Read(m_path, Command(FileBytes - 10, 100, 0));
@@ -175,6 +207,14 @@ public sealed unsafe class AsyncReadTests
         Assert.That(read.IsValid(), Is.False);
         Assert.That(() => read.Dispose(), Throws.InvalidOperationException);
         Assert.That(() => read.Status, Throws.InvalidOperationException);
+    }
+
+    [Test]
+    public void Handle_ThatNothingGave_HasNoStatus()
+    {
+        Assert.That(default(ReadHandle).IsValid(), Is.False);
+        Assert.That(() => default(ReadHandle).Status, Throws.InvalidOperationException);
+        Assert.That(default(ReadStatus), Is.EqualTo(ReadStatus.Complete));
     }
 
     [Test]

@@ -26,6 +26,13 @@ sealed unsafe class OpenFile
     FileStream m_handle;
 #endif
 
+    internal static void Prepare(int count)
+    {
+        lock (s_free)
+            while (s_free.Count < count)
+                s_free.Push(new OpenFile());
+    }
+
     OpenFile() => (m_open, Close) = (Open, CloseAfterReads);
 
     internal FileStatus Status { get; private set; }

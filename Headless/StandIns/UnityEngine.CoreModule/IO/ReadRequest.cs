@@ -46,6 +46,13 @@ sealed unsafe class ReadRequest
 
     ReadRequest() => m_read = Read;
 
+    internal static void Prepare(int count)
+    {
+        lock (s_free)
+            while (s_free.Count < count)
+                s_free.Push(new ReadRequest());
+    }
+
     internal JobHandle JobHandle { get; private set; }
     internal int Count => m_count;
     internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
