@@ -9,7 +9,7 @@ public sealed class BehaviourLedger
     private const string Header = "behaviour\twhat\tevidence\tsure\theld by\ttest\tstep";
     private const string Unverified = "unverified";
 
-    /// <summary>"older" is what the sources of an earlier version say, where those of a supported one are not to be had.</summary>
+    /// <summary>"older": the sources of an earlier version say it, and those of a supported one are not to be had.</summary>
     private static readonly string[] s_sureties = { "source", "manual", "run", "older", "experience" };
     private static readonly Regex s_key = new Regex("^[a-z0-9]+(-[a-z0-9]+)+$");
     private static readonly Regex s_olderBurst = new Regex(@"com\.unity\.burst (?!1\.8)");

@@ -61,13 +61,13 @@ namespace FastPoints.Rendering.BuiltIn
             if (scene == null || !isDrawn)
                 return;
             scene.Announce(camera);
-            var target = CameraTarget.Of(camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget,
-                camera.stereoEnabled && IsEyeTextureForBoth);
+            RenderTargetIdentifier set = BuiltinRenderTextureType.CameraTarget;
+            var target = CameraTarget.Of(camera, set, set, camera.stereoEnabled && IsEyeTextureForBoth);
             target.MayBeScreen = true;
             scene.Record(before, into, camera, target);
         }
 
-        /// <summary>Whether a headset's eyes are drawn at once, into the slices of one texture. Unity 6.5 has the class in another
+        /// <summary>Whether a headset's eyes are drawn at once, into the slices of one texture. Unity 6.5 has this in another
         /// module.</summary>
         static bool IsEyeTextureForBoth =>
 #if FASTPOINTS_VR || FASTPOINTS_XR && UNITY_6000_5_OR_NEWER
