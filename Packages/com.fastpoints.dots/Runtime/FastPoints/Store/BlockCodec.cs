@@ -101,10 +101,11 @@ namespace FastPoints.Store
                     values[i] = minimum;
                 return;
             }
+            byte* bytes = (byte*)words;
             uint mask = width == 32 ? uint.MaxValue : (1u << width) - 1;
             int bit = 0;
             for (int i = 0; i < count; i++, bit += width)
-                values[i] = minimum + ((uint)(TwoWords(words + (bit >> 5)) >> (bit & 31)) & mask);
+                values[i] = minimum + ((uint)(*(ulong*)(bytes + (bit >> 3)) >> (bit & 7)) & mask);
         }
 
         /// <summary>Reads a whole column of up to 64 bits.</summary>
@@ -125,16 +126,13 @@ namespace FastPoints.Store
                 return 0;
             uint* at = words + (bit >> 5);
             int shift = (int)(bit & 31);
-            ulong value = TwoWords(at) >> shift;
+            // Not one load of eight bytes, since words lie at multiples of four: ARMv7 faults on some of those.
+            ulong value = (at[0] | (ulong)at[1] << 32) >> shift;
             // A value that starts inside a word and is wider than the rest of two ends in the third.
             if (shift + width > 64)
                 value |= (ulong)at[2] << (64 - shift);
             return width == 64 ? value : value & ((1UL << width) - 1);
         }
-
-        /// <summary>Not one load of eight bytes, since words lie at multiples of four: ARMv7 faults on some of those.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static ulong TwoWords(uint* at) => at[0] | (ulong)at[1] << 32;
 
         /// <summary>The smallest and the largest value.</summary>
         internal static void FindRange(uint* values, int count, out uint least, out uint most)
