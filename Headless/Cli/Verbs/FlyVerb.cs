@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using StandIns.Io;
 
 namespace FastPoints.Cli.Verbs;
 
@@ -149,6 +150,7 @@ public sealed class FlyVerb : Verb
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
         RgbaImage? last = null;
+        IoThreads.Prepare(2 * stream.Files.MostOpen);
         double begin = run.Seconds;
         for (int frame = 0; frame < frames; frame++)
         {

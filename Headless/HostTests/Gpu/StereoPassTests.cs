@@ -1,3 +1,5 @@
+using UnityEngine.XR;
+
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>Both eyes of a headset in one target of two slices, against a camera at the place of each eye.</summary>
@@ -65,6 +67,8 @@ public sealed class StereoPassTests : PipelineFixture
     [TestCase(nameof(HdrpHost), "paraboloids")]
     [TestCase(nameof(HdrpHost), "lit")]
     [TestCase(nameof(UrpHost), "splats")]
+    [TestCase(nameof(BuiltInHost), "discs")]
+    [TestCase(nameof(BuiltInHost), "lit")]
     public void Render_Headset_IsThePictureOfACameraAtEachEye(string pipeline, string style)
     {
         Scene.Style = StyleOf(style);
@@ -74,6 +78,7 @@ public sealed class StereoPassTests : PipelineFixture
         Add(reference, options, out _);
         var both = Target(2);
         var headset = Headset(both, At);
+        XRSettings.eyeTextureDesc = both.descriptor;
         var single = Target(1);
         for (int eye = 0; eye < 2; eye++)
         {
@@ -99,6 +104,9 @@ public sealed class StereoPassTests : PipelineFixture
         both.Release();
         single.Release();
     }
+
+    [TearDown]
+    public void TakeHeadsetOff() => XRSettings.eyeTextureDesc = default;
 
     /// <summary>As pipelines do that draw one eye after the other, each in a pass of its own.</summary>
     [TestCase(nameof(BuiltInHost))]

@@ -21,6 +21,7 @@ public sealed class BehaviourLedgerTests
     [TestCase("UnityCsReference 6000.0.78f1: A.cs", "", "no evidence")]
     [TestCase("\tsource\t", "\tcertain\t", "sure is 'certain'")]
     [TestCase("\tsource\t", "\texperience\t", "nobody looked it up")]
+    [TestCase("UnityCsReference 6000.0.78f1", "com.unity.burst 1.6.0-pre.2", "sure as 'older'")]
     [TestCase("README.md", "Nowhere.cs", "there is no Nowhere.cs")]
     [TestCase("README.md", "-", "a test without a stand-in")]
     [TestCase("Import_Twice_Once", "Import_Twice", "there is no test PlantedTests.Import_Twice")]

@@ -93,7 +93,7 @@ public sealed unsafe class AsyncReadTests
         var array = new ReadCommandArray { ReadCommands = commands, CommandCount = 1 };
         var files = new FileHandle[Files];
         var reads = new ReadHandle[Files];
-        var closed = new JobHandle[Files];
+        JobHandle[] closed = new JobHandle[Files], others = new JobHandle[Files];
         Action nothing = () => { };
         long garbage = 0, ofChecks = 0;
         for (int turn = 0; turn < 4; turn++)
@@ -122,13 +122,45 @@ public sealed unsafe class AsyncReadTests
             // The safety checks of the test build remember each job; nothing else may allocate.
             before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < Files; i++)
-                JobScheduler.CallAfter(default, "nothing", nothing);
+                others[i] = JobScheduler.CallAfter(default, "nothing", nothing);
             ofChecks = GC.GetAllocatedBytesForCurrentThread() - before;
-            foreach (var close in closed)
-                close.Complete();
+            foreach (var handle in closed.Concat(others))
+                handle.Complete();
             Assert.That(files.Any(f => f.IsValid()), Is.False);
         }
         Assert.That(garbage, Is.EqualTo(ofChecks));
+    }
+
+    [Test]
+    public void File_AsManyAsWerePreparedFor_MakeNoGarbage()
+    {
+        const int Files = 300;
+        var files = new FileHandle[Files];
+        var reads = new ReadHandle[Files];
+        m_commands[0] = Command(0, 100, 0);
+        var array = new ReadCommandArray { ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(), CommandCount = 1 };
+        // The handles' own tables, and what one of each needs once.
+        for (int turn = 0; turn < 2; turn++)
+        {
+            IoThreads.Prepare(turn == 0 ? 1 : Files);
+            int count = turn == 0 ? 1 : Files;
+            IoThreads.Pause(true);
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < count; i++)
+                files[i] = AsyncReadManager.OpenFileAsync(m_path);
+            for (int i = 0; i < count; i++)
+                reads[i] = AsyncReadManager.Read(files[i], array);
+            long garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+            IoThreads.Pause(false);
+            for (int i = 0; i < count; i++)
+            {
+                reads[i].JobHandle.Complete();
+                reads[i].Dispose();
+                files[i].Close().Complete();
+            }
+            if (turn > 0)
+                Assert.That(garbage, Is.Zero);
+        }
     }
 
     [Test]
@@ -175,6 +207,64 @@ public sealed unsafe class AsyncReadTests
         Assert.That(read.IsValid(), Is.False);
         Assert.That(() => read.Dispose(), Throws.InvalidOperationException);
         Assert.That(() => read.Status, Throws.InvalidOperationException);
+    }
+
+    [Test]
+    public void Handle_ThatNothingGave_HasNoStatus()
+    {
+        Assert.That(default(ReadHandle).IsValid(), Is.False);
+        Assert.That(() => default(ReadHandle).Status, Throws.InvalidOperationException);
+        Assert.That(default(ReadStatus), Is.EqualTo(ReadStatus.Complete));
+    }
+
+    [Test]
+    public void Read_FileNotOpenYet_WaitsUnderAStatusWithoutAName()
+    {
+        IoThreads.Pause(true);
+        FileHandle file = AsyncReadManager.OpenFileAsync(m_path);
+        m_commands[0] = Command(0, 10, 0);
+        var array = new ReadCommandArray { ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(), CommandCount = 1 };
+        ReadHandle early = AsyncReadManager.Read(file, array);
+        Assert.That(((int)early.Status, early.JobHandle.IsCompleted), Is.EqualTo((3, false)));
+        Assert.That(() => early.Dispose(), Throws.InvalidOperationException);
+        IoThreads.Pause(false);
+        early.JobHandle.Complete();
+        Assert.That(early.Status, Is.EqualTo(ReadStatus.Complete));
+        early.Dispose();
+        IoThreads.Pause(true);
+        ReadHandle late = AsyncReadManager.Read(file, array);
+        Assert.That(late.Status, Is.EqualTo(ReadStatus.InProgress));
+        IoThreads.Pause(false);
+        late.JobHandle.Complete();
+        late.Dispose();
+        file.Close().Complete();
+    }
+
+    /// <summary>As on macOS and Linux; on Windows nothing stays open.</summary>
+    [Test]
+    public void Read_ByANameThatAnotherFileHasNow_ReadsTheOneBefore()
+    {
+        byte First(string path)
+        {
+            ReadHandle read = Read(path, Command(0, 1, 0));
+            read.JobHandle.Complete();
+            read.Dispose();
+            return m_buffer[0];
+        }
+
+        First(m_path);
+        File.Delete(m_path);
+        File.WriteAllBytes(m_path, new[] { (byte)(m_bytes[0] + 1) });
+        int kept = OperatingSystem.IsWindows() ? 1 : 0;
+        Assert.That(First(m_path), Is.EqualTo((byte)(m_bytes[0] + kept)));
+        for (int i = 0; i < 10; i++)
+        {
+            string other = $"{m_path}.{i}";
+            File.WriteAllBytes(other, m_bytes);
+            First(other);
+            File.Delete(other);
+        }
+        Assert.That(First(m_path), Is.EqualTo((byte)(m_bytes[0] + 1)), "ten others were read since");
     }
 
     [Test]
@@ -266,10 +356,10 @@ public sealed unsafe class AsyncReadTests
         array[0] = new ReadCommandArray { ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(), CommandCount = 1 };
         var arrayPointer = (ReadCommandArray*)array.GetUnsafePtr();
         m_commands[0] = Command(0, 0, 0);
-        JobHandle written = new WriteCommandJob { Commands = m_commands, Offset = 5, Size = 5 }.Schedule();
+        JobHandle written = new WriteCommandJob { Commands = m_commands, Offset = 5, Size = 5 }.Schedule(file.JobHandle);
         ReadHandle read = AsyncReadManager.ReadDeferred(file, arrayPointer, written);
         System.Threading.Thread.Sleep(30);
-        Assert.That(read.Status, Is.EqualTo(ReadStatus.InProgress), "nobody has flushed the job");
+        Assert.That((int)read.Status, Is.EqualTo(3), "nobody has flushed the job");
         read.JobHandle.Complete();
         written.Complete();
         Assert.That(read.Status, Is.EqualTo(ReadStatus.Complete));
@@ -277,6 +367,23 @@ public sealed unsafe class AsyncReadTests
         read.Dispose();
         file.Close().Complete();
         array.Dispose();
+    }
+
+    [Test]
+    public void ReadDeferred_BehindAJobThatDoesNotWaitForTheFile_Fails()
+    {
+        IoThreads.Pause(true);
+        FileHandle file = AsyncReadManager.OpenFileAsync(m_path);
+        m_commands[0] = Command(0, 5, 0);
+        using var array = new NativeArray<ReadCommandArray>(1, Allocator.Persistent);
+        var pointer = (ReadCommandArray*)array.GetUnsafePtr();
+        *pointer = new ReadCommandArray { ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(), CommandCount = 1 };
+        ReadHandle read = AsyncReadManager.ReadDeferred(file, pointer, default);
+        read.JobHandle.Complete();
+        Assert.That(read.Status, Is.EqualTo(ReadStatus.Failed));
+        read.Dispose();
+        IoThreads.Pause(false);
+        file.Close().Complete();
     }
 
     [Test]

@@ -9,8 +9,10 @@ public sealed class BehaviourLedger
     private const string Header = "behaviour\twhat\tevidence\tsure\theld by\ttest\tstep";
     private const string Unverified = "unverified";
 
-    private static readonly string[] s_sureties = { "source", "manual", "run", "experience" };
+    /// <summary>"older": the sources of an earlier version say it, and those of a supported one are not to be had.</summary>
+    private static readonly string[] s_sureties = { "source", "manual", "run", "older", "experience" };
     private static readonly Regex s_key = new Regex("^[a-z0-9]+(-[a-z0-9]+)+$");
+    private static readonly Regex s_olderBurst = new Regex(@"com\.unity\.burst (?!1\.8)");
     private static readonly Regex s_test = new Regex(@"^(\w+)\.(\w+)$");
 
     private readonly List<string[]> m_rows;
@@ -76,6 +78,8 @@ public sealed class BehaviourLedger
             yield return "no behaviour or no evidence";
         if (!s_sureties.Contains(row[3]))
             yield return $"sure is '{row[3]}', not one of {string.Join(", ", s_sureties)}";
+        if (row[3] == "source" && s_olderBurst.IsMatch(row[2]) && !row[2].Contains("1.8", StringComparison.Ordinal))
+            yield return "sources of a Burst before 1.8 are sure as 'older'";
         if (row[4] != "-" && !File.Exists(Path.Combine(headless, "StandIns", row[4])) &&
             !File.Exists(Path.Combine(headless, row[4])))
             yield return $"there is no {row[4]} in Headless or in StandIns";

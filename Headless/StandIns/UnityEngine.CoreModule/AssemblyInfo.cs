@@ -12,3 +12,4 @@
 [assembly: InternalsVisibleTo("UnityEditor.BuildReportingEditorModule")]
 [assembly: InternalsVisibleTo("UnityEditor.TestRunner")]
 [assembly: InternalsVisibleTo("UnityEngine.IMGUIModule")]
+[assembly: InternalsVisibleTo("UnityEngine.VRModule")]

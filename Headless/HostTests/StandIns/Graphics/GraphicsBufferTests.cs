@@ -170,7 +170,8 @@ public sealed class GraphicsBufferTests : GraphicsFixture
         Assert.That(fence.passed, Is.False);
         GraphicsFence other = UnityEngine.Graphics.CreateGraphicsFence(GraphicsFenceType.AsyncQueueSynchronisation,
             SynchronisationStageFlags.AllGPUOperations);
-        Assert.That(() => other.passed, Throws.InvalidOperationException);
+        Assert.That(() => other.passed, Throws.TypeOf<NotSupportedException>());
+        Assert.That(() => default(GraphicsFence).passed, Throws.InvalidOperationException, "nothing made it");
         Execute(commands);
         Assert.That(() => ring.LockBufferForWrite<uint>(0, 4), Throws.InvalidOperationException.With.Message.Contains("GPU"));
         HeadlessGraphics.WaitForIdle();

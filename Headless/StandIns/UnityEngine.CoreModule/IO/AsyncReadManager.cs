@@ -3,8 +3,8 @@ namespace Unity.IO.LowLevel.Unsafe;
 /// <summary>Reads files into native memory on threads of its own.</summary>
 public static unsafe class AsyncReadManager
 {
-    /// <summary>Opens the file, reads the commands one after the other, and closes it. The commands and their memory must stay
-    /// until the read is done.</summary>
+    /// <summary>Opens the file if it is not open since a read before, and reads the commands one after the other. The commands
+    /// and their memory must stay until the read is done.</summary>
     public static ReadHandle Read(string filename, ReadCommand* readCmds, uint readCmdCount, string assetName = "",
         ulong typeID = 0, AssetLoadingSubsystem subsystem = AssetLoadingSubsystem.Scripts)
     {
@@ -26,11 +26,7 @@ public static unsafe class AsyncReadManager
     public static ReadHandle ReadDeferred(in FileHandle fileHandle, ReadCommandArray* readCmdArray, JobHandle dependency)
     {
         var request = ReadRequest.Take(null, fileHandle.Find("ReadDeferred"), null, 0);
-        JobScheduler.CallAfter(dependency, "AsyncReadManager.ReadDeferred", () =>
-        {
-            request.SetCommands(readCmdArray->ReadCommands, readCmdArray->CommandCount);
-            request.Enqueue();
-        });
+        JobScheduler.CallAfter(dependency, "AsyncReadManager.ReadDeferred", () => request.EnqueueDeferred(readCmdArray));
         return new ReadHandle(request);
     }
 

@@ -31,6 +31,15 @@ sealed class HandleTable<T> where T : class
             return index > 0 && index < m_items.Count && m_versions[index] == version ? m_items[index] : null;
     }
 
+    internal void Prepare(int count)
+    {
+        var made = new (int Index, int Version)[count];
+        for (int i = 0; i < count; i++)
+            made[i] = Add(null);
+        foreach ((int index, int version) in made)
+            Remove(index, version);
+    }
+
     internal T Remove(int index, int version)
     {
         lock (m_lock)

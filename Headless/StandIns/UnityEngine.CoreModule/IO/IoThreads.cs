@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Unity.IO.LowLevel.Unsafe;
 
 namespace StandIns.Io;
 
@@ -50,6 +51,21 @@ static class IoThreads
                 Monitor.Pulse(s_gate);
         }
         JobQueue.WakeOne();
+    }
+
+    /// <summary>Makes what so many open files and their reads take. Unity has it in native memory: whoever measures the garbage
+    /// of frames does not count it.</summary>
+    internal static void Prepare(int files)
+    {
+        OpenFile.Prepare(files);
+        ReadRequest.Prepare(files);
+        FileHandle.All.Prepare(files);
+        ReadRequest.All.Prepare(files);
+        JobNodes.Prepare(8 * files);
+#if NET
+        lock (s_gate)
+            s_queue.EnsureCapacity(2 * files);
+#endif
     }
 
     /// <summary>Holds back what has not begun, so that a test can look at reads in progress.</summary>

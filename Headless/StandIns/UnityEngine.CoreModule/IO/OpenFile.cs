@@ -26,6 +26,13 @@ sealed unsafe class OpenFile
     FileStream m_handle;
 #endif
 
+    internal static void Prepare(int count)
+    {
+        lock (s_free)
+            while (s_free.Count < count)
+                s_free.Push(new OpenFile());
+    }
+
     OpenFile() => (m_open, Close) = (Open, CloseAfterReads);
 
     internal FileStatus Status { get; private set; }
@@ -41,7 +48,7 @@ sealed unsafe class OpenFile
         return file;
     }
 
-    /// <summary>For one read that opens and closes the file itself, on an I/O thread.</summary>
+    /// <summary>For reads by name, on an I/O thread.</summary>
     internal static OpenFile OpenHere(string path)
     {
         var file = Take(path);
@@ -88,15 +95,16 @@ sealed unsafe class OpenFile
         }
     }
 
+    /// <summary>Two threads serve the queue, so that a read may overtake the opening of its file.</summary>
+    internal void AwaitOpen()
+    {
+        while (Status == FileStatus.Pending && !JobScheduler.IsCompleted(Opened))
+            System.Threading.Thread.Yield();
+    }
+
     /// <returns>Bytes read: fewer than asked for at the end of the file, -1 on failure.</returns>
     internal long Read(byte* to, long offset, long size, ref bool cancelled)
     {
-        if (Status == FileStatus.Pending)
-        {
-            // Two threads serve the queue, so that a read may overtake the opening of its file.
-            while (!JobScheduler.IsCompleted(Opened))
-                System.Threading.Thread.Yield();
-        }
         if (Status != FileStatus.Open || offset < 0)
             return -1;
         SimulatedLatency.Read();

@@ -38,7 +38,7 @@ public unsafe struct ReadHandle : IDisposable
     public void Dispose()
     {
         ReadRequest request = Find("Dispose");
-        if (request.Status == ReadStatus.InProgress)
+        if (!request.HasEnded)
             throw new InvalidOperationException("ReadHandle.Dispose cannot be called until the read operation completes.");
         ReadRequest.All.Remove(m_Index, m_Version);
         request.Free();
@@ -47,7 +47,7 @@ public unsafe struct ReadHandle : IDisposable
     ReadRequest Done(string what)
     {
         ReadRequest request = Find(what);
-        if (request.Status == ReadStatus.InProgress)
+        if (!request.HasEnded)
             throw new InvalidOperationException($"ReadHandle.{what} cannot be called until the read operation completes.");
         return request;
     }

@@ -6,6 +6,10 @@ namespace StandIns.Io;
 /// read makes no garbage on the main thread, as in Unity.</summary>
 sealed unsafe class ReadRequest
 {
+    /// <summary>The status of a read whose file is being opened, or whose commands wait for a job. Unity's enum has no name for
+    /// it.</summary>
+    internal const ReadStatus WaitingOnJob = (ReadStatus)3;
+
     internal static readonly HandleTable<ReadRequest> All = new HandleTable<ReadRequest>();
     static readonly Stack<ReadRequest> s_free = new Stack<ReadRequest>();
 
@@ -16,11 +20,11 @@ sealed unsafe class ReadRequest
     ReadCommand* m_commands;
     ulong* m_bytesRead;
     int m_count;
-    int m_status = (int)ReadStatus.InProgress;
+    int m_status = (int)WaitingOnJob;
     bool m_cancelled;
 
     /// <summary>A read that has not begun.</summary>
-    /// <param name="path">A file to open for this read alone, or null where <paramref name="file"/> is given.</param>
+    /// <param name="path">A file to read by its name, or null where <paramref name="file"/> is given.</param>
     internal static ReadRequest Take(string path, OpenFile file, ReadCommand* commands, int count)
     {
         ReadRequest request = null;
@@ -31,7 +35,7 @@ sealed unsafe class ReadRequest
         request.m_node = JobScheduler.BeginExternal();
         request.m_path = path;
         request.m_file = file;
-        request.m_status = (int)ReadStatus.InProgress;
+        request.m_status = (int)WaitingOnJob;
         request.m_cancelled = false;
         // From now on the file stays open for this read, even if it has to wait for a job first.
         file?.AddReader();
@@ -42,6 +46,13 @@ sealed unsafe class ReadRequest
 
     ReadRequest() => m_read = Read;
 
+    internal static void Prepare(int count)
+    {
+        lock (s_free)
+            while (s_free.Count < count)
+                s_free.Push(new ReadRequest());
+    }
+
     internal JobHandle JobHandle { get; private set; }
     internal int Count => m_count;
     internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
@@ -49,8 +60,7 @@ sealed unsafe class ReadRequest
 
     internal void Cancel() => Volatile.Write(ref m_cancelled, true);
 
-    /// <summary>The commands of a read that had to wait for a job to write them.</summary>
-    internal void SetCommands(ReadCommand* commands, int count)
+    void SetCommands(ReadCommand* commands, int count)
     {
         m_commands = commands;
         m_count = count;
@@ -61,8 +71,37 @@ sealed unsafe class ReadRequest
             m_bytesRead[i] = 0;
     }
 
-    internal void Enqueue() => IoThreads.Enqueue(m_read);
-    internal void EnqueueInfo(FileInfoResult* result) => IoThreads.Enqueue(() => ReadInfo(result));
+    internal bool HasEnded => Status != ReadStatus.InProgress && Status != WaitingOnJob;
+
+    internal void Enqueue()
+    {
+        if (m_file == null || m_file.Status != FileStatus.Pending)
+            Begin();
+        IoThreads.Enqueue(m_read);
+    }
+
+    internal void EnqueueInfo(FileInfoResult* result)
+    {
+        Begin();
+        IoThreads.Enqueue(() => ReadInfo(result));
+    }
+
+    /// <summary>The job is done that the commands waited for. Who did not wait for the file too, as the page on FileHandle asks,
+    /// gets nothing.</summary>
+    internal void EnqueueDeferred(ReadCommandArray* commands)
+    {
+        bool isOpen = m_file.Status != FileStatus.Pending;
+        SetCommands(commands->ReadCommands, commands->CommandCount);
+        if (isOpen)
+        {
+            Enqueue();
+            return;
+        }
+        m_file.RemoveReader();
+        Finish(ReadStatus.Failed);
+    }
+
+    void Begin() => Volatile.Write(ref m_status, (int)ReadStatus.InProgress);
 
     internal void Free()
     {
@@ -78,11 +117,9 @@ sealed unsafe class ReadRequest
     {
         OpenFile file = m_file;
         if (file == null && !m_cancelled)
-        {
-            file = OpenFile.OpenHere(m_path);
-            file.AddReader();
-            file.Close();
-        }
+            file = NamedFiles.Take(m_path);
+        file?.AwaitOpen();
+        Begin();
         ReadStatus status = ReadStatus.Complete;
         for (int i = 0; i < m_count && status != ReadStatus.Failed; i++)
         {

@@ -37,6 +37,15 @@ static class JobNodes
         return node;
     }
 
+    internal static void Prepare(int count)
+    {
+        var nodes = new JobNode[count];
+        for (int i = 0; i < count; i++)
+            nodes[i] = Take();
+        foreach (JobNode node in nodes)
+            Recycle(node);
+    }
+
     internal static void Recycle(JobNode node)
     {
         node.Retire();

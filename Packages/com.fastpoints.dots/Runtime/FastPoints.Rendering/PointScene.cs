@@ -135,6 +135,12 @@ namespace FastPoints.Rendering
         /// <summary>The same where the engine sets the target: what comes before it, and what draws into it.</summary>
         public void Record(CommandBuffer before, CommandBuffer into, Camera camera, in CameraTarget target)
         {
+            // The engine sets both slices of a headset's target, and what is drawn eye by eye wants one.
+            if (target.HasBothEyes)
+            {
+                Record(into, camera, target);
+                return;
+            }
             var renderer = Prepare(camera, target, out var view);
             renderer.RecordBefore(before, view);
             renderer.RecordInto(into, view);

@@ -12,17 +12,19 @@ public struct GraphicsFence
     GraphicsFenceType m_type;
 
     /// <summary>Also true for a fence so old that a thousand came after it.</summary>
-    /// <exception cref="InvalidOperationException">Not made for CPUSynchronisation.</exception>
-    /// <exception cref="NotSupportedException">There are no fences.</exception>
+    /// <exception cref="InvalidOperationException">Nothing made it.</exception>
+    /// <exception cref="NotSupportedException">There are no fences, or it is one for the queue of async compute, which there is
+    /// none of here.</exception>
     public bool passed
     {
         get
         {
+            if (m_id == 0)
+                throw new InvalidOperationException("This GraphicsFence was not made by CreateGraphicsFence");
             if (!SystemInfo.supportsGraphicsFence)
                 throw new NotSupportedException("this platform has not implemented GraphicsFences");
             if (m_type != GraphicsFenceType.CPUSynchronisation)
-                throw new InvalidOperationException("Only a fence made with GraphicsFenceType.CPUSynchronisation can be "
-                    + "asked");
+                throw new NotSupportedException("a fence of AsyncQueueSynchronisation, without async compute");
             ulong number = s_submissionOf[m_id % Kept];
             return m_id <= s_last - Kept || (number > 0 && GpuDevice.Current.Queue.HasPassed(number));
         }

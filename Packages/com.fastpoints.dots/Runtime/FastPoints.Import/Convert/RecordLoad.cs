@@ -65,7 +65,7 @@ namespace FastPoints.Convert
                     offset += bytes;
                 }
                 string path = m_build.Files.PathOf(run.File);
-                var read = AsyncReadManager.Read(path, commands + firstCommand, (uint)(commandCount - firstCommand));
+                var read = FileReads.Once(path, commands + firstCommand, commandCount - firstCommand);
                 m_reads.Add(read);
                 m_paths.Add(path);
                 Done = JobHandle.CombineDependencies(Done, read.JobHandle);

@@ -1,6 +1,9 @@
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
+#if FASTPOINTS_VR || FASTPOINTS_XR && UNITY_6000_5_OR_NEWER
+using UnityEngine.XR;
+#endif
 
 namespace FastPoints.Rendering.BuiltIn
 {
@@ -58,10 +61,20 @@ namespace FastPoints.Rendering.BuiltIn
             if (scene == null || !isDrawn)
                 return;
             scene.Announce(camera);
-            var target = CameraTarget.Of(camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget);
+            RenderTargetIdentifier set = BuiltinRenderTextureType.CameraTarget;
+            var target = CameraTarget.Of(camera, set, set, camera.stereoEnabled && IsEyeTextureForBoth);
             target.MayBeScreen = true;
             scene.Record(before, into, camera, target);
         }
+
+        /// <summary>Whether a headset's eyes are drawn at once, into the slices of one texture. Unity 6.5 has this in another
+        /// module.</summary>
+        static bool IsEyeTextureForBoth =>
+#if FASTPOINTS_VR || FASTPOINTS_XR && UNITY_6000_5_OR_NEWER
+            XRSettings.eyeTextureDesc.dimension == TextureDimension.Tex2DArray;
+#else
+            false;
+#endif
 
         static (CommandBuffer Before, CommandBuffer Into) CommandsFor(Camera camera)
         {

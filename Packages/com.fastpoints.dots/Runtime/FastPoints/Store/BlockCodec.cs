@@ -111,26 +111,26 @@ namespace FastPoints.Store
         /// <summary>Reads a whole column of up to 64 bits.</summary>
         public static void UnpackWide(uint* words, ulong minimum, int count, int width, ulong* values)
         {
-            byte* bytes = (byte*)words;
             for (int i = 0; i < count; i++)
-                values[i] = minimum + OffsetAt(bytes, (long)i * width, width);
+                values[i] = minimum + OffsetAt(words, (long)i * width, width);
         }
 
         /// <summary>Reads one value of a column.</summary>
         public static ulong ValueAt(uint* words, ulong minimum, int width, int index) =>
-            minimum + OffsetAt((byte*)words, (long)index * width, width);
+            minimum + OffsetAt(words, (long)index * width, width);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static ulong OffsetAt(byte* bytes, long bit, int width)
+        static ulong OffsetAt(uint* words, long bit, int width)
         {
             if (width == 0)
                 return 0;
-            byte* at = bytes + (bit >> 3);
-            int shift = (int)(bit & 7);
-            ulong value = *(ulong*)at >> shift;
-            // A value that starts inside a byte and is wider than the rest of eight bytes ends in the ninth.
+            uint* at = words + (bit >> 5);
+            int shift = (int)(bit & 31);
+            // Not one load of eight bytes, since words lie at multiples of four: ARMv7 faults on some of those.
+            ulong value = (at[0] | (ulong)at[1] << 32) >> shift;
+            // A value that starts inside a word and is wider than the rest of two ends in the third.
             if (shift + width > 64)
-                value |= (ulong)at[8] << (64 - shift);
+                value |= (ulong)at[2] << (64 - shift);
             return width == 64 ? value : value & ((1UL << width) - 1);
         }
 

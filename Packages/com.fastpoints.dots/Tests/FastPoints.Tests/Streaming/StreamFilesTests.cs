@@ -104,19 +104,26 @@ namespace FastPoints.Tests.Streaming
         int OpenFilesBelow(string folder) =>
             m_stream.Files.OpenPaths.Count(p => p.StartsWith(folder, System.StringComparison.Ordinal));
 
-        /// <summary>A handle would go on to read the file that was there before.</summary>
-        [Test]
-        public void Run_FileReplacedAfterItWasDamaged_IsOpenedAgain()
+        /// <summary>A file that is still open would be read on after another has its name. One file is fewer than stay open by
+        /// themselves.</summary>
+        [TestCase(false), TestCase(true)]
+        public void Run_FileReplacedAfterItWasDamaged_IsOpenedAgain(bool isInTheMaking)
         {
-            string path = Path.Combine(m_cloud.Path, StoreFormat.UpperName);
+            using var cloud = new StreamedTestCloud(2000);
+            string folder = cloud.Path;
+            if (isInTheMaking)
+                Directory.Move(cloud.Path, folder += StoreFormat.PartSuffix);
+            string path = Path.Combine(folder, StoreFormat.UpperName);
             byte[] sound = File.ReadAllBytes(path), damaged = (byte[])sound.Clone();
-            using (var folder = CloudFolder.Open(m_cloud.Path))
-                damaged[folder.Upper.Planes[0].OffsetBytes + folder.Upper.Planes[0].LengthBytes / 2] ^= 1;
+            using (var opened = CloudFolder.Open(folder))
+                damaged[opened.Upper.Planes[0].OffsetBytes + opened.Upper.Planes[0].LengthBytes / 2] ^= 1;
             File.WriteAllBytes(path, damaged);
             m_stream.Settings.MostTries = 1000;
-            Add();
-            while (!m_stream.Files.OpenPaths.Contains(path))
-                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+            var source = new FolderSource(CloudFolder.Open(folder), StoreLayout.ColorName);
+            m_stream.Add(source, StreamedTestCloud.Geo(source));
+            long read = 0;
+            while (read == 0)
+                read += StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview()).ReadBytes;
             string other = path + ".new";
             File.WriteAllBytes(other, sound);
             File.Delete(path);

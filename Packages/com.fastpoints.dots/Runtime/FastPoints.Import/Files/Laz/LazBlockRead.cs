@@ -199,6 +199,7 @@ namespace FastPoints.Files
                 ChunkEnd = block.EndOffset,
                 Points = decode.InputPoints,
             }.Schedule(header);
+            // The plan is made behind a read of the same handle, so that the file is open by then.
             m_plannedRead = AsyncReadManager.ReadDeferred(m_blocks.File.Open(), commands, planned);
             m_isPlanned = true;
             // The read follows the plan, but its handle does not promise to include it.

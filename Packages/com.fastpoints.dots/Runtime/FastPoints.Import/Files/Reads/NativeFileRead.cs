@@ -84,7 +84,7 @@ namespace FastPoints.Files
             m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
             if (bytes <= 0)
                 return default;
-            m_handle = AsyncReadManager.Read(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
+            m_handle = FileReads.Once(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
             m_isReading = true;
             return m_handle.JobHandle;
         }

@@ -143,11 +143,13 @@ namespace FastPoints.Streaming
         /// <returns>Whether the read has ended, with <paramref name="status"/>.</returns>
         public bool TryEndRead(out ReadStatus status, out long bytes)
         {
-            status = m_read.Status;
+            status = default;
             bytes = m_readBytes;
-            if (status == ReadStatus.InProgress)
+            // Its status does not tell: a read that waits for its file has one that the enum lacks.
+            if (!WorkPump.HasEnded(m_read.JobHandle))
                 return false;
             m_read.JobHandle.Complete();
+            status = m_read.Status;
             m_read.Dispose();
             m_read = default;
             Phase = FetchPhase.Arrived;

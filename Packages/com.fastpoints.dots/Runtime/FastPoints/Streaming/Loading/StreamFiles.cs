@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Base;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 
@@ -42,7 +43,7 @@ namespace FastPoints.Streaming
         {
             // A build renames and deletes its files while they are shown.
             if (!cloud.Source.KeepsFilesOpen)
-                return AsyncReadManager.Read(path, commands, (uint)count);
+                return FileReads.Once(path, commands, count);
             int at = IndexOf(cloud, path);
             if (at < 0)
                 at = Open(cloud, path);
