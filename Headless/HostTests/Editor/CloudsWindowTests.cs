@@ -159,8 +159,6 @@ public sealed class CloudsWindowTests : EditorFixture
         File.Delete(m_project.Scratch["gone.las"]);
         AssetDatabase.Refresh();
         Collected(0);
-        Press("Convert all missing (4)");
-        Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "one of them has no source here");
 
         Press("Convert all missing (3)");
 
@@ -170,7 +168,7 @@ public sealed class CloudsWindowTests : EditorFixture
             m_project.Imports.Cancel(request);
         Collected(0);
         Press("Convert");
-        Assert.That(m_project.Imports.Queue.Requests.Select(r => r.Cloud).Distinct(), Is.Not.Empty);
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(3), "a button at each row");
     }
 
     [Test]

@@ -11,7 +11,8 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [TearDown]
-    public void Rest() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees) = (true, false);
+    public void Rest() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees, Application.isBatchMode) =
+        (true, false, false);
 
     [Test]
     public void Place_ThatIsMade_IsNotForGitUnlessTheSettingsSaySo([Values] bool ignores)
@@ -218,33 +219,12 @@ public sealed class LeftoverTests : EditorFixture
     {
         Clone("one");
         (Application.isBatchMode, FastPointsSettings.instance.ConvertAtOnce) = (isBatch, isBatch);
-        try
-        {
-            for (int i = 0; i < 3 || !isBatch && m_project.Imports.Missing.IsLooking; i++)
-                m_project.Imports.Update(DateTime.UtcNow);
-        }
-        finally
-        {
-            Application.isBatchMode = false;
-        }
-        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        for (int i = 0; i < 3 || !isBatch && m_project.Imports.Missing.IsLooking; i++)
+            m_project.Imports.Update(DateTime.UtcNow);
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
-    }
-
-    [Test]
-    public void Clone_InBatchMode_IsConvertedWithoutAQuestion()
-    {
-        Clone("one", "two");
-        Application.isBatchMode = true;
-        try
-        {
+        if (isBatch)
             BatchConvert.All();
-        }
-        finally
-        {
-            Application.isBatchMode = false;
-        }
         Assert.That(EditorUtility.s_dialogs, Is.Empty);
-        Assert.That(Directory.GetDirectories("PointClouds"), Has.Length.EqualTo(2));
+        Assert.That(Directory.Exists("PointClouds/one.fastpoints"), Is.EqualTo(isBatch));
     }
 }

@@ -13,7 +13,7 @@ public sealed class PlayerCloudTests : EditorFixture
     public void ReferToACloud() => AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
 
     [TearDown]
-    public void CloseScene() => SceneManager.s_active = default;
+    public void CloseScene() => (SceneManager.s_active, Application.isBatchMode) = (default, false);
 
     void Take(params string[] names)
     {
@@ -94,17 +94,10 @@ public sealed class PlayerCloudTests : EditorFixture
         FastPointsSettings.instance.ConvertAtOnce = false;
         Take("a", "b");
         Application.isBatchMode = true;
-        try
-        {
-            if (!isHere)
-                File.Delete(m_project.Scratch["a.las"]);
-            Assert.That(Build, isHere ? Throws.Nothing : (NUnit.Framework.Constraints.IResolveConstraint)Throws
-                .TypeOf<BuildFailedException>().With.Message.Contains("1 of 1 point clouds").And.Message.Contains("a.las"));
-        }
-        finally
-        {
-            Application.isBatchMode = false;
-        }
+        if (!isHere)
+            File.Delete(m_project.Scratch["a.las"]);
+        Assert.That(Build, isHere ? Throws.Nothing : (NUnit.Framework.Constraints.IResolveConstraint)Throws
+            .TypeOf<BuildFailedException>().With.Message.Contains("1 of 1 point clouds").And.Message.Contains("a.las"));
         Assert.That(File.Exists("PointClouds/a.fastpoints/cloud.json"), Is.EqualTo(isHere));
         Assert.That(Directory.Exists("PointClouds/b.fastpoints"), Is.False, "the player does not have it");
     }

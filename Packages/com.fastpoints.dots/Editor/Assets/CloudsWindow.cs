@@ -175,8 +175,7 @@ namespace FastPoints.Editor
         }
 
         static string Text(in CloudList.Row row) => (row.Missing != null ? "source is not there (" + row.Missing + "), " : "") +
-            row.State +
-            (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
+            row.State + (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
             (row.Bytes == 0 ? "" : ", " + Size(row.Bytes));
 
         static string Size(long bytes) => (bytes * 1e-6).ToString("0.0", CultureInfo.InvariantCulture) + " MB";

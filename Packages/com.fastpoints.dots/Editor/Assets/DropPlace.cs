@@ -42,7 +42,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Who drops files may delete what they fell on, or close the scene, before they are imported.</summary>
-        bool IsGone => !(Parent is null) && Parent == null || Scene != default && !Scene.IsValid();
+        bool IsGone => Parent is { } && Parent == null || Scene != default && !Scene.IsValid();
 
         /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
         /// share an origin, which is made if there is none.</summary>
