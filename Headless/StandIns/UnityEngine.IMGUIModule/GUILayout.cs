@@ -10,8 +10,8 @@ public sealed class GUILayoutOption
     internal GUILayoutOption() { }
 }
 
-/// <summary>Places are given at the Layout event, in groups; who asks for more of them at the Repaint is thrown out. Who opens a panel
-/// has other windows drawn meanwhile, with groups of theirs: nothing can be laid out after it in the same event.</summary>
+/// <summary>Places are given at the Layout event, in groups; who asks for more of them at the Repaint is thrown out. Who opens a
+/// panel has other windows drawn meanwhile, with groups of theirs: nothing can be laid out after it in the same event.</summary>
 public class GUILayoutUtility
 {
     sealed class Group

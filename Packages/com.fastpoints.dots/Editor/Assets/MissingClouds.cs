@@ -74,10 +74,11 @@ namespace FastPoints.Editor
                 Warn(list.Lost);
                 return;
             }
-            if (EditorUtility.DisplayDialog("Point clouds without data", wanted.Count + " point clouds have their sources here, " +
-                "but no converted data, as after a clone of the project. Convert them now? FastPoints > Clouds does it later." +
-                (list.Lost.Count == 0 ? "" : "\n\nThe sources of " + list.Lost.Count + " other point clouds are not here: FastPoints > " +
-                "Clouds names and locates them."), "Convert", "Not now"))
+            string others = list.Lost.Count == 0 ? "" : "\n\nThe sources of " + list.Lost.Count + " other point clouds are not " +
+                "here: FastPoints > Clouds names and locates them.";
+            if (EditorUtility.DisplayDialog("Point clouds without data", wanted.Count + " point clouds have their sources " +
+                "here, but no converted data, as after a clone. Convert them now? FastPoints > Clouds does it later." + others,
+                "Convert", "Not now"))
                 m_imports.Convert(wanted.ConvertAll(r => r.Asset));
             else
                 foreach (var row in wanted)
