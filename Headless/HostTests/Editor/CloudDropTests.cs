@@ -215,15 +215,74 @@ public sealed class CloudDropTests : EditorFixture
         Assert.That(SceneLoop.Objects, Is.Empty);
     }
 
+    /// <summary>They come updates later, and the user goes on working.</summary>
     [Test]
-    public void Show_OriginIsDeletedBetweenTwoClouds_ShowsTheOthersAllTheSame()
+    public void Drop_WhileTheUserWorks_IsOneStepOfUndoOfItsOwnAndSelectsOnce()
     {
-        var place = new DropPlace();
-        place.Share();
-        place.Show(Known("a", new double3(690_000, 5_330_000, 500)));
-        UnityEngine.Object.DestroyImmediate(SceneLoop.Find<PointCloudOrigin>().Single().gameObject);
-        var cloud = place.Show(Known("b", new double3(690_100, 5_330_000, 500)));
-        Assert.That(Selection.activeObject, Is.SameAs(cloud.gameObject));
+        FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        var mine = new GameObject("mine");
+        void Move(float x)
+        {
+            Undo.IncrementCurrentGroup();
+            Undo.RecordObject(mine.transform, "Move");
+            mine.transform.position = new Vector3(x, 0, 0);
+            Selection.activeObject = mine;
+        }
+        Drop(Tiles(5), new DropPlace());
+        Move(1);
+        int moves = 1, selected = 0;
+        ImportProject.Updates(() =>
+        {
+            m_project.Imports.Update(DateTime.UtcNow);
+            selected += Selection.activeObject != mine ? 1 : 0;
+            if (m_project.Imports.IsTaking)
+                Move(++moves);
+        }, () => !m_project.Imports.IsTaking);
+        Assert.That(selected, Is.EqualTo(1));
+        Assert.That(SceneLoop.Find<PointCloud>(), Has.Length.EqualTo(5));
+        // Without an event between: still not part of what came with the drop.
+        Undo.RecordObject(mine.transform, "Move");
+        mine.transform.position = new Vector3(-1, 0, 0);
+
+        Undo.PerformUndo();
+        Assert.That((mine.transform.position.x, SceneLoop.Find<PointCloud>().Length), Is.EqualTo(((float)moves, 5)));
+        Undo.PerformUndo();
+        Assert.That((mine.transform.position.x, SceneLoop.Find<PointCloud>().Length), Is.EqualTo(((float)moves, 0)));
+        Assert.That(SceneLoop.Find<PointCloudOrigin>(), Is.Empty);
+        Undo.PerformUndo();
+        Assert.That(mine.transform.position.x, Is.EqualTo((float)(moves - 1)), "a step of the user's alone");
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Drop_OntoWhatIsGoneMeanwhile_ShowsNothing(bool isScene)
+    {
+        FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        var scene = new Scene { Number = 7, Path = "one" };
+        SceneManager.s_open.Add(scene);
+        var target = new GameObject("target");
+        Drop(Tiles(3), isScene ? new DropPlace { Scene = scene } : new DropPlace { Parent = target.transform });
+        m_project.Imports.Update(DateTime.UtcNow);
+        UnityEngine.Object.DestroyImmediate(target);
+        SceneManager.s_open.Remove(scene);
+        SceneManager.s_closed.Add(7);
+        Finish();
+        Assert.That(AssetDatabase.FindAssets("t:PointCloudAsset"), Has.Length.EqualTo(3));
+        Assert.That(SceneLoop.Objects, Is.Empty);
+        Assert.That(m_logged, Is.Empty);
+    }
+
+    [Test]
+    public void OnScene_OntoAnOriginWithoutAPlace_UndoTakesThePlaceAway()
+    {
+        var origin = new GameObject("origin").AddComponent<PointCloudOrigin>();
+        DragAndDrop.objectReferences = new UnityEngine.Object[] { Known("a", new double3(690_000, 5_330_000, 500)) };
+        PointCloudDrops.OnScene(null, origin.transform, true);
+        Assert.That(origin.HasPlace, Is.True);
+        Undo.PerformUndo();
+        Assert.That(origin.HasPlace, Is.False);
     }
 
     [Test]

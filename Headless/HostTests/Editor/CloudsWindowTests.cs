@@ -130,4 +130,64 @@ public sealed class CloudsWindowTests : EditorFixture
         m_project.UpdateToTheEnd();
         Assert.That(Directory.Exists("PointClouds/c.fastpoints"), Is.False);
     }
+
+    /// <summary>Other windows are drawn while a panel is open, and take this one's groups away.</summary>
+    [TestCase("Export...")]
+    [TestCase("Locate source...")]
+    [TestCase("Delete unused")]
+    public void Button_ThatOpensAPanel_LeavesTheWindowsLayout(string button)
+    {
+        foreach (string name in new[] { "a", "b", "c" })
+            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        File.Delete(m_project.Scratch["a.las"]);
+        File.Delete("Assets/c.pointcloud");
+        AssetDatabase.Refresh();
+        Collected(1);
+        Press(button);
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(button == "Delete unused" ? 1 : 0));
+    }
+
+    [Test]
+    public void Convert_OneOrAllThatAreMissing_WhereTheSourcesAreHere()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        foreach (string name in new[] { "a", "b", "c", "gone" })
+            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+        m_project.Imports.Take(m_project.Copc("d.copc.laz"), "Assets");
+        File.Copy("Assets/a.pointcloud", "Assets/a 1.pointcloud");
+        File.Delete(m_project.Scratch["gone.las"]);
+        AssetDatabase.Refresh();
+        Collected(0);
+
+        Press("Convert all missing (3)");
+
+        Assert.That(m_project.Imports.Queue.Requests.Select(r => r.Cloud), Is.EquivalentTo(new[] { "a", "b", "c" }.Select(n =>
+            "PointClouds/" + n + ".fastpoints")));
+        foreach (var request in m_project.Imports.Queue.Requests.ToArray())
+            m_project.Imports.Cancel(request);
+        Collected(0);
+        Press("Convert");
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(3), "a button at each row");
+    }
+
+    [Test]
+    public void Group_ThatIsNotEnded_IsThrownOut()
+    {
+        void Unbalanced() => GUILayout.BeginHorizontal();
+        Assert.That(() => GUILayoutUtility.Repaint(Unbalanced), Throws.InvalidOperationException);
+        Assert.That(() => GUILayoutUtility.Repaint(GUILayout.EndHorizontal), Throws.InvalidOperationException);
+        Assert.That(() => GUILayoutUtility.Repaint(() =>
+        {
+            Unbalanced();
+            EditorUtility.OpenFolderPanel("", "", "");
+            GUILayout.EndHorizontal();
+        }), Throws.InvalidOperationException.With.Message.StartsWith("EndLayoutGroup: BeginLayoutGroup must be called first."));
+        Assert.That(() => GUILayoutUtility.Repaint(() =>
+        {
+            Unbalanced();
+            EditorUtility.OpenFolderPanel("", "", "");
+            GUIUtility.ExitGUI();
+        }), Throws.Nothing);
+    }
 }

@@ -37,6 +37,48 @@ public sealed class DropTests
         Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.NotOurs), "it is in the project");
     }
 
+    [TestCase("mesh.ply", true)]
+    [TestCase("MESH.PLY", true)]
+    [TestCase("points.ply", false)]
+    public void Of_DroppedMesh_IsNotOurs(string name, bool isMesh)
+    {
+        File.WriteAllText(m_project.Scratch[name], "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\n" +
+            "element face " + (isMesh ? 1 : 0) + "\r\nproperty list uchar int vertex_indices\r\nend_header\r\n");
+        Assert.That(Of(m_project.Scratch[name]), Is.EqualTo(isMesh ? DropKind.NotOurs : DropKind.Handle));
+        DragAndDrop.paths = new[] { m_project.Scratch[name] };
+        Assert.That(PointCloudDrops.OnScene(null, null, false),
+            Is.EqualTo(isMesh ? DragAndDropVisualMode.None : DragAndDropVisualMode.Copy));
+    }
+
+    /// <summary>It knows more of such files than we do.</summary>
+    [Test]
+    public void Of_DroppedFileOfAnotherPackagesImporter_IsNotOurs()
+    {
+        ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "e57" }, null);
+        Assert.That(Of(Made("a.ply")), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(Made("b.e57")), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(Made("c.las", 101)), Is.EqualTo(DropKind.Handle));
+        DragAndDrop.paths = new[] { m_project.Scratch["b.e57"] };
+        Assert.That(PointCloudDrops.OnProject("Assets", true), Is.EqualTo(DragAndDropVisualMode.None));
+    }
+
+    /// <summary>A drag asks at each of its events.</summary>
+    [Test]
+    public void Drag_OfTheSameFiles_LooksThemUpOnceAndAgainWhenTheyAreDropped()
+    {
+        string path = Made("a.e57");
+        DragAndDrop.paths = new[] { path };
+        Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.Copy));
+        File.Delete(path);
+        DragAndDrop.paths = new[] { path };
+        Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.Copy));
+        Assert.That(PointCloudDrops.OnProject("Assets", false), Is.EqualTo(DragAndDropVisualMode.Link));
+        DragAndDrop.paths = new[] { Made("b.txt") };
+        Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.None), "other files");
+        DragAndDrop.paths = new[] { path };
+        Assert.That(PointCloudDrops.OnScene(null, null, true), Is.EqualTo(DragAndDropVisualMode.None));
+    }
+
     [Test]
     public void Of_DroppedFolders_TakesOctreesAndNoOthers()
     {

@@ -108,7 +108,7 @@ public sealed class EditorImportsTests : EditorFixture
         m_project.UpdateToTheEnd();
         Assert.That(Directory.GetDirectories(m_project.Paths.Clouds), Is.Empty);
         Assert.That(Directory.GetFiles(m_project.Paths.Clouds).Select(Path.GetFileName),
-            Is.SubsetOf(new[] { "scan.preview.png", ".gitignore" }));
+            Is.SubsetOf(new[] { "scan.preview.png", "scan.cancelled", ".gitignore" }));
         Assert.That(m_logged, Is.Empty);
     }
 

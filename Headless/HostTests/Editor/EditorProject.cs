@@ -67,6 +67,7 @@ sealed class EditorProject : IDisposable
         (EditorUtility.s_answer, EditorUtility.s_asked) = (-1, 0);
         EditorUtility.s_objects.Clear();
         UnityEngine.SceneManagement.SceneManager.s_open.Clear();
+        UnityEngine.SceneManagement.SceneManager.s_closed.Clear();
         UnityEngine.SceneManagement.SceneManager.s_active = default;
         DragAndDrop.paths = Array.Empty<string>();
         DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();

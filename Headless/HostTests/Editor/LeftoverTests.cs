@@ -11,7 +11,8 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [TearDown]
-    public void Rest() => FastPointsSettings.instance.GitIgnore = true;
+    public void Rest() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees, Application.isBatchMode) =
+        (true, false, false);
 
     [Test]
     public void Place_ThatIsMade_IsNotForGitUnlessTheSettingsSaySo([Values] bool ignores)
@@ -112,5 +113,118 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(HandleFile.Read("Assets/one 1.pointcloud").CloudId,
             Is.EqualTo(HandleFile.Read("Assets/one.pointcloud").CloudId).And.Not.Zero);
         Assert.That(Directory.GetDirectories("PointClouds"), Has.Length.EqualTo(1));
+    }
+
+    /// <summary>As another of the team opens the project: handles and sources are there, what Git leaves out is not.</summary>
+    void Clone(params string[] names)
+    {
+        foreach (string name in names)
+            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        Updates();
+        AssemblyReloadEvents.Reload();
+        Directory.Delete("PointClouds", true);
+        SessionState.EraseString("FastPoints.MissingClouds");
+        EditorUtility.s_dialogs.Clear();
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Clone_SourcesWithoutData_AsksOnceForAll(bool agrees)
+    {
+        Clone("one", "two", "gone");
+        File.Delete(m_project.Scratch["gone.las"]);
+        string handle = File.ReadAllText("Assets/one.pointcloud");
+        EditorUtility.s_agrees = agrees;
+
+        Look();
+        Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(agrees ? 2 : 0));
+        m_project.UpdateToTheEnd();
+        Updates();
+
+        Assert.That(EditorUtility.s_dialogs.Single(), Does.StartWith("2 point clouds have").And.Contains("of 1 other"));
+        Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName),
+            Is.EquivalentTo(agrees ? new[] { "one.fastpoints", "two.fastpoints" } : new string[0]));
+        Assert.That(File.Exists("PointClouds/.gitignore"));
+        Assert.That(File.ReadAllText("Assets/one.pointcloud"), Is.EqualTo(handle), "nothing to commit");
+    }
+
+    void Look() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+        () => !m_project.Imports.Missing.IsLooking);
+
+    [Test]
+    public void Clone_Declined_IsAskedAboutWhatComesLaterAlone()
+    {
+        Clone("one");
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(1));
+        AssemblyReloadEvents.Reload();
+        SessionState.EraseString("FastPoints.MissingClouds");
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(1), "the next session");
+
+        string pulled = File.ReadAllText("Assets/one.pointcloud").Replace("one.fastpoints", "two.fastpoints");
+        File.WriteAllText("Assets/two.pointcloud", pulled);
+        AssetDatabase.Refresh();
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(2));
+        Assert.That(EditorUtility.s_dialogs[1], Does.StartWith("1 point clouds"));
+        m_project.Imports.Convert("Assets/one.pointcloud");
+        m_project.UpdateToTheEnd();
+        Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName), Is.EqualTo(new[] { "one.fastpoints" }));
+    }
+
+    [TestCase("the data")]
+    [TestCase("the conversion")]
+    public void Data_ThatTheUserDoesNotWant_AreNotAskedAbout(string what)
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        if (what == "the conversion")
+        {
+            m_project.Imports.Cancel(m_project.Imports.RequestOf("Assets/one.pointcloud"));
+        }
+        else
+        {
+            m_project.UpdateToTheEnd();
+            var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(new HandleImporter { Path = "Assets/one.pointcloud" });
+            (EditorUtility.s_agrees, GUILayout.Pressed) = (true, "Delete converted data");
+            GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
+            (GUILayout.Pressed, Event.current) = (null, null);
+            UnityEngine.Object.DestroyImmediate(inspector);
+        }
+        EditorUtility.s_dialogs.Clear();
+        SessionState.EraseString("FastPoints.MissingClouds");
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        Assert.That(Directory.Exists("PointClouds/one.fastpoints"), Is.False);
+    }
+
+    [Test]
+    public void Clone_WithoutSources_IsToldOnceAndNamed()
+    {
+        Clone("gone");
+        File.Delete(m_project.Scratch["gone.las"]);
+        m_logged.Clear();
+        for (int i = 0; i < 2; i++)
+        {
+            SessionState.EraseString("FastPoints.MissingClouds");
+            Look();
+        }
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        Assert.That(m_logged.Single(), Does.StartWith("Warning: FastPoints: 1 point clouds have").And.Contains("gone.las"));
+    }
+
+    [Test]
+    public void Clone_WhereNothingConvertsByItself_OrInBatchMode_AsksNothing([Values] bool isBatch)
+    {
+        Clone("one");
+        (Application.isBatchMode, FastPointsSettings.instance.ConvertAtOnce) = (isBatch, isBatch);
+        for (int i = 0; i < 3 || !isBatch && m_project.Imports.Missing.IsLooking; i++)
+            m_project.Imports.Update(DateTime.UtcNow);
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+        if (isBatch)
+            BatchConvert.All();
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        Assert.That(Directory.Exists("PointClouds/one.fastpoints"), Is.EqualTo(isBatch));
     }
 }

@@ -240,6 +240,28 @@ public sealed class MeasureTests
         }
     }
 
+    /// <summary>The Scene view picks at each event of a drag, twice, whatever is dragged.</summary>
+    [TestCase(EventType.DragUpdated)]
+    [TestCase(EventType.DragPerform)]
+    public void Drag_OverTheSceneView_LooksForNoPoints(EventType type)
+    {
+        ScenePicking.MostMs = double.PositiveInfinity;
+        var camera = CameraAbove();
+        try
+        {
+            Event.current = new Event { type = type };
+            Assert.That(HandleUtility.Click(camera, new Vector2(50, 50)), Is.Empty);
+            Event.current = new Event { type = EventType.MouseDown };
+            Assert.That(HandleUtility.Click(camera, new Vector2(50, 50)), Is.Not.Empty);
+        }
+        finally
+        {
+            (ScenePicking.MostMs, Event.current) = (100, null);
+            EditorApplication.CallDelayed();
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        }
+    }
+
     /// <summary>The nearer one first, then what lies behind it.</summary>
     [Test]
     public void Click_OnTwoClouds_GoesThroughBoth()

@@ -178,6 +178,7 @@ public sealed class OriginTests : EditorFixture
         var cloud = Shown("a", origin);
         Update();
         var (place, before) = (origin.Place, PlacementOf(cloud.Entity).OriginWorld);
+        Undo.IncrementCurrentGroup();
         Undo.RecordObject(origin, "Set origin");
         origin.Shift(new double3(5, 0, 0));
         m_world.Update();

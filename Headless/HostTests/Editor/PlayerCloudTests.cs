@@ -13,7 +13,7 @@ public sealed class PlayerCloudTests : EditorFixture
     public void ReferToACloud() => AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
 
     [TearDown]
-    public void CloseScene() => SceneManager.s_active = default;
+    public void CloseScene() => (SceneManager.s_active, Application.isBatchMode) = (default, false);
 
     void Take(params string[] names)
     {
@@ -82,7 +82,24 @@ public sealed class PlayerCloudTests : EditorFixture
         m_project.UpdateToTheEnd();
         string folder = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
         Directory.Move(folder, folder + StoreFormat.PartSuffix);
-        Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.EndsWith("got one in the making"));
+        Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("got one in the making")
+            .And.Message.Contains("FastPoints > Clouds"), "what helps");
+    }
+
+    /// <summary>A build server has a clone: sources, and no data.</summary>
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Build_InBatchMode_ConvertsWhatItNeedsOrNamesTheSource(bool isHere)
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        Take("a", "b");
+        Application.isBatchMode = true;
+        if (!isHere)
+            File.Delete(m_project.Scratch["a.las"]);
+        Assert.That(Build, isHere ? Throws.Nothing : (NUnit.Framework.Constraints.IResolveConstraint)Throws
+            .TypeOf<BuildFailedException>().With.Message.Contains("1 of 1 point clouds").And.Message.Contains("a.las"));
+        Assert.That(File.Exists("PointClouds/a.fastpoints/cloud.json"), Is.EqualTo(isHere));
+        Assert.That(Directory.Exists("PointClouds/b.fastpoints"), Is.False, "the player does not have it");
     }
 
     [TestCase(BuildTarget.Android)]

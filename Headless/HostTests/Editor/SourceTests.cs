@@ -6,7 +6,8 @@ public sealed class SourceTests : EditorFixture
     [TearDown]
     public void Rest()
     {
-        (EditorUtility.s_file, EditorUtility.s_agrees, GUILayout.Pressed, Event.current) = ("", false, null, null);
+        (EditorUtility.s_file, EditorUtility.s_folder, EditorUtility.s_agrees) = ("", "", false);
+        (GUILayout.Pressed, Event.current) = (null, null);
         EditorUtility.s_dialogs.Clear();
         FastPointsUserSettings.instance.SourceRoot = "";
         PointCloudFile.SourceRoot = "";
@@ -128,5 +129,21 @@ public sealed class SourceTests : EditorFixture
         Assert.That(m_project.Paths.Absolute(m_project.Imports.HandleOf("Assets/scan.pointcloud").Sources[0]),
             Is.EqualTo(EditorUtility.s_file));
         Assert.That(m_logged.Single(), Does.Contain("another file"));
+    }
+
+    /// <summary>What looks like an extension says nothing.</summary>
+    [Test]
+    public void Locate_AFolderWithAPointInItsName_AsksForAFolder()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        Directory.CreateDirectory(m_project.Scratch["scan.v2"]);
+        m_project.Scratch.Demo("scan.v2/a.las", 500);
+        m_project.Imports.Take(m_project.Scratch["scan.v2"], "Assets");
+        string asset = AssetDatabase.GUIDToAssetPath(AssetDatabase.FindAssets("t:PointCloudAsset").Single());
+        Directory.Move(m_project.Scratch["scan.v2"], m_project.Scratch["scan.v3"]);
+        EditorUtility.s_folder = m_project.Scratch["scan.v3"];
+        CloudRelocation.Ask(m_project.Imports, asset, m_project.Scratch["scan.v2"]);
+        Assert.That(m_project.Paths.Absolute(m_project.Imports.HandleOf(asset).Sources.Single()),
+            Is.EqualTo(m_project.Scratch["scan.v3"]));
     }
 }

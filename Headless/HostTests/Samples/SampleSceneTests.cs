@@ -162,6 +162,37 @@ public sealed class SampleSceneTests
         Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"), Has.Length.EqualTo(1));
     }
 
+    /// <summary>What the scan is, and its source, are for nobody's version control.</summary>
+    [Test]
+    public void Get_MakesThePlaceAsOthersDo()
+    {
+        SampleScan.Get(_ => { });
+        AssemblyReloadEvents.Reload();
+        Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
+    }
+
+    /// <summary>Of a team's clone: the asset is there, the scan is not.</summary>
+    [Test]
+    public void Get_AssetWithoutItsScan_MakesItAgain()
+    {
+        PutSmallStreet();
+        PointCloudAsset got = null;
+        SampleScan.Get(asset => got = asset);
+        Updates(() => got != null);
+        m_project.UpdateToTheEnd();
+        AssemblyReloadEvents.Reload();
+        Directory.Delete("PointClouds", true);
+        PointCloudAsset again = null;
+
+        SampleScan.Get(asset => again = asset);
+        Assert.That(again, Is.Null, "the scan first");
+        Updates(() => again != null);
+        m_project.UpdateToTheEnd();
+
+        Assert.That(again, Is.SameAs(got));
+        Assert.That(File.Exists("PointClouds/street.fastpoints/cloud.json"));
+    }
+
     [Test]
     public void Get_ScriptsReloadedMidway_LeavesNothing()
     {

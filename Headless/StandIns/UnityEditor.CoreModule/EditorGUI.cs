@@ -20,8 +20,13 @@ public sealed class EditorGUILayout
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => GUILayoutUtility.Next();
     public static void HelpBox(string message, MessageType type) => GUILayoutUtility.Next();
 
-    public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => Placed(scrollPosition);
-    public static void EndScrollView() { }
+    public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options)
+    {
+        GUILayoutUtility.Begin();
+        return scrollPosition;
+    }
+
+    public static void EndScrollView() => GUILayoutUtility.End();
 
     public static int IntSlider(GUIContent label, int value, int leftValue, int rightValue,
         params GUILayoutOption[] options) => Placed(value);
@@ -58,6 +63,7 @@ public class EditorUtility
     public static bool DisplayDialog(string title, string message, string ok, string cancel)
     {
         s_dialogs.Add(message);
+        GUILayoutUtility.Open(title);
         return s_agrees;
     }
 
@@ -69,6 +75,7 @@ public class EditorUtility
     public static int DisplayDialogComplex(string title, string message, string ok, string cancel, string alt)
     {
         s_asked++;
+        GUILayoutUtility.Open(title);
         return s_answer >= 0 ? s_answer : throw new InvalidOperationException("nobody is to be asked: " + message);
     }
 
@@ -79,13 +86,22 @@ public class EditorUtility
 
     public static Object EntityIdToObject(EntityId entityId) => throw EditorOnly.NotHere(nameof(EntityIdToObject));
 
-    public static string OpenFilePanelWithFilters(string title, string directory, string[] filters) => s_file;
+    public static string OpenFilePanelWithFilters(string title, string directory, string[] filters)
+    {
+        GUILayoutUtility.Open(title);
+        return s_file;
+    }
 
     internal static string s_file = "";
     /// <summary>What a test chooses; empty for nothing.</summary>
     internal static string s_folder = "";
 
-    public static string OpenFolderPanel(string title, string folder, string defaultName) => s_folder;
+    public static string OpenFolderPanel(string title, string folder, string defaultName)
+    {
+        GUILayoutUtility.Open(title);
+        return s_folder;
+    }
+
     public static void RevealInFinder(string path) { }
     public static void SetDirty(Object target) { }
 }

@@ -136,19 +136,10 @@ public class Undo
         });
     }
 
-    public static int GetCurrentGroup() => s_group;
+    /// <summary>As a press of the mouse does, and a menu's item: what comes without is part of what was there last.</summary>
+    public static void IncrementCurrentGroup() => s_group++;
 
-    /// <summary>All steps since that group are one.</summary>
-    public static void CollapseUndoOperations(int groupIndex)
-    {
-        var steps = s_steps.ToArray();
-        s_steps.Clear();
-        foreach (var (group, step) in Enumerable.Reverse(steps))
-            s_steps.Push((Math.Min(group, groupIndex), step));
-    }
-
-    /// <summary>Each is of a group of its own, as if an event had come between.</summary>
-    internal static void Add(Action step) => s_steps.Push((s_group++, step));
+    internal static void Add(Action step) => s_steps.Push((s_group, step));
     internal static void Clear() => s_steps.Clear();
 }
 

@@ -1,6 +1,16 @@
 namespace UnityEngine;
 
-public enum EventType { MouseDown = 0, MouseUp = 1, KeyDown = 4, Repaint = 7, Layout = 8, Used = 12 }
+public enum EventType
+{
+    MouseDown = 0,
+    MouseUp = 1,
+    KeyDown = 4,
+    Repaint = 7,
+    Layout = 8,
+    DragUpdated = 9,
+    DragPerform = 10,
+    Used = 12,
+}
 
 public enum FocusType { Passive = 2 }
 
@@ -18,6 +28,9 @@ public sealed class Event
     public void Use() => type = EventType.Used;
 }
 
+/// <summary>Leaves a window's code: whoever has called that takes it.</summary>
+public sealed class ExitGUIException : Exception { }
+
 public class GUIUtility
 {
     internal static int LastControl;
@@ -26,4 +39,5 @@ public class GUIUtility
     public static string systemCopyBuffer { get; set; } = "";
 
     public static int GetControlID(FocusType focus) => ++LastControl;
+    public static void ExitGUI() => throw new ExitGUIException();
 }

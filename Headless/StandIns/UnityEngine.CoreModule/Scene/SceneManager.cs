@@ -11,7 +11,8 @@ public struct Scene
 
     internal ulong Mask;
 
-    public bool IsValid() => Number != 0 || Mask != 0 || Path != null;
+    /// <summary>Not of one that was closed.</summary>
+    public bool IsValid() => (Number != 0 || Mask != 0 || Path != null) && !SceneManager.s_closed.Contains(Number);
 
 #if UNITY_6000_3_OR_NEWER
     public SceneHandle handle => default;
@@ -34,6 +35,9 @@ public struct SceneHandle { }
 public class SceneManager
 {
     internal static Scene s_active;
+
+    /// <summary>Numbers of those that a test has closed.</summary>
+    internal static readonly HashSet<int> s_closed = new HashSet<int>();
 
     /// <summary>Those that a test has opened; without any there is the active one.</summary>
     internal static readonly List<Scene> s_open = new List<Scene>();

@@ -7,7 +7,7 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Converts in batch mode, where there are no updates to do it in and nothing is converted otherwise.</summary>
+    /// <summary>Converts in batch mode, where there are no updates to do it in.</summary>
     public static class BatchConvert
     {
         /// <summary>Converts every cloud of the project's assets that is not converted yet, and returns when all are. For
@@ -17,12 +17,24 @@ namespace FastPoints.Editor
         {
             var imports = PointCloudImports.Current;
             imports.Claims.Look();
+            Convert(imports, new List<string>(imports.Assets.All.Keys));
+        }
+
+        /// <summary>Does the same with some of the project's assets.</summary>
+        internal static void Convert(EditorImports imports, IEnumerable<string> assets)
+        {
+            int count = 0;
             var failed = new List<string>();
             var requests = new List<ImportRequest>();
-            foreach (var pair in imports.Assets.All)
-                if (!File.Exists(Path.Combine(pair.Value, StoreFormat.ManifestName)) &&
-                    TryRequest(imports, pair.Key, failed) is { } request)
+            foreach (string asset in assets)
+            {
+                if (!imports.Assets.All.TryGetValue(asset, out string cloud))
+                    continue;
+                count++;
+                if (!File.Exists(Path.Combine(cloud, StoreFormat.ManifestName)) &&
+                    TryRequest(imports, asset, failed) is { } request)
                     requests.Add(request);
+            }
             imports.Queue.Add(requests);
             while (imports.Queue.IsAtWork)
             {
@@ -36,7 +48,7 @@ namespace FastPoints.Editor
                 if (request.State == ImportState.Failed)
                     failed.Add(request.Failure);
             if (failed.Count > 0)
-                throw new InvalidOperationException("FastPoints: " + failed.Count + " of " + imports.Assets.All.Count +
+                throw new InvalidOperationException("FastPoints: " + failed.Count + " of " + count +
                     " point clouds were not converted:\n" + string.Join("\n", failed));
         }
 

@@ -98,8 +98,6 @@ namespace FastPoints.Editor
             else
                 foreach (string source in m_sources)
                     clouds.Add(new[] { source });
-            if (clouds.Count > 1)
-                m_place?.Share();
             m_clouds = clouds.Count;
             m_progress = Progress.Start("Import " + m_sources.Length + " point cloud files", m_folder,
                 Progress.Options.Unmanaged);
@@ -168,16 +166,18 @@ namespace FastPoints.Editor
                 AssetDatabase.StopAssetEditing();
             }
             yield return default;
-            var requests = new List<ImportRequest>();
+            var (requests, shown) = (new List<ImportRequest>(), new List<PointCloudAsset>());
             for (int i = 0; i < paths.Count; i++)
             {
-                if (m_place != null && AssetDatabase.LoadAssetAtPath<PointCloudAsset>(paths[i]) is { } asset)
-                    m_place.Show(asset);
+                if (m_place != null)
+                    shown.Add(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(paths[i]));
                 m_imports.AddThumbnail(written[i].Handle);
                 if (m_imports.IsConvertedAtOnce(written[i].Handle))
                     requests.Add(m_imports.RequestFor(paths[i], written[i].Handle));
                 yield return default;
             }
+            // All at once: what the user does between two of them stays a step of Undo of its own.
+            m_place?.Show(shown.FindAll(asset => asset != null));
             m_imports.Queue.Add(requests);
         }
     }

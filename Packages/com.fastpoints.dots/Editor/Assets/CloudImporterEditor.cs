@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 using System.IO;
 using FastPoints.Base;
@@ -62,8 +63,7 @@ namespace FastPoints.Editor
         void DrawSeveral(EditorImports imports)
         {
             if (GUILayout.Button("Convert all " + targets.Length))
-                foreach (var importer in targets)
-                    imports.Convert(((AssetImporter)importer).assetPath);
+                imports.Convert(Array.ConvertAll(targets, importer => ((AssetImporter)importer).assetPath));
             DrawSettings();
         }
 
@@ -140,6 +140,8 @@ namespace FastPoints.Editor
                 return;
             CloudRelocation.Ask(imports, Asset, m_missing);
             Look();
+            // Other windows were drawn while the panel was open: what this one has laid out is gone.
+            GUIUtility.ExitGUI();
         }
 
         static bool IsPaused(ImportQueue queue, ImportRequest request) => request.State == ImportState.Paused ||
@@ -194,16 +196,19 @@ namespace FastPoints.Editor
             if (GUILayout.Button("Show the folder"))
                 EditorUtility.RevealInFinder(m_cloud.Path);
             // A copy of the asset has the same data.
-            if (hasSource && imports.Assets.Of(m_cloud.Path).Count < 2 && GUILayout.Button("Delete converted data") &&
-                EditorUtility.DisplayDialog("Delete converted data", m_cloud.Path, "Delete", "Cancel"))
-                Delete();
+            if (!hasSource || imports.Assets.Of(m_cloud.Path).Count > 1 || !GUILayout.Button("Delete converted data"))
+                return;
+            if (EditorUtility.DisplayDialog("Delete converted data", m_cloud.Path, "Delete", "Cancel"))
+                Delete(imports);
+            GUIUtility.ExitGUI();
         }
 
-        void Delete()
+        void Delete(EditorImports imports)
         {
             try
             {
                 CloudCatalog.Delete(m_cloud.Path);
+                imports.Decline(m_cloud.Path);
                 Look();
                 EditorImports.Refresh(Asset);
             }

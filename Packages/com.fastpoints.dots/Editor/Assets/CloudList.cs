@@ -30,6 +30,11 @@ namespace FastPoints.Editor
             /// <summary>The first source that is not there; null if all are.</summary>
             public string Missing;
             public bool IsConverted;
+
+            /// <summary>Whether it can be converted and is not, nor waits for it; of several assets with one cloud, the first
+            /// one's.</summary>
+            public bool IsWanted;
+            public bool IsLost;
         }
 
         public readonly List<Row> Rows = new List<Row>();
@@ -38,11 +43,27 @@ namespace FastPoints.Editor
         /// for another project may use them.</summary>
         public readonly List<Row> Unused = new List<Row>();
 
+        /// <summary>Clouds without data that can be converted, and those whose sources are not there either; none that waits for
+        /// its conversion.</summary>
+        public List<Row> Wanted { get; private set; }
+        public List<Row> Lost { get; private set; }
+
+        /// <summary>Collects what there is now, on a thread of the pool.</summary>
+        public static PoolWork<CloudList> Begin(EditorImports imports)
+        {
+            var (paths, promised) = (imports.Paths, new List<string>(imports.Queue.Promised));
+            var assets = new Dictionary<string, string>();
+            foreach (var pair in imports.Assets.All)
+                assets.Add(pair.Key, pair.Value);
+            bool convertsOctrees = FastPointsSettings.instance.ConvertOctrees;
+            return PoolWork.Begin(paths.Clouds, () => Collect(paths, assets, promised, convertsOctrees));
+        }
+
         /// <summary>Any thread.</summary>
         /// <param name="assets">Paths, each with the absolute path of its cloud.</param>
         /// <param name="promised">Folders that are being made, or will be.</param>
         public static CloudList Collect(ProjectPaths paths, IReadOnlyDictionary<string, string> assets,
-            ICollection<string> promised)
+            ICollection<string> promised, bool convertsOctrees = false)
         {
             var list = new CloudList();
             var catalog = new CloudCatalog(paths);
@@ -50,10 +71,14 @@ namespace FastPoints.Editor
             var used = new HashSet<string>(promised, StringComparer.OrdinalIgnoreCase);
             foreach (var pair in assets)
             {
-                used.Add(pair.Value);
-                list.Rows.Add(Describe(pair.Key, pair.Value, catalog, paths));
+                bool isFirst = used.Add(pair.Value);
+                var row = Describe(pair.Key, pair.Value, catalog, paths, convertsOctrees);
+                row.IsWanted &= isFirst;
+                row.IsLost = isFirst && row.Missing != null && !row.IsConverted;
+                list.Rows.Add(row);
             }
             list.Rows.Sort((a, b) => string.CompareOrdinal(a.Asset, b.Asset));
+            (list.Wanted, list.Lost) = (list.Rows.FindAll(r => r.IsWanted), list.Rows.FindAll(r => r.IsLost));
             if (paths.Clouds.StartsWith(paths.Project + Path.DirectorySeparatorChar, StringComparison.Ordinal))
                 foreach (var cloud in catalog.Clouds)
                     if (!used.Contains(cloud.Path))
@@ -61,9 +86,10 @@ namespace FastPoints.Editor
             return list;
         }
 
-        static Row Describe(string asset, string folder, CloudCatalog catalog, ProjectPaths paths)
+        static Row Describe(string asset, string folder, CloudCatalog catalog, ProjectPaths paths, bool convertsOctrees)
         {
-            var handle = new CloudHandle { CloudPath = paths.Stored(folder) };
+            var handle = new CloudHandle { CloudPath = paths.Stored(folder), Sources = { asset } };
+            handle.IsOctree = CloudSources.BringsOctree(paths.Absolute(asset));
             var row = new Row { Asset = asset, Cloud = folder, Points = -1 };
             try
             {
@@ -76,6 +102,8 @@ namespace FastPoints.Editor
                     row.State = handle.IsOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
                         : "not converted";
                 row.Missing = CloudRelocation.FindMissing(handle, paths);
+                row.IsWanted = match == CatalogMatch.None && row.Missing == null && handle.Sources.Count > 0 &&
+                    (convertsOctrees || !handle.IsOctree);
             }
             catch (PointCloudException e)
             {

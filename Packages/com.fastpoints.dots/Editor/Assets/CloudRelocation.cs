@@ -16,12 +16,13 @@ namespace FastPoints.Editor
             handle.Sources.ConvertAll(paths.Absolute).Find(s => !File.Exists(s) && !Directory.Exists(s));
 
         /// <summary>Asks the user where a source is, and whether those of other assets that moved along are meant, too.</summary>
+        /// <exception cref="PointCloudException">The handle cannot be read.</exception>
         public static void Ask(EditorImports imports, string asset, string missing)
         {
             string name = Path.GetFileName(missing);
-            string found = Path.HasExtension(name)
-                ? EditorUtility.OpenFilePanelWithFilters("Locate " + name, "", new[] { "All files", "*" })
-                : EditorUtility.OpenFolderPanel("Locate " + name, "", "");
+            string found = imports.HandleOf(asset).IsFolder || !Path.HasExtension(name)
+                ? EditorUtility.OpenFolderPanel("Locate " + name, "", "")
+                : EditorUtility.OpenFilePanelWithFilters("Locate " + name, "", new[] { "All files", "*" });
             if (string.IsNullOrEmpty(found))
                 return;
             var move = new SourceMove(missing, Path.GetFullPath(found));

@@ -26,15 +26,7 @@ namespace FastPoints.Editor
         static void Open() => GetWindow<CloudsWindow>("Point clouds");
 
         /// <summary>What the list depends on has changed, or may have.</summary>
-        internal void Collect()
-        {
-            var imports = PointCloudImports.Current;
-            var (paths, promised) = (imports.Paths, new List<string>(imports.Queue.Promised));
-            var assets = new Dictionary<string, string>();
-            foreach (var pair in imports.Assets.All)
-                assets.Add(pair.Key, pair.Value);
-            m_collecting ??= PoolWork.Begin(paths.Clouds, () => CloudList.Collect(paths, assets, promised));
-        }
+        internal void Collect() => m_collecting ??= CloudList.Begin(PointCloudImports.Current);
 
         // Unity finds these by name.
 
@@ -54,6 +46,8 @@ namespace FastPoints.Editor
                 m_shown = null;
             if (m_list == null)
                 return;
+            if (m_list.Wanted.Count > 0 && GUILayout.Button("Convert all missing (" + m_list.Wanted.Count + ")"))
+                Convert(m_list.Wanted);
             m_scroll = EditorGUILayout.BeginScrollView(m_scroll);
             int pages = Math.Max(1, (m_list.Rows.Count + RowsPerPage - 1) / RowsPerPage), first = RowsPerPage * m_page;
             for (int i = first; i < Math.Min(first + RowsPerPage, m_list.Rows.Count); i++)
@@ -110,22 +104,35 @@ namespace FastPoints.Editor
             }
         }
 
+        void Convert(List<CloudList.Row> rows)
+        {
+            PointCloudImports.Current.Convert(rows.ConvertAll(r => r.Asset));
+            m_shown = null;
+        }
+
         void Draw(in CloudList.Row row)
         {
             EditorGUILayout.LabelField(row.Asset, Text(row));
             GUILayout.BeginHorizontal();
             if (GUILayout.Button("Select"))
                 Selection.activeObject = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(row.Asset);
+            if (row.IsWanted && GUILayout.Button("Convert"))
+                Convert(new List<CloudList.Row> { row });
             if (row.Missing != null && GUILayout.Button("Locate source..."))
             {
-                CloudRelocation.Ask(PointCloudImports.Current, row.Asset, row.Missing);
                 m_shown = null;
+                CloudRelocation.Ask(PointCloudImports.Current, row.Asset, row.Missing);
+                // Other windows were drawn while the panel was open: what this one has laid out is gone.
+                GUIUtility.ExitGUI();
             }
             if (row.IsConverted && GUILayout.Button("Verify"))
                 PointCloudImports.Current.Checks.Begin(row.Cloud);
-            if (row.IsConverted && GUILayout.Button("Export...") &&
-                EditorUtility.OpenFolderPanel("Export point cloud into a folder", "", "") is { Length: > 0 } folder)
-                PointCloudImports.Current.Transfers.Export(row.Cloud, folder);
+            if (row.IsConverted && GUILayout.Button("Export..."))
+            {
+                if (EditorUtility.OpenFolderPanel("Export point cloud into a folder", "", "") is { Length: > 0 } folder)
+                    PointCloudImports.Current.Transfers.Export(row.Cloud, folder);
+                GUIUtility.ExitGUI();
+            }
             GUILayout.EndHorizontal();
         }
 
@@ -139,10 +146,12 @@ namespace FastPoints.Editor
                 EditorGUILayout.LabelField(Path.GetFileName(row.Cloud), Text(row));
                 bytes += row.Bytes;
             }
-            if (GUILayout.Button("Delete unused") && EditorUtility.DisplayDialog("Delete unused", m_list.Unused.Count +
-                " converted clouds that no asset has, " + Size(bytes) + ". They can be converted again of their sources alone.",
-                "Delete", "Cancel"))
+            if (!GUILayout.Button("Delete unused"))
+                return;
+            if (EditorUtility.DisplayDialog("Delete unused", m_list.Unused.Count + " converted clouds that no asset has, " +
+                Size(bytes) + ". They can be converted again of their sources alone.", "Delete", "Cancel"))
                 DeleteUnused();
+            GUIUtility.ExitGUI();
         }
 
         void DeleteUnused()
@@ -165,8 +174,8 @@ namespace FastPoints.Editor
             }
         }
 
-        static string Text(in CloudList.Row row) => (row.Missing != null ? "source is not there, " : "") + row.State +
-            (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
+        static string Text(in CloudList.Row row) => (row.Missing != null ? "source is not there (" + row.Missing + "), " : "") +
+            row.State + (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
             (row.Bytes == 0 ? "" : ", " + Size(row.Bytes));
 
         static string Size(long bytes) => (bytes * 1e-6).ToString("0.0", CultureInfo.InvariantCulture) + " MB";

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using FastPoints.Entities;
 using UnityEditor;
 using UnityEngine;
@@ -12,9 +13,6 @@ namespace FastPoints.Editor
         const string OriginName = "Point Cloud Origin";
 
         int m_sibling = -1;
-        int m_undoGroup = -1;
-        bool m_isShared;
-        PointCloudOrigin m_origin;
 
         /// <summary>Where the pointer was; clouds with an origin lie by that instead.</summary>
         public Vector3? Point;
@@ -43,33 +41,41 @@ namespace FastPoints.Editor
             return place;
         }
 
-        /// <summary>Several clouds come: they share an origin, which is made if there is none.</summary>
-        public void Share() => m_isShared = true;
+        /// <summary>Who drops files may delete what they fell on, or close the scene, before they are imported.</summary>
+        bool IsGone => Parent is { } && Parent == null || Scene != default && !Scene.IsValid();
 
-        /// <summary>Makes a GameObject for a cloud; Undo takes away all that one drop has made.</summary>
-        public PointCloud Show(PointCloudAsset asset)
+        /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
+        /// share an origin, which is made if there is none.</summary>
+        /// <returns>The last one; null if there is no place any more.</returns>
+        public PointCloud Show(IReadOnlyList<PointCloudAsset> assets)
         {
-            if (m_undoGroup < 0)
-                Begin();
-            var made = m_origin != null ? Make(asset.name, m_origin.transform, false) : Make(asset.name, Parent, true);
-            if (Point.HasValue && m_origin == null)
-                made.transform.position = Point.Value;
-            var cloud = ObjectFactory.AddComponent<PointCloud>(made);
-            cloud.Cloud = asset;
-            if (m_origin != null && !m_origin.HasPlace)
-                m_origin.AlignTo(asset);
-            // The user may have deleted it since the last one.
-            Selection.activeObject = m_isShared && m_origin != null ? m_origin.gameObject : made;
-            Undo.CollapseUndoOperations(m_undoGroup);
+            if (IsGone || assets.Count == 0)
+                return null;
+            // What comes updates after the drop would be part of whatever the user did last, and the next of this.
+            Undo.IncrementCurrentGroup();
+            var origin = Parent != null ? Parent.GetComponentInParent<PointCloudOrigin>() : OfScene();
+            if (assets.Count > 1 && origin == null)
+                origin = ObjectFactory.AddComponent<PointCloudOrigin>(Make(OriginName, Parent, true));
+            PointCloud cloud = null;
+            foreach (var asset in assets)
+                cloud = Show(asset, origin);
+            Selection.activeObject = assets.Count > 1 ? origin.gameObject : cloud.gameObject;
+            Undo.IncrementCurrentGroup();
             return cloud;
         }
 
-        void Begin()
+        PointCloud Show(PointCloudAsset asset, PointCloudOrigin origin)
         {
-            m_undoGroup = Undo.GetCurrentGroup();
-            m_origin = Parent != null ? Parent.GetComponentInParent<PointCloudOrigin>() : OfScene();
-            if (m_isShared && m_origin == null)
-                m_origin = ObjectFactory.AddComponent<PointCloudOrigin>(Make(OriginName, Parent, true));
+            var made = origin != null ? Make(asset.name, origin.transform, false) : Make(asset.name, Parent, true);
+            if (Point.HasValue && origin == null)
+                made.transform.position = Point.Value;
+            var cloud = ObjectFactory.AddComponent<PointCloud>(made);
+            cloud.Cloud = asset;
+            if (origin == null || origin.HasPlace)
+                return cloud;
+            Undo.RecordObject(origin, "Set origin");
+            origin.AlignTo(asset);
+            return cloud;
         }
 
         /// <summary>The scene's only origin.</summary>

@@ -39,6 +39,7 @@ namespace FastPoints.Editor
             Assets = new CloudAssets(paths);
             Leftovers = new CloudLeftovers(this);
             Claims = new PointFileClaims(settings);
+            Missing = new MissingClouds(this);
         }
 
         internal ProjectPaths Paths { get; }
@@ -48,6 +49,9 @@ namespace FastPoints.Editor
 
         /// <summary>Converted clouds whose last asset was deleted.</summary>
         internal CloudLeftovers Leftovers { get; }
+
+        /// <summary>Clouds whose data are to be made again.</summary>
+        internal MissingClouds Missing { get; }
 
         internal ImportQueue Queue { get; }
         internal CloudCatalog Catalog { get; }
@@ -84,6 +88,7 @@ namespace FastPoints.Editor
             Exports.Update(budgetMs);
             Leftovers.Ask();
             Claims.Update();
+            Missing.Update();
             Thumbnails.Update(budgetMs);
             if (m_drops.Count > 0 && m_drops[0].Update(budgetMs))
                 m_drops.RemoveAt(0);
@@ -158,8 +163,8 @@ namespace FastPoints.Editor
             {
                 if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
                     AddThumbnail(handle);
-                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request &&
-                    !File.Exists(DeclinedPath(request)) ? request : null;
+                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request && !IsDeclined(request.Cloud)
+                    ? request : null;
             }
             if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
                 Debug.LogWarning("FastPoints: " + asset + " has changed since it was converted: its inspector converts it again");
@@ -183,7 +188,7 @@ namespace FastPoints.Editor
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {
-            MakePlace();
+            MakePlace(Paths.Clouds);
             if (CloudSources.IsConverted(cloud))
                 Transfers.Import(cloud, Paths, copy => Selection.activeObject = Take(copy, folder));
             else
@@ -191,23 +196,42 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Converts an asset's cloud, for the first time or again.</summary>
-        public void Convert(string asset)
+        public void Convert(string asset) => Convert(new[] { asset });
+
+        /// <summary>Does the same with several. What cannot be read is logged.</summary>
+        internal void Convert(IEnumerable<string> assets)
         {
-            var request = RequestFor(asset, HandleOf(asset));
-            File.Delete(DeclinedPath(request));
-            Queue.Add(request);
+            var requests = new List<ImportRequest>();
+            foreach (string asset in assets)
+                try
+                {
+                    var request = RequestFor(asset, HandleOf(asset));
+                    File.Delete(DeclinedPath(request.Cloud));
+                    requests.Add(request);
+                }
+                catch (PointCloudException e)
+                {
+                    Debug.LogError("FastPoints: " + e.Message);
+                }
+            Queue.Add(requests);
         }
 
-        /// <summary>Takes a request out of the queue for good: a file in <c>Assets</c> is not converted by itself any more,
-        /// however often Unity imports it.</summary>
+        /// <summary>Takes a request out of the queue for good.</summary>
         internal void Cancel(ImportRequest request)
         {
             Queue.Cancel(request);
-            if (!PointFileClaims.IsPointFile(AssetDatabase.GUIDToAssetPath(request.Asset)))
-                return;
+            Decline(request.Cloud);
+        }
+
+        /// <summary>Has a cloud not converted by itself any more, nor asked about, however often Unity imports its
+        /// asset.</summary>
+        /// <param name="cloud">Its folder, stored or absolute.</param>
+        internal void Decline(string cloud)
+        {
+            MakePlace(Paths.Clouds);
             try
             {
-                TextFile.Write(DeclinedPath(request), "", false);
+                TextFile.Write(DeclinedPath(cloud), "", false);
             }
             catch (PointCloudException e)
             {
@@ -215,7 +239,9 @@ namespace FastPoints.Editor
             }
         }
 
-        string DeclinedPath(ImportRequest request) => Path.ChangeExtension(Paths.Absolute(request.Cloud), ".cancelled");
+        internal bool IsDeclined(string cloud) => File.Exists(DeclinedPath(cloud));
+
+        string DeclinedPath(string cloud) => Path.ChangeExtension(Paths.Absolute(cloud), ".cancelled");
 
         /// <summary>What an asset says of its cloud.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
@@ -232,7 +258,7 @@ namespace FastPoints.Editor
         /// files.</summary>
         internal void AddThumbnail(CloudHandle handle)
         {
-            MakePlace();
+            MakePlace(Paths.Clouds);
             string cloud = Paths.Absolute(handle.CloudPath);
             if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))
                 Thumbnails.Add(cloud);
@@ -252,6 +278,7 @@ namespace FastPoints.Editor
             Checks.Dispose();
             Transfers.Dispose();
             Exports.Dispose();
+            Missing.Dispose();
             Thumbnails.Dispose();
             Queue.Suspend();
         }
@@ -260,7 +287,7 @@ namespace FastPoints.Editor
 
         internal ImportRequest RequestFor(string asset, CloudHandle handle)
         {
-            MakePlace();
+            MakePlace(Paths.Clouds);
             return new ImportRequest
             {
                 Asset = AssetDatabase.AssetPathToGUID(asset),
@@ -271,15 +298,15 @@ namespace FastPoints.Editor
         }
 
         /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
-        void MakePlace()
+        internal void MakePlace(string place)
         {
-            if (Directory.Exists(Paths.Clouds))
+            if (Directory.Exists(place))
                 return;
             try
             {
-                Directory.CreateDirectory(Paths.Clouds);
+                Directory.CreateDirectory(place);
                 if (m_settings.GitIgnore)
-                    TextFile.Write(Path.Combine(Paths.Clouds, ".gitignore"),
+                    TextFile.Write(Path.Combine(place, ".gitignore"),
                         "# FastPoints makes this again of its sources.\n*\n");
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))

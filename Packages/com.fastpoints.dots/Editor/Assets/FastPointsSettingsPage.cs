@@ -93,17 +93,25 @@ namespace FastPoints.Editor
                 "Writes a .gitignore when the folder is made. Clouds can be converted again."), settings.GitIgnore);
             string place = EditorGUILayout.DelayedTextField(new GUIContent("Converted clouds in",
                 "A folder beside Assets, or anywhere else. Clouds converted earlier stay where they are."), settings.Place);
-            if (GUILayout.Button("Browse...") &&
-                EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
-                place = PointCloudImports.Paths.StoredPlace(chosen);
+            bool browses = GUILayout.Button("Browse...");
             string root = EditorGUILayout.DelayedTextField(new GUIContent("Root of sources (yours alone)", "Files below it are " +
                 "stored relative to it, so that a team shares assets. The variable FASTPOINTS_SOURCES counts for more."),
                 FastPointsUserSettings.instance.SourceRoot);
             EditorGUIUtility.labelWidth = width;
             if (root != FastPointsUserSettings.instance.SourceRoot)
                 PointCloudImports.MoveRoot(root);
-            if (!EditorGUI.EndChangeCheck() && place == settings.Place)
-                return;
+            bool isChanged = EditorGUI.EndChangeCheck();
+            if (browses && EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
+                place = PointCloudImports.Paths.StoredPlace(chosen);
+            if (isChanged || place != settings.Place)
+                Keep(settings, place);
+            // Other windows were drawn while the panel was open: what this one has laid out is gone.
+            if (browses)
+                GUIUtility.ExitGUI();
+        }
+
+        static void Keep(FastPointsSettings settings, string place)
+        {
             s_problem = place == settings.Place ? null : PointCloudImports.Move(place);
             settings.Save();
             Undo.undoRedoPerformed -= SaveUndone;

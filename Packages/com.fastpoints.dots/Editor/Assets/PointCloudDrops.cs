@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using FastPoints.Entities;
 using UnityEditor;
 using UnityEngine;
@@ -12,6 +14,10 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudDrops
     {
+        static readonly TimeSpan s_forgetAfter = TimeSpan.FromSeconds(1);
+
+        static (string[] Paths, DropKind Kind, DateTime Utc) s_dragged;
+
         static PointCloudDrops()
         {
             if (AssetDatabase.IsAssetImportWorkerProcess())
@@ -40,7 +46,7 @@ namespace FastPoints.Editor
         {
             var imports = PointCloudImports.Current;
             // Folders of packages that are not in the project are nowhere in it.
-            if (CloudSources.Of(DragAndDrop.paths, imports.Paths, imports.MostCopiedBytes) != DropKind.Handle ||
+            if (KindOf(imports, perform) != DropKind.Handle ||
                 !Directory.Exists(imports.Paths.Absolute(FolderOf(path))))
                 return DragAndDropVisualMode.None;
             if (perform)
@@ -63,8 +69,7 @@ namespace FastPoints.Editor
                 if (dragged is PointCloudAsset asset)
                     assets.Add(asset);
             var imports = PointCloudImports.Current;
-            bool isFiles = assets.Count == 0 &&
-                CloudSources.Of(DragAndDrop.paths, imports.Paths, imports.MostCopiedBytes) != DropKind.NotOurs;
+            bool isFiles = assets.Count == 0 && KindOf(imports, perform) != DropKind.NotOurs;
             if (assets.Count == 0 && !isFiles)
                 return DragAndDropVisualMode.None;
             if (!perform)
@@ -72,16 +77,13 @@ namespace FastPoints.Editor
             DragAndDrop.AcceptDrag();
             if (isFiles)
                 Take("Assets", place);
-            if (assets.Count > 1)
-                place.Share();
-            foreach (var asset in assets)
-                place.Show(asset);
+            place.Show(assets);
             return DragAndDropVisualMode.Copy;
         }
 
         /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
         public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent) =>
-            new DropPlace { Point = place, Parent = parent }.Show(asset);
+            new DropPlace { Point = place, Parent = parent }.Show(new[] { asset });
 
         /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
         /// <param name="place">Where they are shown; null for nowhere.</param>
@@ -91,7 +93,18 @@ namespace FastPoints.Editor
             if (DragAndDrop.paths.Length > 1)
                 imports.Take(DragAndDrop.paths, folder, place);
             else if (imports.Take(DragAndDrop.paths[0], folder) is { } asset)
-                place?.Show(asset);
+                place?.Show(new[] { asset });
+        }
+
+        /// <summary>What is dragged. A drag asks at each of its events, some sixty times a second: files are looked up
+        /// once.</summary>
+        static DropKind KindOf(EditorImports imports, bool perform)
+        {
+            var (paths, now) = (DragAndDrop.paths, DateTime.UtcNow);
+            if (perform || now - s_dragged.Utc > s_forgetAfter || !paths.SequenceEqual(s_dragged.Paths))
+                s_dragged = (paths, CloudSources.Of(paths, imports.Paths, imports.MostCopiedBytes), now);
+            s_dragged.Utc = now;
+            return s_dragged.Kind;
         }
 
         /// <summary>Of the scene's header, which the Hierarchy names by the handle's number.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
+using System.Text;
+using FastPoints.Base;
 using FastPoints.Files;
 using UnityEditor;
 using UnityEditor.AssetImporters;
@@ -13,6 +14,7 @@ namespace FastPoints.Editor
     internal sealed class PointFileClaims
     {
         const string Looked = "FastPoints.PointFileClaims";
+        const int MostHeaderBytes = 64 << 10;
 
         readonly FastPointsSettings m_settings;
         readonly List<string> m_offered = new List<string>();
@@ -62,19 +64,26 @@ namespace FastPoints.Editor
         static bool IsUnclaimed(string path) => IsPointFile(path) &&
             !path.StartsWith("Assets/StreamingAssets/", StringComparison.OrdinalIgnoreCase) &&
             !path.StartsWith("Assets/Editor Default Resources/", StringComparison.OrdinalIgnoreCase) &&
-            AssetDatabase.GetImporterOverride(path) == null &&
-            !typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(path)) && !HasFaces(path);
+            AssetDatabase.GetImporterOverride(path) == null && !IsOthers(path, PointCloudImports.Paths.Absolute(path));
+
+        /// <summary>Whether another package's importer is responsible for a file, or it is a mesh.</summary>
+        /// <param name="asset">Its path in the project, or what that would be.</param>
+        public static bool IsOthers(string asset, string file) =>
+            typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(asset)) || HasFaces(file);
 
         /// <summary>Whether a PLY file is a mesh, by its header.</summary>
-        static bool HasFaces(string asset)
+        static bool HasFaces(string file)
         {
-            if (!asset.EndsWith(".ply", StringComparison.OrdinalIgnoreCase))
+            if (!file.EndsWith(".ply", StringComparison.OrdinalIgnoreCase))
                 return false;
             try
             {
-                using var lines = new StreamReader(PointCloudImports.Paths.Absolute(asset));
-                for (int i = 0; i < 1000 && lines.ReadLine() is { } line && line != "end_header"; i++)
+                using var source = FileSource.Open(file);
+                // A file without a line end is not read to its own.
+                foreach (string line in Encoding.ASCII.GetString(source.ReadAtMost(0, MostHeaderBytes).Bytes).Split('\n', '\r'))
                 {
+                    if (line == "end_header")
+                        return false;
                     var words = line.Split(' ');
                     if (words.Length > 2 && words[0] == "element" && (words[1] == "face" || words[1] == "tristrips") &&
                         words[2] != "0")
@@ -82,7 +91,7 @@ namespace FastPoints.Editor
                 }
                 return false;
             }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            catch (PointCloudException)
             {
                 return true;
             }

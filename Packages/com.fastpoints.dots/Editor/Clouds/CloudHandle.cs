@@ -30,6 +30,9 @@ namespace FastPoints.Editor
         /// form.</summary>
         public List<string> Sources = new List<string>();
 
+        /// <summary>Whether the source is a folder: one that is not there cannot be asked.</summary>
+        public bool IsFolder;
+
         /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>
         public bool IsOctree;
 
@@ -103,6 +106,8 @@ namespace FastPoints.Editor
             foreach (string source in Sources)
                 json.Add(null, source);
             json.EndArray();
+            if (IsFolder)
+                json.Add("folder", true);
             if (IsOctree)
                 json.Add("octree", true);
             if (Origin is double3 origin)
@@ -142,6 +147,7 @@ namespace FastPoints.Editor
                 CloudId = json.Hex("cloudId"),
                 CloudPath = json.Text("cloud"),
                 Sources = json.Texts("sources"),
+                IsFolder = json.Flag("folder"),
                 IsOctree = json.Flag("octree"),
                 Origin = json.Has("origin") ? json.Vector("origin") : (double3?)null,
                 OriginUp = AxisOf(json, "originUp"),

@@ -6,7 +6,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Recognises files and folders as point clouds by their names alone: nothing is opened during a drag.</summary>
+    /// <summary>Recognises files and folders as point clouds by their names, and what is dropped by headers where names do not
+    /// tell.</summary>
     internal static class CloudSources
     {
         /// <summary>Extensions of files that are imported where they lie in a project's assets.</summary>
@@ -29,7 +30,8 @@ namespace FastPoints.Editor
             {
                 string stored = project.Stored(path);
                 if (stored.StartsWith("Assets/", StringComparison.Ordinal) ||
-                    stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path))
+                    stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path) ||
+                    PointFileClaims.IsOthers("Assets/" + Path.GetFileName(path), path))
                     return DropKind.NotOurs;
                 bool isImported = IsImported(path);
                 bytes += isImported ? new FileInfo(path).Length : 0;

@@ -48,6 +48,7 @@ namespace FastPoints.Editor
                 handle.CloudPath = paths.Stored(clouds.Next(name));
                 foreach (string source in sources)
                     handle.Sources.Add(paths.Stored(source));
+                handle.IsFolder = sources.Count == 1 && Directory.Exists(sources[0]);
                 handle.IsOctree = sources.Count == 1 && CloudSources.BringsOctree(sources[0]);
                 if (opens)
                     Describe(handle, sources);

@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Entities;
@@ -22,7 +23,11 @@ namespace FastPoints.Editor
             string[] scenes = PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions);
             try
             {
-                foreach (string path in PlayerAssets.Of(scenes))
+                var built = PlayerAssets.Of(scenes);
+                // A build server has sources and nobody to press Convert.
+                if (Application.isBatchMode)
+                    BatchConvert.Convert(PointCloudImports.Current, built);
+                foreach (string path in built)
                 {
                     var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
                     if (asset == null)
@@ -36,8 +41,12 @@ namespace FastPoints.Editor
             }
             catch (PointCloudException e)
             {
-                throw new BuildFailedException(e.Message + (Application.isBatchMode
-                    ? ". In batch mode -executeMethod FastPoints.Editor.BatchConvert.All converts, before the build" : ""));
+                throw new BuildFailedException(e.Message + (e.Code == FailureCode.NotFound
+                    ? ". FastPoints > Clouds converts what is missing, and locates sources" : ""));
+            }
+            catch (InvalidOperationException e)
+            {
+                throw new BuildFailedException(e.Message);
             }
             Check(clouds, buildPlayerContext.BuildPlayerOptions.target);
             PlayerReaders.s_areNeeded = clouds.HasSources;

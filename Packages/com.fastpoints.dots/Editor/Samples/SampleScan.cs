@@ -4,6 +4,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Scenes;
+using FastPoints.Store;
 using UnityEditor;
 using UnityEngine;
 
@@ -35,7 +36,9 @@ namespace FastPoints.Editor
         public static void Get(Action<PointCloudAsset> done)
         {
             var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetPath);
-            if (asset != null)
+            // A clone of the project has the asset alone.
+            if (asset != null && (File.Exists(SourcePath) ||
+                CloudFolder.IsCloud(PointCloudImports.Current.Paths.Absolute(asset.ProjectPath))))
             {
                 done(asset);
                 return;
@@ -52,6 +55,7 @@ namespace FastPoints.Editor
             string path = SourcePath;
             try
             {
+                PointCloudImports.Current.MakePlace(Path.GetDirectoryName(path));
                 Directory.CreateDirectory(Path.GetDirectoryName(path));
             }
             catch (Exception e)
@@ -100,7 +104,11 @@ namespace FastPoints.Editor
             Progress.Finish(s_progress);
             var waiting = s_waiting.ToArray();
             End();
-            var asset = PointCloudImports.Current.Take(SourcePath, Path.GetDirectoryName(AssetPath));
+            var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetPath);
+            if (asset != null)
+                PointCloudImports.Current.Convert(AssetPath);
+            else
+                asset = PointCloudImports.Current.Take(SourcePath, Path.GetDirectoryName(AssetPath));
             if (asset != null)
                 foreach (var done in waiting)
                     done(asset);

@@ -41,6 +41,10 @@ namespace FastPoints.Editor
             out int materialIndex)
         {
             materialIndex = 0;
+            // The Scene view asks at each event of a drag, for whatever is dragged: nothing is dropped onto points.
+            if (Event.current != null && (Event.current.type == EventType.DragUpdated ||
+                Event.current.type == EventType.DragPerform))
+                return null;
             var world = World.DefaultGameObjectInjectionWorld;
             var stream = world != null && world.IsCreated
                 ? world.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stream : null;
