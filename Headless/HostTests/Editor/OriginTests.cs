@@ -118,7 +118,8 @@ public sealed class OriginTests : EditorFixture
         {
             var made = entities.CreateEntity();
             entities.AddComponentData(made, new Unity.Transforms.LocalToWorld { Value = float4x4.identity });
-            entities.AddComponentObject(made, new PointCloudFile { Path = folder });
+            entities.AddComponentData(made, new PointCloudFile());
+            new PointCloudPaths { Path = folder }.WriteTo(entities.AddBuffer<PointCloudPath>(made));
             return made;
         }
         var open = Add();
