@@ -168,6 +168,11 @@ public sealed class EntityTests
         commands.Dispose();
     }
 
+    /// <summary>As Entities does where UNITY_DISABLE_MANAGED_COMPONENTS is defined, and from 6.7 on.</summary>
+    [Test]
+    public void ManagedComponent_IsRefused() =>
+        Assert.That(() => Entities.CreateEntity(new ComponentType(typeof(Managed))), Throws.ArgumentException);
+
     /// <summary>Planted violations: what Unity refuses.</summary>
     [Test]
     public void Misuse_Throws()
@@ -182,7 +187,6 @@ public sealed class EntityTests
         Entities.AddComponent<Burning>(bare);
         Assert.That(() => Entities.GetComponentData<Burning>(bare), Throws.ArgumentException.With.Message.Contains("zero sized"));
         Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
-        Assert.That(() => Entities.CreateEntity(new ComponentType(typeof(Managed))), Throws.ArgumentException);
         var items = Entities.AddBuffer<Item>(bare);
         Assert.That(() => items[0], Throws.InstanceOf<IndexOutOfRangeException>());
         Assert.That(() => Entities.GetBuffer<Item>(bare, true).Add(default), Throws.InvalidOperationException);

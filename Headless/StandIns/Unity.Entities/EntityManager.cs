@@ -67,9 +67,8 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     /// <summary>What is linked to it, too.</summary>
     public void DestroyEntity(Entity entity)
     {
-        if (Exists(entity))
-            foreach (var linked in Linked(entity))
-                Store.Destroy(linked);
+        foreach (var linked in Linked(entity))
+            Store.Destroy(linked);
     }
 
     Entity[] Linked(Entity entity)

@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Entities
         long PointsDrawn()
         {
             Frame();
-            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+            Frames(() => m_group.Stats.IsSettled && !m_group.IsOpening && !m_group.Stream.HasLeaving);
             return m_group.Stats.DrawnPoints;
         }
 
