@@ -136,6 +136,10 @@ public sealed class OriginTests : EditorFixture
         Assert.That(math.length(PlacementOf(late).OriginWorld - (before - by)), Is.LessThan(1e-8));
         Assert.That(PlacementOf(shown.Entity).OriginWorld, Is.EqualTo(kept), "a GameObject's is moved by its origin");
 
+        var copy = entities.Instantiate(shown.Entity);
+        ImportProject.Updates(Update, () => entities.HasComponent<StreamedPointCloud>(copy));
+        Assert.That(math.length(PlacementOf(copy).OriginWorld - (kept - by)), Is.LessThan(1e-8), "a copy is no GameObject's");
+
         var later = Add();
         ImportProject.Updates(Update, () => entities.HasComponent<StreamedPointCloud>(later));
         Assert.That(math.length(PlacementOf(later).OriginWorld - (before - by)), Is.LessThan(1e-8), "it lies among the others");

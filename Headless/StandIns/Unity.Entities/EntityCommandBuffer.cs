@@ -16,7 +16,6 @@ public unsafe struct EntityCommandBuffer : IDisposable
         public readonly List<Entity> Made = new List<Entity>();
         public int Promised;
         public bool IsPlayed;
-        public bool IsDisposed;
     }
 
     public EntityCommandBuffer(AllocatorManager.AllocatorHandle label) => m_recorded = new Recorded();
@@ -27,12 +26,6 @@ public unsafe struct EntityCommandBuffer : IDisposable
     {
         var recorded = m_recorded;
         return Promise(entities => entities.Instantiate(Resolve(recorded, e)));
-    }
-
-    public void DestroyEntity(Entity e)
-    {
-        var recorded = m_recorded;
-        Record(entities => entities.DestroyEntity(Resolve(recorded, e)));
     }
 
     public void AddComponent<T>(Entity e, T component) where T : unmanaged, IComponentData
@@ -66,14 +59,13 @@ public unsafe struct EntityCommandBuffer : IDisposable
 
     public void Dispose()
     {
-        if (m_recorded.IsDisposed)
-            return;
-        m_recorded.IsDisposed = true;
         foreach (var buffer in m_recorded.Buffers)
         {
             UnsafeUtility.Free(((BufferStore*)buffer)->Elements, Allocator.Persistent);
             UnsafeUtility.Free((void*)buffer, Allocator.Persistent);
         }
+        m_recorded.Buffers.Clear();
+        m_recorded.IsPlayed = true;
     }
 
     Entity Promise(Func<EntityManager, Entity> make)
@@ -85,7 +77,7 @@ public unsafe struct EntityCommandBuffer : IDisposable
 
     void Record(Action<EntityManager> command)
     {
-        if (m_recorded == null || m_recorded.IsDisposed)
+        if (m_recorded == null)
             throw new NullReferenceException("The EntityCommandBuffer has not been initialized!");
         if (m_recorded.IsPlayed)
             throw new InvalidOperationException("The EntityCommandBuffer has already been played back and no further commands " +

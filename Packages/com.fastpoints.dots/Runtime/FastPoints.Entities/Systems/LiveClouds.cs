@@ -36,8 +36,6 @@ namespace FastPoints.Entities
         /// entity's own look is that of the shown state.</summary>
         public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
 
-        public bool IsShownAs(int number) => Succession != null && Succession.Cloud == number;
-
         /// <summary>Gives a source, in place of one that the stream has not taken.</summary>
         public void Give(NodeSource source, PointCloudLook? look, CloudStage stage)
         {
@@ -81,7 +79,7 @@ namespace FastPoints.Entities
         public Entity Showing(int number)
         {
             foreach (var (entity, live) in m_all)
-                if (live.IsShownAs(number))
+                if (live.Succession != null && live.Succession.Cloud == number)
                     return entity;
             return Entity.Null;
         }

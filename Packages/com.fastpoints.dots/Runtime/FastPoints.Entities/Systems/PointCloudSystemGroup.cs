@@ -118,14 +118,14 @@ namespace FastPoints.Entities
         /// <summary>The error of opening a <see cref="PointCloudFile"/>, in one line; null if there was none.</summary>
         public string ErrorOf(Entity cloud) => Live.Find(cloud)?.Error;
 
-        /// <summary>Gives an entity with a <see cref="PointCloudPlacement"/> the source that it is streamed from; the stream takes
-        /// it over in the next frame. If there is one already, the new source is a newer state of the same cloud and replaces it
-        /// when it is ready. Copies of the entity do not have it.</summary>
+        /// <summary>Gives an entity with a <see cref="PointCloudPlacement"/> the source that it is streamed from; the stream
+        /// takes it over in the next frame. If there is one already, the new source is a newer state of the same cloud and
+        /// replaces it when it is ready. Copies of the entity do not have it.</summary>
         /// <param name="source">It is disposed with the entity or the world.</param>
         /// <param name="look">What becomes the entity's <see cref="PointCloudLook"/> when the source is shown; null keeps the
         /// current one.</param>
-        public void SetSource(Entity cloud, NodeSource source, PointCloudLook? look = null, CloudStage stage = CloudStage.Whole) =>
-            Live.Of(cloud).Give(source, look, stage);
+        public void SetSource(Entity cloud, NodeSource source, PointCloudLook? look = null,
+            CloudStage stage = CloudStage.Whole) => Live.Of(cloud).Give(source, look, stage);
 
         protected override void OnCreate()
         {

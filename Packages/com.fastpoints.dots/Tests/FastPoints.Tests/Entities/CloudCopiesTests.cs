@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using FastPoints.Entities;
 using FastPoints.Points;
@@ -87,15 +88,7 @@ namespace FastPoints.Tests.Entities
 
         bool IsStreamed(Entity entity) => Entities.HasComponent<StreamedPointCloud>(entity);
 
-        int StreamedCount => m_group.Stream.Clouds.Count - CountOfFree();
-
-        int CountOfFree()
-        {
-            int free = 0;
-            foreach (var cloud in m_group.Stream.Clouds)
-                free += cloud == null || cloud.IsLeaving ? 1 : 0;
-            return free;
-        }
+        int StreamedCount => m_group.Stream.Clouds.Count(c => c != null && !c.IsLeaving);
 
         long PointsDrawn()
         {
@@ -282,7 +275,7 @@ namespace FastPoints.Tests.Entities
                 paths.WriteTo(Entities.AddBuffer<PointCloudPath>(entity));
                 return PointCloudPaths.Of(PointCloudPaths.BytesOf(Entities.GetBuffer<PointCloudPath>(entity, true)));
             }
-            string far = "/" + string.Join("/", System.Linq.Enumerable.Repeat("\u00e9\u6e2c\ud83d\udccd", 500));
+            string far = "/" + string.Join("/", Enumerable.Repeat("\u00e9\u6e2c\ud83d\udccd", 500));
             var kept = Kept(new PointCloudPaths { Path = far, ProjectPath = "p", ProjectSources = new[] { "a", far, "" } });
             Assert.That((kept.Path, kept.PlayerSource, kept.ProjectPath), Is.EqualTo((far, "", "p")));
             Assert.That(kept.ProjectSources, Is.EqualTo(new[] { "a", far, "" }));
