@@ -18,7 +18,7 @@ public unsafe struct EntityCommandBuffer : IDisposable
         public bool IsPlayed;
     }
 
-    public EntityCommandBuffer(AllocatorManager.AllocatorHandle label) => m_recorded = new Recorded();
+    public EntityCommandBuffer(AllocatorManager.AllocatorHandle allocator) => m_recorded = new Recorded();
 
     public Entity CreateEntity() => Promise(entities => entities.CreateEntity());
 
