@@ -195,8 +195,8 @@ public sealed class DropTests
         AssetDatabase.Refresh();
         var asset = m_project.Asset("Assets/scan.las");
         Assert.That(asset.ProjectSources,
-            Is.EqualTo(new[] { PointCloudFile.OfAsset + AssetDatabase.AssetPathToGUID("Assets/scan.las") }));
-        Assert.That(asset.File().FullSources(), Is.EqualTo(new[] { Path.GetFullPath("Assets/scan.las") }));
+            Is.EqualTo(new[] { PointCloudPaths.OfAsset + AssetDatabase.AssetPathToGUID("Assets/scan.las") }));
+        Assert.That(asset.Paths.FullSources(), Is.EqualTo(new[] { Path.GetFullPath("Assets/scan.las") }));
     }
 
     /// <summary>Other packages claim the same extensions; who claims one too loses it for both.</summary>

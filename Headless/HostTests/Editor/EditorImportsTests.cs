@@ -53,7 +53,7 @@ public sealed class EditorImportsTests : EditorFixture
         var asset = m_project.Imports.Take(folder, "Assets");
 
         Assert.That(asset.Points, Is.EqualTo(3000));
-        Assert.That(asset.File().FullPath, Is.EqualTo(folder));
+        Assert.That(asset.Paths.FullPath, Is.EqualTo(folder));
         Assert.That(asset.PlayerPath, Does.Match("^PointClouds/far-[0-9a-f]{8}\\.fastpoints$"));
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
     }
@@ -146,7 +146,7 @@ public sealed class EditorImportsTests : EditorFixture
         var asset = m_project.Asset("Assets/scan.las");
         Assert.That(ScriptedImports.Last.Errors, Is.Empty);
         Assert.That((asset.name, asset.Points), Is.EqualTo(("scan", 5000L)));
-        Assert.That(asset.File().FullPath, Does.Match("/project/PointClouds/[0-9a-f]{32}\\.fastpoints$"));
+        Assert.That(asset.Paths.FullPath, Does.Match("/project/PointClouds/[0-9a-f]{32}\\.fastpoints$"));
 
         m_project.UpdateToTheEnd();
         Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.las"), out var cloud),
@@ -227,7 +227,7 @@ public sealed class EditorImportsTests : EditorFixture
 
         Assert.That(m_logged, Is.Empty);
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
-        Assert.That(asset.File().FullSources().Single(), Does.EndWith("scan.copc.laz"));
+        Assert.That(asset.Paths.FullSources().Single(), Does.EndWith("scan.copc.laz"));
         Assert.That(asset.PlayerSource, Does.Match("^PointClouds/[0-9a-f]{8}/scan.copc.laz$"));
 
         FastPointsSettings.instance.ConvertOctrees = true;

@@ -107,8 +107,9 @@ public sealed class MeasureTests
             var asIs = new Measurement(from, to);
             Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.Z, m_folder.Manifest.MetresPerUnit)));
             Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
-            var file = m_world.EntityManager.GetComponentObject<PointCloudFile>(m_cloud.Entity);
+            var file = m_world.EntityManager.GetComponentData<PointCloudFile>(m_cloud.Entity);
             (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
+            m_world.EntityManager.SetComponentData(m_cloud.Entity, file);
 
             bool IsShown() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity);
             m_world.Update();

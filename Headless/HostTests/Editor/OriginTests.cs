@@ -118,7 +118,8 @@ public sealed class OriginTests : EditorFixture
         {
             var made = entities.CreateEntity();
             entities.AddComponentData(made, new Unity.Transforms.LocalToWorld { Value = float4x4.identity });
-            entities.AddComponentObject(made, new PointCloudFile { Path = folder });
+            entities.AddComponentData(made, new PointCloudFile());
+            new PointCloudPaths { Path = folder }.WriteTo(entities.AddBuffer<PointCloudPath>(made));
             return made;
         }
         var open = Add();
@@ -134,6 +135,10 @@ public sealed class OriginTests : EditorFixture
         Assert.That(math.length(PlacementOf(open).OriginWorld - (before - by)), Is.LessThan(1e-8));
         Assert.That(math.length(PlacementOf(late).OriginWorld - (before - by)), Is.LessThan(1e-8));
         Assert.That(PlacementOf(shown.Entity).OriginWorld, Is.EqualTo(kept), "a GameObject's is moved by its origin");
+
+        var copy = entities.Instantiate(shown.Entity);
+        ImportProject.Updates(Update, () => entities.HasComponent<StreamedPointCloud>(copy));
+        Assert.That(math.length(PlacementOf(copy).OriginWorld - (kept - by)), Is.LessThan(1e-8), "a copy is no GameObject's");
 
         var later = Add();
         ImportProject.Updates(Update, () => entities.HasComponent<StreamedPointCloud>(later));

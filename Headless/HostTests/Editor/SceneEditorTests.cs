@@ -66,8 +66,9 @@ public sealed class SceneEditorTests
         SceneLoop.Update();
 
         Assert.That(cloud.Entity, Is.Not.EqualTo(before));
-        var file = world.EntityManager.GetComponentObject<PointCloudFile>(cloud.Entity);
-        Assert.That(file.Path, Is.EqualTo(cloud.Path));
+        var file = world.EntityManager.GetComponentData<PointCloudFile>(cloud.Entity);
+        Assert.That(PointCloudPaths.Of(PointCloudPaths.BytesOf(world.EntityManager.GetBuffer<PointCloudPath>(cloud.Entity))).Path,
+            Is.EqualTo(cloud.Path));
         Assert.That((file.Color, file.Gradient), Is.EqualTo((cloud.Color, cloud.Gradient)));
         Assert.That(file.HiddenClasses, Is.EqualTo(ClassMask.Of(cloud.HiddenClasses)));
         var after = cloud.Entity;
@@ -93,7 +94,7 @@ public sealed class SceneEditorTests
         SceneLoop.Update();
 
         Assert.That(cloud.Entity, Is.Not.EqualTo(hiding));
-        Assert.That(world.EntityManager.GetComponentObject<PointCloudFile>(cloud.Entity).HiddenClasses.IsEmpty, Is.True);
+        Assert.That(world.EntityManager.GetComponentData<PointCloudFile>(cloud.Entity).HiddenClasses.IsEmpty, Is.True);
         Object.DestroyImmediate(scene);
     }
 

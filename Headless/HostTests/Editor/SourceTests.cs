@@ -10,7 +10,7 @@ public sealed class SourceTests : EditorFixture
         (GUILayout.Pressed, Event.current) = (null, null);
         EditorUtility.s_dialogs.Clear();
         FastPointsUserSettings.instance.SourceRoot = "";
-        PointCloudFile.SourceRoot = "";
+        PointCloudPaths.SourceRoot = "";
     }
 
     [Test]
@@ -48,7 +48,7 @@ public sealed class SourceTests : EditorFixture
         Directory.Move(m_project.Scratch["ann"], m_project.Scratch["ben"]);
         PointCloudImports.MoveRoot(m_project.Scratch["ben"]);
 
-        Assert.That(asset.File().FullSources(), Is.EqualTo(new[] { m_project.Scratch["ben/city/scan.las"] }));
+        Assert.That(asset.Paths.FullSources(), Is.EqualTo(new[] { m_project.Scratch["ben/city/scan.las"] }));
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => asset.Points == 2000);
     }
 
@@ -86,7 +86,7 @@ public sealed class SourceTests : EditorFixture
         var inspector = InspectorOf("Assets/a.pointcloud");
         Press(inspector, "Locate source...");
 
-        Assert.That(a.File().FullSources(), Is.EqualTo(new[] { m_project.Scratch["new/scans/a.las"] }));
+        Assert.That(a.Paths.FullSources(), Is.EqualTo(new[] { m_project.Scratch["new/scans/a.las"] }));
         Assert.That(AssetDatabase.AssetPathToGUID("Assets/a.pointcloud"), Is.EqualTo(guid));
         Assert.That(m_project.Asset("Assets/a.pointcloud"), Is.SameAs(a), "references stay");
         string Of(string asset) => m_project.Paths.Absolute(HandleFile.Read("Assets/" + asset + ".pointcloud").Sources[0]);

@@ -132,13 +132,13 @@ public sealed class TransferTests : EditorFixture
         AssetDatabase.Refresh();
         var asset = m_project.Asset("Assets/tile.las");
         string folder = AssetDatabase.AssetPathToGUID("Assets/tile.las") + ".fastpoints";
-        Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
+        Assert.That(asset.Paths.FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
         Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/" + folder));
 
         PointCloudImports.Move("Data/Clouds");
 
-        Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("Data/Clouds/" + folder)));
-        Assert.That(PointCloudImports.Paths.Absolute(asset.ProjectPath), Is.EqualTo(asset.File().FullPath));
+        Assert.That(asset.Paths.FullPath, Is.EqualTo(m_project.Paths.Absolute("Data/Clouds/" + folder)));
+        Assert.That(PointCloudImports.Paths.Absolute(asset.ProjectPath), Is.EqualTo(asset.Paths.FullPath));
         Assert.That(PointCloudImports.Current.HandleOf("Assets/tile.las").CloudPath, Is.EqualTo("Data/Clouds/" + folder));
     }
 

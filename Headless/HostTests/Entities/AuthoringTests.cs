@@ -210,15 +210,16 @@ public sealed class AuthoringTests
         UnityEngine.Object.DestroyImmediate(scene);
     }
 
-    /// <summary>Baked again in an open subscene: where a component differs, its entity gets a new one.</summary>
+    /// <summary>Baked again in an open subscene: where a component or a buffer differs, its entity gets the new
+    /// values.</summary>
     void BakeAgain(PointCloudAuthoring authoring, Entity entity)
     {
         var entities = m_world.EntityManager;
         var baked = Baking.Bake(new PointCloudBaker(), authoring, m_world);
-        var file = entities.GetComponentObject<PointCloudFile>(baked);
+        entities.SetComponentData(entity, entities.GetComponentData<PointCloudFile>(baked));
+        PointCloudPaths.Of(PointCloudPaths.BytesOf(entities.GetBuffer<PointCloudPath>(baked, true)))
+            .WriteTo(entities.GetBuffer<PointCloudPath>(entity));
         entities.DestroyEntity(baked);
-        entities.RemoveComponent<PointCloudFile>(entity);
-        entities.AddComponentObject(entity, file);
     }
 
     Entity BakedAndStreamed(PointCloudAuthoring authoring)
@@ -262,7 +263,7 @@ public sealed class AuthoringTests
         Changed("path", () => m_group.Stream.Clouds[Number()].Source.Path == other);
         authoring.Path = "nowhere";
         BakeAgain(authoring, entity);
-        Frames(() => entities.GetComponentObject<PointCloudFile>(entity).Error != null);
+        Frames(() => m_group.ErrorOf(entity) != null);
         Assert.That(IsStreamed(entity), Is.False);
         authoring.Path = m_cloud;
         Changed("what could not be opened", () => m_group.Stream.Clouds[Number()].Source.Path == m_cloud);

@@ -76,7 +76,7 @@ public abstract class PipelineFixture : GraphicsFixture
         var source = new FolderSource(Store.CloudFolder.Open(m_cloud), Store.StoreLayout.ColorName);
         Cloud = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
         Entities.SetComponentData(Cloud, new PointCloudPlacement { Value = placement });
-        Entities.AddComponentObject(Cloud, new PointCloudSource { Source = source });
+        Group.SetSource(Cloud, source);
         Scene.SetLook(0, CloudLooks.Of(plan.Colors, source));
         return plan;
     }

@@ -71,7 +71,7 @@ public sealed class ManualFactsTests
         var types = typeof(PointCloudSettings).Assembly.GetTypes().Concat(typeof(PointFileReaders).Assembly.GetTypes())
             .Where(t => t.IsPublic && !t.IsAbstract &&
             (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(IComponentData).IsAssignableFrom(t) ||
-                typeof(ICleanupComponentData).IsAssignableFrom(t)));
+                typeof(IBufferElementData).IsAssignableFrom(t)));
 
         Assert.That(named, Is.EquivalentTo(types.Select(t => t.Name)));
     }

@@ -15,11 +15,11 @@ public sealed class EntityTests
         public int Number;
     }
 
-    sealed class Owned : IComponentData, IDisposable
-    {
-        public bool IsDisposed;
+    sealed class Managed : IComponentData { }
 
-        public void Dispose() => IsDisposed = true;
+    struct Item : IBufferElementData
+    {
+        public long Value;
     }
 
     World m_world;
@@ -109,27 +109,68 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void ManagedComponent_ThatCanBeDisposed_IsWhenItGoes()
+    public void Instantiate_CleanupAndPrefab_AreNotOfTheCopyAndBuffersAreItsOwn()
     {
-        Owned Add(out Entity entity)
-        {
-            var owned = new Owned();
-            entity = Entities.CreateEntity();
-            Entities.AddComponentObject(entity, owned);
-            Entities.AddComponent<Burning>(entity);
-            Assert.That(Entities.GetComponentObject<Owned>(entity), Is.SameAs(owned));
-            Assert.That(owned.IsDisposed, Is.False);
-            return owned;
-        }
-        var destroyed = Add(out var first);
-        var removed = Add(out var second);
-        var left = Add(out _);
-        Entities.DestroyEntity(first);
-        Entities.RemoveComponent<Owned>(second);
-        Assert.That((destroyed.IsDisposed, removed.IsDisposed, left.IsDisposed), Is.EqualTo((true, true, false)));
-        m_world.Dispose();
-        Assert.That(left.IsDisposed, Is.True);
+        var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Prefab>());
+        Entities.AddComponentData(entity, new Grave { Number = 7 });
+        Entities.AddBuffer<Item>(entity).Add(new Item { Value = 5 });
+        var copy = Entities.Instantiate(entity);
+        Assert.That(Entities.HasComponent<Grave>(copy) || Entities.HasComponent<Prefab>(copy), Is.False);
+        var items = Entities.GetBuffer<Item>(copy);
+        items[0] = new Item { Value = 6 };
+        for (int i = 0; i < 100; i++)
+            items.Add(new Item { Value = i });
+        Assert.That((Entities.GetBuffer<Item>(entity)[0].Value, Entities.GetBuffer<Item>(entity).Length), Is.EqualTo((5, 1)));
+        Entities.AddComponent<Burning>(copy);
+        Assert.That((Entities.GetBuffer<Item>(copy)[0].Value, Entities.GetBuffer<Item>(copy)[100].Value), Is.EqualTo((6, 99)));
+        Assert.That(Entities.AddBuffer<Item>(copy).Length, Is.EqualTo(101), "it is there already");
+        using var other = new World("other");
+        using var copies = new NativeArray<Entity>(1, Allocator.Temp);
+        using var sources = new NativeArray<Entity>(new[] { entity }, Allocator.Temp);
+        other.EntityManager.CopyEntitiesFrom(Entities, sources, copies);
+        Assert.That(other.EntityManager.GetBuffer<Item>(copies[0])[0].Value, Is.EqualTo(5));
+        Assert.That(other.EntityManager.HasComponent<Prefab>(copies[0]), Is.True);
+        Assert.That(other.EntityManager.HasComponent<Grave>(copies[0]), Is.False);
     }
+
+    [Test]
+    public void LinkedEntities_AreInstantiatedAndDestroyedWithTheirs()
+    {
+        Entity root = Entities.CreateEntity(), child = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+        var group = Entities.AddBuffer<LinkedEntityGroup>(root);
+        group.Add(new LinkedEntityGroup { Value = root });
+        group.Add(new LinkedEntityGroup { Value = child });
+        var copy = Entities.Instantiate(root);
+        var copied = Entities.GetBuffer<LinkedEntityGroup>(copy)[1].Value;
+        Assert.That(Entities.GetBuffer<LinkedEntityGroup>(copy)[0].Value, Is.EqualTo(copy));
+        Assert.That(copied, Is.Not.EqualTo(child));
+        Entities.DestroyEntity(root);
+        Assert.That((Entities.Exists(child), Entities.HasComponent<Health>(copied)), Is.EqualTo((false, true)));
+    }
+
+    [Test]
+    public void CommandBuffer_PlayedBack_DoesInOrderWhatWasAsked()
+    {
+        var commands = new EntityCommandBuffer(Allocator.Temp);
+        var made = commands.CreateEntity();
+        commands.AddComponent(made, new Health { Value = 3 });
+        commands.AddBuffer<Item>(made).Add(new Item { Value = 9 });
+        commands.Instantiate(commands.Instantiate(made));
+        using var query = Entities.CreateEntityQuery(ComponentType.ReadOnly<Health>(), ComponentType.ReadOnly<Item>());
+        Assert.That(Count(query), Is.Zero);
+        commands.Playback(Entities);
+        Assert.That(Count(query), Is.EqualTo(3));
+        using var all = query.ToEntityArray(Allocator.Temp);
+        Assert.That(Entities.GetBuffer<Item>(all[2])[0].Value, Is.EqualTo(9));
+        Assert.That(() => commands.Playback(Entities), Throws.InvalidOperationException);
+        Assert.That(() => commands.CreateEntity(), Throws.InvalidOperationException);
+        commands.Dispose();
+    }
+
+    /// <summary>As Entities does where UNITY_DISABLE_MANAGED_COMPONENTS is defined, and from 6.7 on.</summary>
+    [Test]
+    public void ManagedComponent_IsRefused() =>
+        Assert.That(() => Entities.CreateEntity(new ComponentType(typeof(Managed))), Throws.ArgumentException);
 
     /// <summary>Planted violations: what Unity refuses.</summary>
     [Test]
@@ -145,6 +186,11 @@ public sealed class EntityTests
         Entities.AddComponent<Burning>(bare);
         Assert.That(() => Entities.GetComponentData<Burning>(bare), Throws.ArgumentException.With.Message.Contains("zero sized"));
         Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
+        var items = Entities.AddBuffer<Item>(bare);
+        Assert.That(() => items[0], Throws.InstanceOf<IndexOutOfRangeException>());
+        Assert.That(() => Entities.GetBuffer<Item>(bare, true).Add(default), Throws.InvalidOperationException);
+        Entities.CreateEntity();
+        Assert.That(() => items.Length, Throws.InstanceOf<ObjectDisposedException>(), "a structural change");
         Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
         var manager = Entities;
         m_world.Dispose();

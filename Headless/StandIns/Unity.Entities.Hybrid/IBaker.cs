@@ -47,10 +47,10 @@ public abstract class IBaker
         Entities.AddComponentData(entity, component);
     }
 
-    public void AddComponentObject<T>(Entity entity, T component) where T : class
+    public DynamicBuffer<T> AddBuffer<T>(Entity entity) where T : unmanaged, IBufferElementData
     {
         Track<T>(entity);
-        Entities.AddComponentObject(entity, component);
+        return Entities.AddBuffer<T>(entity);
     }
 
     void Track<T>(Entity entity)

@@ -35,15 +35,57 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     public void Instantiate(Entity srcEntity, NativeArray<Entity> outputEntities)
     {
         for (int i = 0; i < outputEntities.Length; i++)
-            outputEntities[i] = Store.Copy(srcEntity, TypeRegistry.Of<Prefab>.Index.Value);
+            outputEntities[i] = Instantiate(srcEntity);
     }
 
-    public void DestroyEntity(Entity entity) => Store.Destroy(entity);
+    /// <summary>What is linked to it, too. Of components that name entities, the copies of groups alone name copies.</summary>
+    public Entity Instantiate(Entity srcEntity)
+    {
+        var store = Store;
+        var copies = Array.ConvertAll(Linked(srcEntity), e => store.Copy(store, e, TypeRegistry.Of<Prefab>.Index.Value));
+        if (HasComponent<LinkedEntityGroup>(copies[0]))
+            for (int i = 0; i < copies.Length; i++)
+            {
+                var group = GetBuffer<LinkedEntityGroup>(copies[0]);
+                group[i] = new LinkedEntityGroup { Value = copies[i] };
+            }
+        return copies[0];
+    }
+
+    /// <summary>Copies with all their values, cleanup components excepted.</summary>
+    public void CopyEntitiesFrom(EntityManager srcEntityManager, NativeArray<Entity> srcEntities,
+        NativeArray<Entity> outputEntities = default)
+    {
+        for (int i = 0; i < srcEntities.Length; i++)
+        {
+            var copy = Store.Copy(srcEntityManager.Store, srcEntities[i]);
+            if (outputEntities.IsCreated)
+                outputEntities[i] = copy;
+        }
+    }
+
+    /// <summary>What is linked to it, too.</summary>
+    public void DestroyEntity(Entity entity)
+    {
+        foreach (var linked in Linked(entity))
+            Store.Destroy(linked);
+    }
+
+    Entity[] Linked(Entity entity)
+    {
+        if (!HasComponent<LinkedEntityGroup>(entity))
+            return new[] { entity };
+        var group = GetBuffer<LinkedEntityGroup>(entity, true);
+        var linked = new Entity[group.Length];
+        for (int i = 0; i < linked.Length; i++)
+            linked[i] = group[i].Value;
+        return linked;
+    }
 
     public void DestroyEntity(NativeArray<Entity> entities)
     {
         for (int i = 0; i < entities.Length; i++)
-            Store.Destroy(entities[i]);
+            DestroyEntity(entities[i]);
     }
 
     public void DestroyEntity(EntityQuery entityQuery)
@@ -63,13 +105,17 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
         return isNew;
     }
 
-    public void AddComponentObject(Entity entity, object componentData)
+    /// <summary>One that is there already keeps what it has.</summary>
+    public DynamicBuffer<T> AddBuffer<T>(Entity entity) where T : unmanaged, IBufferElementData
     {
-        if (componentData == null)
-            throw new ArgumentNullException(nameof(componentData));
-        int type = TypeRegistry.IndexOf(componentData.GetType()).Value;
-        Store.Add(entity, type);
-        Store.Column(entity, type, out int row).SetObject(row, componentData);
+        AddComponent<T>(entity);
+        return GetBuffer<T>(entity);
+    }
+
+    public DynamicBuffer<T> GetBuffer<T>(Entity entity, bool isReadOnly = false) where T : unmanaged, IBufferElementData
+    {
+        var column = Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row);
+        return new DynamicBuffer<T>((BufferStore*)column.At(row), Store, isReadOnly);
     }
 
     public bool RemoveComponent<T>(Entity entity) => Store.Remove(entity, TypeRegistry.Of<T>.Index.Value);
@@ -94,9 +140,6 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
         CheckHasData(column);
         UnsafeUtility.WriteArrayElement(column.At(row), 0, componentData);
     }
-
-    public T GetComponentObject<T>(Entity entity) =>
-        (T)Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).ObjectAt(row);
 
     public bool IsComponentEnabled<T>(Entity entity) where T : unmanaged, IEnableableComponent =>
         Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row).IsEnabled(row);

@@ -62,7 +62,7 @@ sealed class Archetype : IDisposable
         foreach (var column in m_columns)
         {
             if (row != last)
-                column.Copy(last, column, row);
+                column.Move(last, column, row);
             column.Reset(last);
         }
         return moved;
@@ -73,7 +73,7 @@ sealed class Archetype : IDisposable
         foreach (var column in m_columns)
         {
             for (int row = 0; row < Count; row++)
-                column.DisposeObject(row);
+                column.Free(row);
             column.Dispose();
         }
     }

@@ -6,7 +6,6 @@ namespace StandIns.Entities;
 /// <summary>One component of all entities of an archetype, row by row.</summary>
 sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
 {
-    object[] m_objects;
     byte* m_bytes;
     byte* m_enabled;
 
@@ -14,23 +13,12 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
     public ComponentInfo Info { get; } = TypeRegistry.InfoOf(typeIndex);
 
     public void* At(int row) => m_bytes + (long)row * Info.SizeBytes;
-    public object ObjectAt(int row) => m_objects[row];
-    public void SetObject(int row, object value) => m_objects[row] = value;
-
-    /// <summary>As Unity does with managed components that can be disposed, when they are removed.</summary>
-    public void DisposeObject(int row)
-    {
-        if (Info.IsManaged && m_objects[row] is IDisposable owned)
-            owned.Dispose();
-    }
 
     public bool IsEnabled(int row) => !Info.IsEnableable || m_enabled[row] != 0;
     public void SetEnabled(int row, bool value) => m_enabled[row] = value ? (byte)1 : (byte)0;
 
     public void Grow(int count, int capacity)
     {
-        if (Info.IsManaged)
-            Array.Resize(ref m_objects, capacity);
         m_bytes = Grow(m_bytes, (long)count * Info.SizeBytes, (long)capacity * Info.SizeBytes);
         m_enabled = Grow(m_enabled, Info.IsEnableable ? count : 0, Info.IsEnableable ? capacity : 0);
     }
@@ -38,20 +26,36 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
     /// <summary>As a component is when it is added: zeros, and enabled.</summary>
     public void Reset(int row)
     {
-        if (Info.IsManaged)
-            m_objects[row] = null;
         UnsafeUtility.MemClear(At(row), Info.SizeBytes);
         if (Info.IsEnableable)
             m_enabled[row] = 1;
     }
 
-    public void Copy(int row, ComponentColumn to, int toRow)
+    /// <summary>What a buffer has moves along: one of the two rows is then reset.</summary>
+    public void Move(int row, ComponentColumn to, int toRow)
     {
-        if (Info.IsManaged)
-            to.m_objects[toRow] = m_objects[row];
         UnsafeUtility.MemCpy(to.At(toRow), At(row), Info.SizeBytes);
         if (Info.IsEnableable)
             to.m_enabled[toRow] = m_enabled[row];
+    }
+
+    /// <summary>A buffer's copy has elements of its own.</summary>
+    public void Copy(int row, ComponentColumn to, int toRow)
+    {
+        Move(row, to, toRow);
+        if (!Info.IsBuffer)
+            return;
+        var copied = (BufferStore*)At(row);
+        var copy = (BufferStore*)to.At(toRow);
+        *copy = default;
+        copy->Resize(copied->Length, Info.ElementBytes);
+        UnsafeUtility.MemCpy(copy->Elements, copied->Elements, (long)copied->Length * Info.ElementBytes);
+    }
+
+    public void Free(int row)
+    {
+        if (Info.IsBuffer)
+            UnsafeUtility.Free(((BufferStore*)At(row))->Elements, Allocator.Persistent);
     }
 
     public void Dispose()
@@ -71,5 +75,26 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
             UnsafeUtility.MemCpy(grown, bytes, used);
         UnsafeUtility.Free(bytes, Allocator.Persistent);
         return grown;
+    }
+}
+
+/// <summary>The elements of one entity's buffer.</summary>
+unsafe struct BufferStore
+{
+    public byte* Elements;
+    public int Length;
+    int m_capacity;
+
+    public void Resize(int length, int elementBytes)
+    {
+        if (length > m_capacity)
+        {
+            m_capacity = Math.Max(length, 2 * m_capacity);
+            byte* grown = (byte*)UnsafeUtility.Malloc((long)m_capacity * elementBytes, 16, Allocator.Persistent);
+            UnsafeUtility.MemCpy(grown, Elements, (long)Length * elementBytes);
+            UnsafeUtility.Free(Elements, Allocator.Persistent);
+            Elements = grown;
+        }
+        Length = length;
     }
 }

@@ -11,19 +11,23 @@ sealed class ComponentInfo
     public ComponentInfo(Type type)
     {
         Type = type;
-        IsManaged = type.IsClass;
-        if (!typeof(IComponentData).IsAssignableFrom(type) && !IsManaged)
-            throw new ArgumentException("All ComponentType must be known at compile time: " + type + " is no IComponentData");
+        IsBuffer = typeof(IBufferElementData).IsAssignableFrom(type);
+        // Entities 6.7 has no managed components any more.
+        if (!type.IsValueType || !typeof(IComponentData).IsAssignableFrom(type) && !IsBuffer)
+            throw new ArgumentException("All ComponentType must be known at compile time: " + type + " is no struct that is an " +
+                "IComponentData or IBufferElementData");
         IsEnableable = typeof(IEnableableComponent).IsAssignableFrom(type);
         IsCleanup = typeof(ICleanupComponentData).IsAssignableFrom(type);
         // A struct without fields is a tag: it takes no memory.
         bool isTag = type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).Length == 0;
-        SizeBytes = IsManaged || isTag ? 0 : (int)s_sizeOf.MakeGenericMethod(type).Invoke(null, null);
+        ElementBytes = isTag ? 0 : (int)s_sizeOf.MakeGenericMethod(type).Invoke(null, null);
+        SizeBytes = IsBuffer ? UnsafeUtility.SizeOf<BufferStore>() : ElementBytes;
     }
 
     public Type Type { get; }
-    public bool IsManaged { get; }
+    public bool IsBuffer { get; }
     public bool IsEnableable { get; }
     public bool IsCleanup { get; }
     public int SizeBytes { get; }
+    public int ElementBytes { get; }
 }

@@ -62,10 +62,11 @@ sealed class EntityStore : IDisposable
         return entity;
     }
 
+    /// <param name="store">That of the entity.</param>
     /// <param name="left">The component that the copy does not have; cleanup components it never has.</param>
-    public Entity Copy(Entity source, int left)
+    public Entity Copy(EntityStore store, Entity source, int left = -1)
     {
-        var from = Find(source);
+        var from = store.Find(source);
         Span<int> types = stackalloc int[from.Archetype.Types.Length];
         int count = 0;
         foreach (var column in from.Archetype.Columns)
@@ -172,9 +173,9 @@ sealed class EntityStore : IDisposable
         foreach (var column in from.Archetype.Columns)
         {
             if (to.Find(column.TypeIndex) is ComponentColumn kept)
-                column.Copy(from.Row, kept, row);
+                column.Move(from.Row, kept, row);
             else
-                column.DisposeObject(from.Row);
+                column.Free(from.Row);
         }
         RemoveRow(from);
         m_places[entity.Index].Archetype = to;
@@ -186,7 +187,7 @@ sealed class EntityStore : IDisposable
         StructuralVersion++;
         ref var place = ref m_places[entity.Index];
         foreach (var column in place.Archetype.Columns)
-            column.DisposeObject(place.Row);
+            column.Free(place.Row);
         RemoveRow(place);
         place.Archetype = null;
         place.Version++;

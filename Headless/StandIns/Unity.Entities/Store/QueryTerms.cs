@@ -41,10 +41,10 @@ sealed class QueryTerms
     {
         if (!HasEach(archetype, All) || !HasEach(archetype, Disabled) || !HasEach(archetype, Present))
             return false;
-        if (Options != EntityQueryOptions.IncludeDisabledEntities && !All.Contains(s_disabled) &&
+        if ((Options & EntityQueryOptions.IncludeDisabledEntities) == 0 && !All.Contains(s_disabled) &&
             archetype.Find(s_disabled) != null)
             return false;
-        if (archetype.Find(s_prefab) != null && !All.Contains(s_prefab))
+        if ((Options & EntityQueryOptions.IncludePrefab) == 0 && archetype.Find(s_prefab) != null && !All.Contains(s_prefab))
             return false;
         foreach (int type in Absent)
             if (archetype.Find(type) != null)

@@ -52,7 +52,7 @@ namespace FastPoints.Editor
         {
             asset.ProjectPath = handle.CloudPath;
             asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
-            asset.ProjectSources = handle.Sources.ConvertAll(s => s == assetPath ? PointCloudFile.OfAsset + guid : s).ToArray();
+            asset.ProjectSources = handle.Sources.ConvertAll(s => s == assetPath ? PointCloudPaths.OfAsset + guid : s).ToArray();
             asset.PlayerSource = handle.IsOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
             var origin = OriginOf(handle);
             asset.HasOrigin = origin.HasValue;

@@ -81,8 +81,8 @@ namespace FastPoints.Editor
         /// <summary>Applies the project's settings to scenes.</summary>
         public void Apply()
         {
-            PointCloudFile.Place = Place;
-            PointCloudFile.SourceRoot = FastPointsUserSettings.Root;
+            PointCloudPaths.Place = Place;
+            PointCloudPaths.SourceRoot = FastPointsUserSettings.Root;
             PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
             EditorApplication.QueuePlayerLoopUpdate();
         }

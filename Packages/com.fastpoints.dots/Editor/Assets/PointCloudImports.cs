@@ -18,7 +18,7 @@ namespace FastPoints.Editor
             // Import workers load scripts as well, but the only queue is the editor's.
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
-            PointCloudFile.PathOfAsset = AssetDatabase.GUIDToAssetPath;
+            PointCloudPaths.PathOfAsset = AssetDatabase.GUIDToAssetPath;
             FastPointsSettings.instance.Apply();
             PointFileReaders.Register();
             EditorApplication.quitting += Suspend;

@@ -15,8 +15,8 @@ namespace FastPoints.Editor
         public static string Of(string cloudPath, string asset)
         {
             const string place = ProjectPaths.DefaultClouds + "/";
-            if (cloudPath.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal))
-                return place + cloudPath.Substring(PointCloudFile.InPlace.Length);
+            if (cloudPath.StartsWith(PointCloudPaths.InPlace, StringComparison.Ordinal))
+                return place + cloudPath.Substring(PointCloudPaths.InPlace.Length);
             if (cloudPath.StartsWith(place, StringComparison.Ordinal) && cloudPath.IndexOf('/', place.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));

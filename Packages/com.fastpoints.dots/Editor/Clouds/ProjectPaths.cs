@@ -22,7 +22,7 @@ namespace FastPoints.Editor
 
         /// <param name="project">The folder that has <c>Assets</c> in it.</param>
         /// <param name="clouds">Place of converted clouds: relative to the project, or absolute.</param>
-        /// <param name="sourceRoot">See <see cref="PointCloudFile.SourceRoot"/>.</param>
+        /// <param name="sourceRoot">See <see cref="PointCloudPaths.SourceRoot"/>.</param>
         public ProjectPaths(string project, string clouds = DefaultClouds, string sourceRoot = "")
         {
             m_sourceRoot = sourceRoot;
@@ -63,7 +63,7 @@ namespace FastPoints.Editor
         {
             string full = Absolute(path);
             string root = m_sourceRoot.Length == 0 ? null : Below(m_sourceRoot, full);
-            return (Below(Project, full) ?? (root == null ? StoredPlace(full) : PointCloudFile.InSources + root)).Replace(
+            return (Below(Project, full) ?? (root == null ? StoredPlace(full) : PointCloudPaths.InSources + root)).Replace(
                 Path.DirectorySeparatorChar, '/');
         }
 
@@ -81,17 +81,17 @@ namespace FastPoints.Editor
 
         /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
         /// stays the same when the file is renamed.</summary>
-        public static string OfAsset(string guid) => PointCloudFile.InPlace + guid + StoreFormat.FolderExtension;
+        public static string OfAsset(string guid) => PointCloudPaths.InPlace + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         /// <summary>The absolute path of a stored one.</summary>
         public string Absolute(string stored) =>
-            Path.GetFullPath(stored.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal)
-            ? Path.Combine(Clouds, stored.Substring(PointCloudFile.InPlace.Length))
-            : m_sourceRoot.Length > 0 && stored.StartsWith(PointCloudFile.InSources, StringComparison.Ordinal)
-            ? Path.Combine(m_sourceRoot, stored.Substring(PointCloudFile.InSources.Length))
+            Path.GetFullPath(stored.StartsWith(PointCloudPaths.InPlace, StringComparison.Ordinal)
+            ? Path.Combine(Clouds, stored.Substring(PointCloudPaths.InPlace.Length))
+            : m_sourceRoot.Length > 0 && stored.StartsWith(PointCloudPaths.InSources, StringComparison.Ordinal)
+            ? Path.Combine(m_sourceRoot, stored.Substring(PointCloudPaths.InSources.Length))
             : Path.Combine(Project, stored));
     }
 }

@@ -36,7 +36,7 @@ namespace FastPoints.Editor
                     if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
                         clouds.Add(path, folder, asset.PlayerPath);
                     else
-                        clouds.AddSource(path, asset.File().FullSources()[0], asset.PlayerSource, asset.Points);
+                        clouds.AddSource(path, asset.Paths.FullSources()[0], asset.PlayerSource, asset.Points);
                 }
             }
             catch (PointCloudException e)

@@ -6,7 +6,6 @@ using FastPoints.Entities;
 using FastPoints.Gpu;
 using FastPoints.Picking;
 using FastPoints.Rendering;
-using Unity.Collections;
 using Unity.Entities;
 using UnityEditor;
 using UnityEditor.SceneManagement;
@@ -46,15 +45,14 @@ namespace FastPoints.Editor
                 Event.current.type == EventType.DragPerform))
                 return null;
             var world = World.DefaultGameObjectInjectionWorld;
-            var stream = world != null && world.IsCreated
-                ? world.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stream : null;
-            if (stream == null)
+            var group = world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            if (group?.Stream == null)
                 return null;
             bool CanBePicked(GameObject cloud) => cloud != null && (layers & ~Tools.lockedLayers & 1 << cloud.layer) != 0 &&
                 (ignore == null || Array.IndexOf(ignore, cloud) < 0) && (filter == null || Array.IndexOf(filter, cloud) >= 0) &&
                 !SceneVisibilityManager.instance.IsPickingDisabled(cloud) &&
                 StageUtility.IsGameObjectRenderedByCameraAndPartOfEditableScene(cloud, camera);
-            var clouds = CloudsOf(world.EntityManager, CanBePicked);
+            var clouds = CloudsOf(group, CanBePicked);
             if (clouds.Count == 0)
                 return null;
             if (s_picker == null)
@@ -64,7 +62,7 @@ namespace FastPoints.Editor
                 EditorApplication.delayCall += Forget;
             }
             var ray = CameraViews.PickRayOf(camera, camera.ScreenPointToRay(position), Radius * EditorGUIUtility.pixelsPerPoint);
-            s_picker.Begin(stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
+            s_picker.Begin(group.Stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
             var waited = Stopwatch.StartNew();
             while (!s_picker.Update(MostMs) && waited.Elapsed.TotalMilliseconds < MostMs)
                 Thread.Yield();
@@ -79,22 +77,19 @@ namespace FastPoints.Editor
 
         /// <summary>GameObjects of clouds by the numbers that the stream has for their states, and classes that they
         /// hide.</summary>
-        static Dictionary<int, (GameObject Object, ClassMask Hidden)> CloudsOf(EntityManager entities,
+        static Dictionary<int, (GameObject Object, ClassMask Hidden)> CloudsOf(PointCloudSystemGroup group,
             Predicate<GameObject> canBePicked)
         {
             var clouds = new Dictionary<int, (GameObject Object, ClassMask Hidden)>();
-            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>()
-                .WithAll<PointCloudFile>().Build(entities))
-            using (var all = query.ToEntityArray(Allocator.Temp))
-                foreach (var entity in all)
-                {
-                    var file = entities.GetComponentObject<PointCloudFile>(entity);
-                    if (!canBePicked(file.GameObject))
-                        continue;
-                    var streamed = entities.GetComponentData<StreamedPointCloud>(entity);
-                    foreach (int number in new[] { streamed.Number, streamed.Beside, streamed.Next })
-                        clouds[number] = (file.GameObject, file.HiddenClasses);
-                }
+            var entities = group.World.EntityManager;
+            foreach (var (entity, live) in group.Live)
+            {
+                if (live.Succession == null || !entities.HasComponent<PointCloudFile>(entity) || !canBePicked(live.Object))
+                    continue;
+                var hidden = entities.GetComponentData<PointCloudFile>(entity).HiddenClasses;
+                foreach (int number in new[] { live.Succession.Cloud, live.Succession.Beside, live.Succession.Next })
+                    clouds[number] = (live.Object, hidden);
+            }
             return clouds;
         }
     }

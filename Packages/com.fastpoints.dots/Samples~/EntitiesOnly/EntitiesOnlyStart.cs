@@ -25,7 +25,8 @@ namespace FastPoints.Samples.EntitiesOnly
 
             m_cloud = entities.CreateEntity();
             entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
-            entities.AddComponentObject(m_cloud, Cloud.File());
+            entities.AddComponentData(m_cloud, Cloud.File());
+            Cloud.Paths.WriteTo(entities.AddBuffer<PointCloudPath>(m_cloud));
 
             m_budget = entities.CreateEntity();
             entities.AddComponentData(m_budget, new PointCloudBudget

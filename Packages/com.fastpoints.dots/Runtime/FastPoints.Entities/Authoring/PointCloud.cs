@@ -108,8 +108,7 @@ namespace FastPoints.Entities
         internal PointCloudOrigin Origin { get; private set; }
 
         /// <summary>The error of opening the cloud, in one line; null if there was none.</summary>
-        public string Error =>
-            m_entity.TryGet(out var entities) ? entities.GetComponentObject<PointCloudFile>(Entity).Error : null;
+        public string Error => m_entity.TryGet(out var entities) ? GroupOf(entities)?.ErrorOf(Entity) : null;
 
         /// <summary>The space in which the cloud is shown and that the transform moves.</summary>
         public bool TryGetSpace(out UnitySpace space)
@@ -122,10 +121,14 @@ namespace FastPoints.Entities
         /// <summary>Looks for newer data on disk. What is shown stays until that is ready.</summary>
         public void Refresh()
         {
-            if (m_entity.TryGet(out var entities))
-                entities.GetComponentObject<PointCloudFile>(Entity).LooksAgain = true;
-            else
+            if (!m_entity.TryGet(out var entities))
+            {
                 Reopen();
+                return;
+            }
+            var file = entities.GetComponentData<PointCloudFile>(Entity);
+            file.LooksAgain = true;
+            entities.SetComponentData(Entity, file);
         }
 
         /// <summary>Opens the cloud again from scratch: it may have to stream other planes.</summary>
@@ -175,7 +178,19 @@ namespace FastPoints.Entities
             {
                 entities.SetComponentData(Entity, TransformMatrix.Of(transform));
                 entities.SetComponentData(Entity, Layer);
+                TellWhoseItIs(entities);
             }
+        }
+
+        static PointCloudSystemGroup GroupOf(EntityManager entities) =>
+            entities.World.GetExistingSystemManaged<PointCloudSystemGroup>();
+
+        /// <summary>Not by a component: a copy of the entity is nobody's.</summary>
+        void TellWhoseItIs(EntityManager entities)
+        {
+            var group = GroupOf(entities);
+            if (group != null)
+                group.Live.Of(Entity).Object = gameObject;
         }
 
         PointCloudLayer Layer => new PointCloudLayer
@@ -196,11 +211,14 @@ namespace FastPoints.Entities
         /// <summary>Places the cloud, in double, when its origin has moved.</summary>
         internal void PlaceByOrigin()
         {
-            if (m_entity.TryGet(out var entities))
-                Place(entities.GetComponentObject<PointCloudFile>(Entity));
+            if (!m_entity.TryGet(out var entities))
+                return;
+            var file = entities.GetComponentData<PointCloudFile>(Entity);
+            Place(ref file);
+            entities.SetComponentData(Entity, file);
         }
 
-        void Place(PointCloudFile file)
+        void Place(ref PointCloudFile file)
         {
             if (Origin == null || !Origin.HasPlace)
                 return;
@@ -254,13 +272,15 @@ namespace FastPoints.Entities
                 return;
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));
             entities.AddComponentData(Entity, Layer);
-            var file = m_cloud != null ? m_cloud.File() : new PointCloudFile { Path = m_path };
+            var file = m_cloud != null ? m_cloud.File() : new PointCloudFile();
+            var paths = m_cloud != null ? m_cloud.Paths : new PointCloudPaths { Path = m_path };
             file.Color = m_color;
             file.Gradient = m_gradient;
             file.HiddenClasses = m_openedClasses;
-            file.GameObject = gameObject;
-            Place(file);
-            entities.AddComponentObject(Entity, file);
+            Place(ref file);
+            entities.AddComponentData(Entity, file);
+            paths.WriteTo(entities.AddBuffer<PointCloudPath>(Entity));
+            TellWhoseItIs(entities);
         }
     }
 

@@ -13,14 +13,14 @@ namespace FastPoints.Entities
     public sealed class PointCloudAsset : ScriptableObject
     {
         /// <summary>The folder in an editor: relative to the project with '/', absolute, or
-        /// <see cref="PointCloudFile.InPlace"/>.</summary>
+        /// <see cref="PointCloudPaths.InPlace"/>.</summary>
         public string ProjectPath;
 
         /// <summary>The folder below a player's streaming assets.</summary>
         public string PlayerPath;
 
         /// <summary>Files and folders that the cloud is made of, in an editor: relative to the project with '/', absolute, or
-        /// <see cref="PointCloudFile.OfAsset"/>. They are shown until there is a converted folder.</summary>
+        /// <see cref="PointCloudPaths.OfAsset"/>. They are shown until there is a converted folder.</summary>
         public string[] ProjectSources = new string[0];
 
         /// <summary>The source below a player's streaming assets if the cloud can be streamed without conversion; otherwise
@@ -53,13 +53,18 @@ namespace FastPoints.Entities
         /// <summary>The place that transforms move, georeferenced, in CRS units.</summary>
         public double3 Origin;
 
-        /// <summary>What an entity needs to stream the cloud.</summary>
-        public PointCloudFile File() => new PointCloudFile
+        /// <summary>Where an entity finds the cloud.</summary>
+        public PointCloudPaths Paths => new PointCloudPaths
         {
             Path = PlayerPath,
+            PlayerSource = PlayerSource,
             ProjectPath = ProjectPath,
             ProjectSources = ProjectSources,
-            PlayerSource = PlayerSource,
+        };
+
+        /// <summary>What an entity needs besides <see cref="Paths"/> to stream the cloud.</summary>
+        public PointCloudFile File() => new PointCloudFile
+        {
             HasOrigin = HasOrigin,
             OriginGeo = Origin,
             Up = Up,

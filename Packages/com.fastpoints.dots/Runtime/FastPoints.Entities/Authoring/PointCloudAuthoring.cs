@@ -38,13 +38,15 @@ namespace FastPoints.Entities
         {
             var entity = GetEntity(TransformUsageFlags.Dynamic);
             var cloud = DependsOn(authoring.Cloud);
-            var file = cloud != null ? cloud.File() : new PointCloudFile { Path = authoring.Path };
+            var file = cloud != null ? cloud.File() : new PointCloudFile();
+            var paths = cloud != null ? cloud.Paths : new PointCloudPaths { Path = authoring.Path };
             file.Color = authoring.Color;
             file.Gradient = authoring.Gradient;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
             if (TryGetPlace(out var place))
                 (file.HasOrigin, file.OriginGeo) = (true, place);
-            AddComponentObject(entity, file);
+            AddComponent(entity, file);
+            paths.WriteTo(AddBuffer<PointCloudPath>(entity));
             AddComponent(entity, new PointCloudLayer { Value = GetLayer() });
         }
 

@@ -3,7 +3,6 @@ using FastPoints.Gpu;
 using FastPoints.Picking;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using Unity.Collections;
 using Unity.Entities;
 using Unity.Mathematics;
 
@@ -49,19 +48,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The entity of a cloud's number in the stream; null if there is none.</summary>
-        public Entity EntityOf(int cloud)
-        {
-            var found = Entity.Null;
-            if (Group == null)
-                return found;
-            var entities = Group.World.EntityManager;
-            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().Build(entities))
-            using (var all = query.ToEntityArray(Allocator.Temp))
-                foreach (var entity in all)
-                    if (entities.GetComponentData<StreamedPointCloud>(entity).Number == cloud)
-                        found = entity;
-            return found;
-        }
+        public Entity EntityOf(int cloud) => Group?.Live.Showing(cloud) ?? Entity.Null;
 
         /// <summary>Where a picked point is now: its cloud may have been moved or reopened since.</summary>
         /// <param name="cloud">The cloud's entity when it was picked: see <see cref="EntityOf"/>.</param>
@@ -87,7 +74,7 @@ namespace FastPoints.Entities
             var entities = Group.World.EntityManager;
             if (!entities.HasComponent<PointCloudFile>(cloud))
                 return;
-            var file = entities.GetComponentObject<PointCloudFile>(cloud);
+            var file = entities.GetComponentData<PointCloudFile>(cloud);
             Pick.Up = file.Up;
             if (file.UnitMetres > 0)
                 Pick.MetresPerUnit = file.UnitMetres;

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
@@ -10,63 +11,63 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     internal partial class AddCloudsSystem : StreamSystem
     {
-        EntityQuery m_coming;
+        readonly List<Entity> m_gone = new List<Entity>();
         EntityQuery m_streamed;
-        EntityQuery m_leaving;
 
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_coming = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<PointCloudSource>()
-                .WithNone<StreamedPointCloud>().Build(this);
-            m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<StreamedPointCloud>()
-                .WithOptions(EntityQueryOptions.IncludeDisabledEntities).Build(this);
-            m_leaving = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().WithNone<PointCloudPlacement>()
-                .Build(this);
+            m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>()
+                .WithOptions(EntityQueryOptions.IncludeDisabledEntities | EntityQueryOptions.IncludePrefab).Build(this);
         }
 
         protected override void OnUpdate()
         {
-            if (!m_leaving.IsEmpty)
-                Remove();
-            if (!m_coming.IsEmpty)
-                Add();
-            using var entities = m_streamed.ToEntityArray(Allocator.Temp);
-            foreach (var entity in entities)
-                Follow(entity, EntityManager.GetComponentObject<PointCloudStates>(entity));
-        }
-
-        void Add()
-        {
-            using var entities = m_coming.ToEntityArray(Allocator.Temp);
-            foreach (var entity in entities)
+            int streamed = 0;
+            foreach (var (entity, live) in Group.Live)
             {
-                var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
-                if (source.Source == null)
-                    continue;
-                var states = new PointCloudStates { Succession = new CloudSuccession(Group.Stream) };
-                states.Succession.Add(source.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value,
-                    source.Stage);
-                source.Source = null;
-                EntityManager.AddComponentData(entity, StreamedOf(states));
-                EntityManager.AddComponentObject(entity, states);
-                SetLook(entity, source.Look);
+                bool isThere = EntityManager.HasComponent<PointCloudPlacement>(entity) &&
+                    !EntityManager.HasComponent<Prefab>(entity);
+                if (live.Succession != null && !(isThere && EntityManager.HasComponent<StreamedPointCloud>(entity)))
+                    Remove(entity, live);
+                else if (live.Source != null && isThere && live.Succession == null &&
+                    !EntityManager.HasComponent<Disabled>(entity))
+                    Add(entity, live);
+                if (live.Succession != null)
+                    Follow(entity, live);
+                else if (!EntityManager.Exists(entity))
+                    m_gone.Add(entity);
+                streamed += live.Succession != null ? 1 : 0;
             }
+            foreach (var entity in m_gone)
+                Group.Live.Remove(entity);
+            m_gone.Clear();
+            if (m_streamed.CalculateEntityCount() != streamed)
+                Disown();
         }
 
-        void Follow(Entity entity, PointCloudStates states)
+        void Add(Entity entity, LiveCloud live)
         {
-            var succession = states.Succession;
-            int shown = succession.Cloud;
-            if (EntityManager.HasComponent<PointCloudSource>(entity))
-                TakeNext(entity, EntityManager.GetComponentObject<PointCloudSource>(entity), states);
+            live.Succession = new CloudSuccession(Group.Stream);
+            live.Succession.Add(live.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value, live.Stage);
+            live.Source = null;
+            EntityManager.AddComponentData(entity, StreamedOf(live.Succession));
+            SetLook(entity, live.Look);
+        }
+
+        void Follow(Entity entity, LiveCloud live)
+        {
+            var succession = live.Succession;
+            int shown = EntityManager.GetComponentData<StreamedPointCloud>(entity).Number;
+            if (live.Source != null)
+                TakeNext(entity, live);
             succession.Update();
             if (succession.Cloud != shown)
-                Show(entity, states, shown);
+                Show(entity, live, shown);
             var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
             placement.SeenBy = SeenBy(entity);
             succession.Place(placement);
-            EntityManager.SetComponentData(entity, StreamedOf(states));
+            EntityManager.SetComponentData(entity, StreamedOf(succession));
         }
 
         CloudVisibility SeenBy(Entity entity)
@@ -81,31 +82,26 @@ namespace FastPoints.Entities
             return seen;
         }
 
-        void TakeNext(Entity entity, PointCloudSource source, PointCloudStates states)
+        void TakeNext(Entity entity, LiveCloud live)
         {
-            if (source.WithdrawsBuild)
-                states.Succession.Withdraw();
-            source.WithdrawsBuild = false;
-            if (source.Source == null)
-                return;
-            states.Succession.Add(source.Source, null, source.Stage);
-            source.Source = null;
-            if (source.Look.HasValue)
-                states.Looks[states.Succession.Next] = source.Look.Value;
+            live.Succession.Add(live.Source, null, live.Stage);
+            live.Source = null;
+            if (live.Look.HasValue)
+                live.Looks[live.Succession.Next] = live.Look.Value;
             else if (EntityManager.HasComponent<PointCloudLook>(entity))
-                states.Looks[states.Succession.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
+                live.Looks[live.Succession.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
         }
 
         /// <summary>Shows another state from now on.</summary>
         /// <param name="before">The state shown so far, which may stay beside the new one.</param>
-        void Show(Entity entity, PointCloudStates states, int before)
+        void Show(Entity entity, LiveCloud live, int before)
         {
-            int shown = states.Succession.Cloud;
-            if (states.Looks.TryGetValue(shown, out var look))
+            int shown = live.Succession.Cloud;
+            if (live.Looks.TryGetValue(shown, out var look))
             {
-                states.Looks.Remove(shown);
+                live.Looks.Remove(shown);
                 if (EntityManager.HasComponent<PointCloudLook>(entity))
-                    states.Looks[before] = EntityManager.GetComponentData<PointCloudLook>(entity);
+                    live.Looks[before] = EntityManager.GetComponentData<PointCloudLook>(entity);
                 SetLook(entity, look);
             }
             EntityManager.SetComponentData(entity, new PointCloudPlacement { Value = Group.Stream.Clouds[shown].Placement });
@@ -113,34 +109,34 @@ namespace FastPoints.Entities
 
         void SetLook(Entity entity, PointCloudLook? look)
         {
-            if (!look.HasValue)
-                return;
-            if (EntityManager.HasComponent<PointCloudLook>(entity))
-                EntityManager.SetComponentData(entity, look.Value);
-            else
+            if (look.HasValue)
                 EntityManager.AddComponentData(entity, look.Value);
         }
 
-        static StreamedPointCloud StreamedOf(PointCloudStates states) => new StreamedPointCloud
+        static StreamedPointCloud StreamedOf(CloudSuccession states) => new StreamedPointCloud
         {
-            Number = states.Succession.Cloud,
-            Beside = states.Succession.Beside,
-            Next = states.Succession.Next,
+            Number = states.Cloud,
+            Beside = states.Beside,
+            Next = states.Next,
         };
 
-        void Remove()
+        void Remove(Entity entity, LiveCloud live)
         {
-            using var entities = m_leaving.ToEntityArray(Allocator.Temp);
-            foreach (var entity in entities)
-            {
-                var leaving = EntityManager.GetComponentData<StreamedPointCloud>(entity);
-                Group.Stream.Remove(leaving.Number);
-                if (leaving.Beside != CloudSuccession.None)
-                    Group.Stream.Remove(leaving.Beside);
-                if (leaving.Next != CloudSuccession.None)
-                    Group.Stream.Remove(leaving.Next);
+            live.Succession.Remove();
+            live.Succession = null;
+            live.Looks.Clear();
+            // It may be gone without a trace, to another world.
+            if (EntityManager.HasComponent<StreamedPointCloud>(entity))
                 EntityManager.RemoveComponent<StreamedPointCloud>(entity);
-            }
+        }
+
+        /// <summary>Entities that came from another world or from a file do not stream what they streamed there.</summary>
+        void Disown()
+        {
+            using var entities = m_streamed.ToEntityArray(Allocator.Temp);
+            foreach (var entity in entities)
+                if (Group.Live.Find(entity)?.Succession == null)
+                    EntityManager.RemoveComponent<StreamedPointCloud>(entity);
         }
     }
 }

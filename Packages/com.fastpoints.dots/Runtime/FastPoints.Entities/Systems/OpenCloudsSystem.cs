@@ -20,15 +20,13 @@ namespace FastPoints.Entities
         /// <summary>Main-thread time in each frame for all previews together.</summary>
         const double BudgetMs = 2;
 
-        readonly Dictionary<Entity, OpenedCloud> m_opened = new Dictionary<Entity, OpenedCloud>();
         readonly List<OpenedCloud> m_leaving = new List<OpenedCloud>();
-        readonly List<Entity> m_ended = new List<Entity>();
         EntityQuery m_files;
 
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>());
+            m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>(), ComponentType.ReadOnly<PointCloudPath>());
         }
 
         protected override void OnUpdate()
@@ -36,8 +34,7 @@ namespace FastPoints.Entities
             Group.IsOpening = false;
             if (!m_files.IsEmpty)
                 Begin();
-            if (m_opened.Count > 0)
-                UpdateOpened();
+            UpdateOpened();
             for (int i = m_leaving.Count - 1; i >= 0; i--)
             {
                 if (!m_leaving[i].IsOpen)
@@ -49,11 +46,8 @@ namespace FastPoints.Entities
 
         protected override void OnDestroy()
         {
-            foreach (var opened in m_opened.Values)
-                opened.Dispose();
             foreach (var leaving in m_leaving)
                 leaving.Dispose();
-            m_opened.Clear();
             m_leaving.Clear();
             base.OnDestroy();
         }
@@ -63,52 +57,59 @@ namespace FastPoints.Entities
             using var entities = m_files.ToEntityArray(Allocator.Temp);
             foreach (var entity in entities)
             {
-                var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
-                bool isOpened = m_opened.TryGetValue(entity, out var opened), isSame = isOpened && opened.As.OpensLike(file);
-                if (isSame && (file.Error == null || !file.LooksAgain))
+                var file = EntityManager.GetComponentData<PointCloudFile>(entity);
+                var paths = PointCloudPaths.BytesOf(EntityManager.GetBuffer<PointCloudPath>(entity, true));
+                var live = Group.Live.Of(entity);
+                bool isOpened = live.Opened != null, isSame = isOpened && live.Opened.IsLike(file, paths);
+                if (isSame && (live.Error == null || !file.LooksAgain))
                 {
-                    Move(entity, file, opened);
+                    Move(entity, file, live.Opened);
                     continue;
                 }
                 if (isOpened)
-                    End(entity, opened, !isSame);
+                    End(entity, live, !isSame);
                 if (isOpened && !isSame)
                 {
                     // What is shown leaves in this frame, and the next one opens.
-                    file.Error = null;
+                    live.Error = null;
                     continue;
                 }
-                bool isNew = file.Error == null && !EntityManager.HasComponent<PointCloudSource>(entity);
-                if (string.IsNullOrEmpty(file.Path) || !isOpened && !isNew && !file.LooksAgain)
+                bool isNew = live.Error == null && live.Source == null && live.Succession == null;
+                if (paths.Length == 0 || paths[0] == 0 || !isOpened && !isNew && !file.LooksAgain)
                     continue;
-                file.Error = null;
-                file.LooksAgain = false;
-                opened = new OpenedCloud(file);
-                m_opened.Add(entity, opened);
-                Move(entity, file, opened);
+                live.Error = null;
+                live.Opened = new OpenedCloud(file, paths);
+                if (file.LooksAgain)
+                    Looked(entity, file);
+                Move(entity, file, live.Opened);
             }
         }
 
         /// <param name="hides">Whether what is shown of it goes.</param>
-        void End(Entity entity, OpenedCloud opened, bool hides)
+        void End(Entity entity, LiveCloud live, bool hides)
         {
-            m_leaving.Add(opened);
-            m_opened.Remove(entity);
+            m_leaving.Add(live.Opened);
+            live.Opened = null;
             if (!hides)
                 return;
+            live.DropSource();
             // Without a placement it leaves the stream.
             EntityManager.RemoveComponent<PointCloudPlacement>(entity);
-            EntityManager.RemoveComponent<PointCloudSource>(entity);
             EntityManager.RemoveComponent<PointCloudSpace>(entity);
-            EntityManager.RemoveComponent<PointCloudStates>(entity);
             EntityManager.RemoveComponent<PointCloudLook>(entity);
         }
 
+        void Looked(Entity entity, PointCloudFile file)
+        {
+            file.LooksAgain = false;
+            EntityManager.SetComponentData(entity, file);
+        }
+
         /// <summary>Follows the origin of a cloud, and of the world.</summary>
-        void Move(Entity entity, PointCloudFile file, OpenedCloud opened)
+        void Move(Entity entity, in PointCloudFile file, OpenedCloud opened)
         {
             double3 local = default;
-            if (file.GameObject == null && !opened.WorldShift.Equals(Group.Shift) &&
+            if (!opened.WorldShift.Equals(Group.Shift) && Group.Live.Of(entity).Object == null &&
                 EntityManager.HasComponent<LocalToWorld>(entity))
             {
                 var toWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
@@ -134,69 +135,58 @@ namespace FastPoints.Entities
 
         void UpdateOpened()
         {
-            m_ended.Clear();
-            double budgetMs = BudgetMs / m_opened.Count;
-            foreach (var opened in m_opened)
-                if (!TryUpdate(opened.Key, opened.Value, budgetMs))
-                    m_ended.Add(opened.Key);
-            foreach (var entity in m_ended)
-            {
-                m_leaving.Add(m_opened[entity]);
-                m_opened.Remove(entity);
-            }
+            int count = 0;
+            foreach (var (_, live) in Group.Live)
+                count += live.Opened != null ? 1 : 0;
+            foreach (var (entity, live) in Group.Live)
+                if (live.Opened != null && EntityManager.HasComponent<PointCloudFile>(entity) &&
+                    !EntityManager.HasComponent<Prefab>(entity))
+                    Update(entity, live, BudgetMs / count);
+                else if (live.Opened != null)
+                    End(entity, live, false);
         }
 
-        /// <returns>Whether the entity is there.</returns>
-        bool TryUpdate(Entity entity, OpenedCloud cloud, double budgetMs)
+        void Update(Entity entity, LiveCloud live, double budgetMs)
         {
-            if (!EntityManager.HasComponent<PointCloudFile>(entity))
-                return false;
-            var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
+            var file = EntityManager.GetComponentData<PointCloudFile>(entity);
+            var opened = live.Opened;
             try
             {
                 if (file.LooksAgain)
-                    cloud.Refresh();
-                file.LooksAgain = false;
-                cloud.Update(budgetMs);
-                if (cloud.Newest != null)
-                    Take(entity, cloud, file);
-                if (cloud.IsBuildGone && EntityManager.HasComponent<PointCloudSource>(entity))
-                    EntityManager.GetComponentObject<PointCloudSource>(entity).WithdrawsBuild = true;
-                Group.IsOpening |= !cloud.IsEnded;
-                return true;
+                {
+                    opened.Refresh();
+                    Looked(entity, file);
+                }
+                opened.Update(budgetMs);
+                if (opened.Newest != null)
+                    Take(entity, live, file);
+                if (opened.IsBuildGone)
+                    live.Succession?.Withdraw();
+                Group.IsOpening |= !opened.IsEnded;
             }
             catch (Exception e)
             {
                 // Any exception ends this cloud, but not the update of the others.
-                var failure = PointCloudException.Of(file.FullPath, e);
-                file.Error = failure.Message;
-                Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Story));
-                cloud.Dispose();
-                return true;
+                var failure = PointCloudException.Of(opened.Path, e);
+                live.Error = failure.Message;
+                Group.Stream.Report(new StreamFailure(opened.Path, -1, "cannot be opened: " + failure.Story));
+                opened.Dispose();
             }
         }
 
         /// <summary>Takes one state after the other: the next one only when the one before is shown.</summary>
-        void Take(Entity entity, OpenedCloud cloud, PointCloudFile file)
+        void Take(Entity entity, LiveCloud live, in PointCloudFile file)
         {
-            if (!EntityManager.HasComponent<PointCloudSource>(entity))
-            {
-                var facts = cloud.Newest;
-                var first = new PointCloudSource();
-                cloud.TakeInto(first, file);
-                Place(entity, facts, file, cloud.Shift);
-                EntityManager.AddComponentObject(entity, first);
+            if (live.Source != null || live.Succession != null && !live.Succession.IsCurrent)
                 return;
-            }
-            var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
-            bool isPending = source.Source != null || !EntityManager.HasComponent<StreamedPointCloud>(entity) ||
-                EntityManager.GetComponentData<StreamedPointCloud>(entity).Next != CloudSuccession.None;
-            if (!isPending)
-                cloud.TakeInto(source, file);
+            var facts = live.Opened.Newest;
+            live.Opened.TakeInto(live, file);
+            if (live.Succession == null)
+                Place(entity, facts, file, live.Opened.Shift);
         }
 
         /// <summary>Places all states where the first one stood, so that nothing moves when it is replaced.</summary>
-        void Place(Entity entity, CloudFacts facts, PointCloudFile file, double3 shift)
+        void Place(Entity entity, CloudFacts facts, in PointCloudFile file, double3 shift)
         {
             var space = UnitySpace.Of(facts.BoundsGeo, file.UnitMetres > 0 ? file.UnitMetres : facts.MetresPerUnit, file.Up);
             if (file.HasOrigin)

@@ -14,17 +14,24 @@ namespace FastPoints.Entities
         PoolWork<CloudFeed> m_opening;
         CloudFeed m_feed;
         DisplayRanges m_rangesWithoutStrays;
+        readonly byte[] m_paths;
 
-        public OpenedCloud(PointCloudFile file)
+        /// <param name="paths">What the entity's <see cref="PointCloudPath"/> has.</param>
+        public OpenedCloud(in PointCloudFile file, ReadOnlySpan<byte> paths)
         {
-            As = file.Copy();
-            string path = file.FullPath;
-            string[] sources = file.FullSources();
+            As = file;
+            m_paths = paths.ToArray();
+            var parsed = PointCloudPaths.Of(paths);
+            string path = Path = parsed.FullPath;
+            string[] sources = parsed.FullSources();
             m_opening = PoolWork.Begin(path, () => CloudFeeds.Open(path, sources));
         }
 
-        /// <summary>The component's values that are applied: users and live baking change them, or replace it.</summary>
-        public PointCloudFile As { get; }
+        /// <summary>The component's values that are applied: users and live baking change them.</summary>
+        public PointCloudFile As;
+
+        /// <summary>The absolute path.</summary>
+        public string Path { get; }
 
         /// <summary>What the world's shift that is applied, <see cref="WorldShift"/>, moves its origin by, in the space that its
         /// transform moves.</summary>
@@ -54,20 +61,23 @@ namespace FastPoints.Entities
             m_feed?.Update(budgetMs);
         }
 
+        /// <summary>Whether it was opened as this says, but for its place.</summary>
+        public bool IsLike(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
+            As.OpensLike(file) && paths.SequenceEqual(m_paths);
+
         public void Refresh() => m_feed?.Refresh();
 
         /// <summary>Makes a source of the newest state, with the planes that its colours need and no more.</summary>
         /// <exception cref="PointCloudException">The state cannot be streamed.</exception>
-        public void TakeInto(PointCloudSource source, PointCloudFile file)
+        public void TakeInto(LiveCloud live, in PointCloudFile file)
         {
             var facts = m_feed.Newest;
             var mode = facts.Ranges.Resolve(file.Color);
             var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
             var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).Along(file.Up),
                 taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
-            source.Source = taken;
-            source.Stage = facts.Stage;
-            source.Look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
+            var look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
+            live.Give(taken, look, facts.Stage);
         }
 
         /// <summary>Waits for headers being read and for slices that are running.</summary>

@@ -1,4 +1,3 @@
-using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
 using Unity.Mathematics;
@@ -19,7 +18,7 @@ namespace FastPoints.Entities
         {
             base.OnCreate();
             m_placed = new EntityQueryBuilder(Allocator.Temp).WithAll<LocalToWorld>().WithAll<PointCloudSpace>()
-                .WithAll<PointCloudSource>().WithAll<PointCloudPlacement>().Build(this);
+                .WithAll<PointCloudPlacement>().Build(this);
         }
 
         protected override void OnUpdate()
@@ -27,7 +26,8 @@ namespace FastPoints.Entities
             using var entities = m_placed.ToEntityArray(Allocator.Temp);
             foreach (var entity in entities)
             {
-                var source = SourceOf(entity);
+                var live = Group.Live.Find(entity);
+                var source = live?.Succession == null ? live?.Source : Group.Stream.Clouds[live.Succession.Cloud].Source;
                 if (source == null)
                     continue;
                 var localToWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
@@ -37,13 +37,6 @@ namespace FastPoints.Entities
                     Value = space.Place(source.Grid, source.Root, localToWorld),
                 });
             }
-        }
-
-        NodeSource SourceOf(Entity entity)
-        {
-            if (!EntityManager.HasComponent<StreamedPointCloud>(entity))
-                return EntityManager.GetComponentObject<PointCloudSource>(entity).Source;
-            return Group.Stream.Clouds[EntityManager.GetComponentData<StreamedPointCloud>(entity).Number]?.Source;
         }
     }
 }

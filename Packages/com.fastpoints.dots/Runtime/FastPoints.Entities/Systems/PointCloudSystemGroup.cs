@@ -83,6 +83,9 @@ namespace FastPoints.Entities
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
 
+        /// <summary>What belongs to clouds' entities and is no component.</summary>
+        internal readonly LiveClouds Live = new LiveClouds();
+
         /// <summary>Whether further states of clouds that are files are expected.</summary>
         internal bool IsOpening { get; set; }
 
@@ -112,6 +115,18 @@ namespace FastPoints.Entities
             Stream = new StreamContext(pool);
         }
 
+        /// <summary>The error of opening a <see cref="PointCloudFile"/>, in one line; null if there was none.</summary>
+        public string ErrorOf(Entity cloud) => Live.Find(cloud)?.Error;
+
+        /// <summary>Gives an entity with a <see cref="PointCloudPlacement"/> the source that it is streamed from; the stream
+        /// takes it over in the next frame. If there is one already, the new source is a newer state of the same cloud and
+        /// replaces it when it is ready. Copies of the entity do not have it.</summary>
+        /// <param name="source">It is disposed with the entity or the world.</param>
+        /// <param name="look">What becomes the entity's <see cref="PointCloudLook"/> when the source is shown; null keeps the
+        /// current one.</param>
+        public void SetSource(Entity cloud, NodeSource source, PointCloudLook? look = null,
+            CloudStage stage = CloudStage.Whole) => Live.Of(cloud).Give(source, look, stage);
+
         protected override void OnCreate()
         {
             base.OnCreate();
@@ -138,6 +153,7 @@ namespace FastPoints.Entities
         protected override void OnDestroy()
         {
             s_all.Remove(this);
+            Live.Dispose();
             Scene?.Dispose();
             Scene = null;
             Stream?.Dispose();

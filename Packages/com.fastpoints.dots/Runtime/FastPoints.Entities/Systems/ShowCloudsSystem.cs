@@ -41,10 +41,9 @@ namespace FastPoints.Entities
         /// <summary>Shows other states of a cloud that are drawn with it.</summary>
         void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud)
         {
-            if (cloud.Beside == CloudSuccession.None && cloud.Next == CloudSuccession.None ||
-                !EntityManager.HasComponent<PointCloudStates>(entity))
+            if (cloud.Beside == CloudSuccession.None && cloud.Next == CloudSuccession.None)
                 return;
-            var looks = EntityManager.GetComponentObject<PointCloudStates>(entity).Looks;
+            var looks = Group.Live.Of(entity).Looks;
             if (looks.TryGetValue(cloud.Beside, out var beside))
                 scene.SetLook(cloud.Beside, beside.Value);
             if (looks.TryGetValue(cloud.Next, out var next))

@@ -18,7 +18,6 @@ namespace FastPoints.Entities
         Entity m_prefab;
         int m_count;
         EntityQuery m_wanted;
-        EntityQuery m_clouds;
         NativeReference<int> m_first;
         NativeList<TrackedNode> m_tracked;
         NativeList<bool> m_isDrawn;
@@ -33,7 +32,6 @@ namespace FastPoints.Entities
             base.OnCreate();
             m_wanted = GetEntityQuery(ComponentType.ReadOnly<PointCloudNodesWanted>());
             m_first = new NativeReference<int>(Allocator.Persistent);
-            m_clouds = GetEntityQuery(ComponentType.ReadOnly<StreamedPointCloud>());
             m_tracked = new NativeList<TrackedNode>(1024, Allocator.Persistent);
             m_isDrawn = new NativeList<bool>(1024, Allocator.Persistent);
             m_gone = new NativeList<Entity>(MostChanges, Allocator.Persistent);
@@ -151,15 +149,15 @@ namespace FastPoints.Entities
             m_entityOfCloud.Clear();
             for (int c = 0; c < Group.Stream.Clouds.Count; c++)
                 m_entityOfCloud.Add(Entity.Null);
-            using var entities = m_clouds.ToEntityArray(Allocator.Temp);
-            foreach (var entity in entities)
+            foreach (var (entity, live) in Group.Live)
             {
-                var streamed = EntityManager.GetComponentData<StreamedPointCloud>(entity);
-                m_entityOfCloud[streamed.Number] = entity;
-                if (streamed.Beside != CloudSuccession.None)
-                    m_entityOfCloud[streamed.Beside] = entity;
-                if (streamed.Next != CloudSuccession.None)
-                    m_entityOfCloud[streamed.Next] = entity;
+                if (live.Succession == null)
+                    continue;
+                m_entityOfCloud[live.Succession.Cloud] = entity;
+                if (live.Succession.Beside != CloudSuccession.None)
+                    m_entityOfCloud[live.Succession.Beside] = entity;
+                if (live.Succession.Next != CloudSuccession.None)
+                    m_entityOfCloud[live.Succession.Next] = entity;
             }
         }
     }

@@ -116,6 +116,15 @@ namespace FastPoints.Streaming
             return true;
         }
 
+        /// <summary>Removes all states from the stream.</summary>
+        internal void Remove()
+        {
+            Remove(Cloud);
+            Remove(Beside);
+            Remove(Next);
+            Cloud = Beside = Next = None;
+        }
+
         void Remove(int cloud)
         {
             if (cloud != None)

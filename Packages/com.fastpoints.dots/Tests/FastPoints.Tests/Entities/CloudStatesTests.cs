@@ -52,15 +52,16 @@ namespace FastPoints.Tests.Entities
             CloudFeeds.Register(null);
         }
 
-        void Add(PointCloudFile file)
+        void Add(PointCloudPaths paths)
         {
             m_cloud = Entities.CreateEntity();
-            Entities.AddComponentObject(m_cloud, file);
+            Entities.AddComponentData(m_cloud, new PointCloudFile());
+            paths.WriteTo(Entities.AddBuffer<PointCloudPath>(m_cloud));
             Entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
         }
 
-        static PointCloudFile FileOf(GrowingCloud cloud) =>
-            new PointCloudFile { Path = cloud.Folder, PlayerSource = cloud.Source };
+        static PointCloudPaths PathsOf(GrowingCloud cloud) =>
+            new PointCloudPaths { Path = cloud.Folder, PlayerSource = cloud.Source };
 
         FrameStats Frame()
         {
@@ -81,13 +82,15 @@ namespace FastPoints.Tests.Entities
             Assert.That(isDone(), Is.True, "nothing came of it");
         }
 
+        string Error => m_group.ErrorOf(m_cloud);
+
         bool IsStreamed => Entities.HasComponent<StreamedPointCloud>(m_cloud);
 
         [Test]
         public void File_NotConvertedYet_IsShownFromThePreviewToTheWholeAndNeverMovesNorThinsOut()
         {
             using var cloud = new GrowingCloud();
-            Add(FileOf(cloud));
+            Add(PathsOf(cloud));
             Frames(() => m_group.Stats.DrawnPoints > 0);
             var space = Entities.GetComponentData<PointCloudSpace>(m_cloud).Value;
             Assert.That(cloud.IsBuilt, Is.False);
@@ -126,12 +129,11 @@ namespace FastPoints.Tests.Entities
             try
             {
                 CloudFeeds.Register(_ => throw new InvalidOperationException("planted"));
-                var file = new PointCloudFile { Path = path };
-                Add(file);
-                Frames(() => file.Error != null);
-                Assert.That(file.Error, Is.EqualTo(path + ": InvalidOperationException: planted"));
+                Add(new PointCloudPaths { Path = path });
+                Frames(() => Error != null);
+                Assert.That(Error, Is.EqualTo(path + ": InvalidOperationException: planted"));
                 Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.True);
-                Assert.That(failure.What, Does.Contain(file.Error).And.Contains(nameof(CloudStatesTests)),
+                Assert.That(failure.What, Does.Contain(Error).And.Contains(nameof(CloudStatesTests)),
                     "and where it was thrown");
                 for (int frame = 0; frame < 5; frame++)
                     Frame();
@@ -148,7 +150,7 @@ namespace FastPoints.Tests.Entities
         public void File_BuildBrokenOff_GoesOnShowingThePreview()
         {
             using var cloud = new GrowingCloud();
-            Add(FileOf(cloud));
+            Add(PathsOf(cloud));
             Frames(() => m_group.Stats.DrawnPoints > 0);
             while (!File.Exists(cloud.Manifest))
                 cloud.Build();
@@ -165,10 +167,10 @@ namespace FastPoints.Tests.Entities
         {
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
-            Add(new PointCloudFile { Path = cloud.Path });
+            Add(new PointCloudPaths { Path = cloud.Path });
             Frames(() => m_group.Stats.DrawnPoints > 0);
             Assert.That(m_group.Stream.Clouds[Streamed.Number].Source, Is.TypeOf<TreeSource>());
-            Assert.That(Entities.GetComponentObject<PointCloudFile>(m_cloud).Error, Is.Null);
+            Assert.That(Error, Is.Null);
             m_world.Dispose();
         }
 
@@ -178,13 +180,13 @@ namespace FastPoints.Tests.Entities
             using var cloud = new StreamedTestCloud(20_000, 8000);
             string away = cloud.Path + ".away";
             Directory.Move(cloud.Path, away);
-            Add(new PointCloudFile { Path = cloud.Path });
-            var file = Entities.GetComponentObject<PointCloudFile>(m_cloud);
-            Frames(() => file.Error != null);
+            Add(new PointCloudPaths { Path = cloud.Path });
+            Frames(() => Error != null);
             Directory.Move(away, cloud.Path);
-            file.LooksAgain = true;
+            Entities.SetComponentData(m_cloud, new PointCloudFile { LooksAgain = true });
             Frames(() => IsStreamed);
-            Assert.That(file.Error, Is.Null);
+            Assert.That(Error, Is.Null);
+            Assert.That(Entities.GetComponentData<PointCloudFile>(m_cloud).LooksAgain, Is.False);
             m_world.Dispose();
         }
 
@@ -196,7 +198,7 @@ namespace FastPoints.Tests.Entities
             {
                 for (int frames = 1; frames < 60; frames += 7)
                 {
-                    Add(FileOf(cloud));
+                    Add(PathsOf(cloud));
                     for (int i = 0; i < frames; i++)
                         Frame();
                     Entities.DestroyEntity(m_cloud);
@@ -219,7 +221,7 @@ namespace FastPoints.Tests.Entities
             for (int frames = 0; frames < 60; frames += 7)
             {
                 MakeWorld();
-                Add(FileOf(cloud));
+                Add(PathsOf(cloud));
                 for (int i = 0; i < frames; i++)
                     Frame();
                 m_world.Dispose();

@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Entities
             var source = m_cloud.Open();
             var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
             Entities.SetComponentData(entity, new PointCloudPlacement { Value = StreamedTestCloud.Geo(source) });
-            Entities.AddComponentObject(entity, new PointCloudSource { Source = source });
+            m_group.SetSource(entity, source);
             return entity;
         }
 
@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Entities
             Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
             Assert.That(Count<Resident>(), Is.EqualTo(stats.CachedNodes));
             Assert.That(Count<Requested>(), Is.Zero);
-            Assert.That(Entities.GetComponentObject<PointCloudSource>(cloud).Source, Is.Null);
+            Assert.That(m_group.Live.Find(cloud).Source, Is.Null);
             long points = 0;
             foreach (var entity in All<Drawn>())
             {
@@ -275,7 +275,8 @@ namespace FastPoints.Tests.Entities
         Entity AddFile(string path, float4x4 localToWorld)
         {
             var entity = Entities.CreateEntity();
-            Entities.AddComponentObject(entity, new PointCloudFile { Path = path });
+            Entities.AddComponentData(entity, new PointCloudFile());
+            new PointCloudPaths { Path = path }.WriteTo(Entities.AddBuffer<PointCloudPath>(entity));
             Entities.AddComponentData(entity, new LocalToWorld { Value = localToWorld });
             return entity;
         }
@@ -284,7 +285,7 @@ namespace FastPoints.Tests.Entities
         void AwaitOpen(Entity entity)
         {
             for (int frame = 0; frame < MostFrames && !Entities.HasComponent<StreamedPointCloud>(entity) &&
-                Entities.GetComponentObject<PointCloudFile>(entity).Error == null; frame++)
+                m_group.ErrorOf(entity) == null; frame++)
             {
                 m_world.Update();
                 Thread.Yield();
@@ -319,7 +320,7 @@ namespace FastPoints.Tests.Entities
             Begin();
             var broken = AddFile(m_cloud.Path + "-gone", float4x4.identity);
             AwaitOpen(broken);
-            Assert.That(Entities.GetComponentObject<PointCloudFile>(broken).Error, Does.Contain("-gone"));
+            Assert.That(m_group.ErrorOf(broken), Does.Contain("-gone"));
             Add();
             Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.GreaterThan(20_000));
         }

@@ -62,9 +62,10 @@ namespace FastPoints.Benchmarks
         /// <summary>Puts a cloud into the scene.</summary>
         public void Show(string path)
         {
-            m_cloud = m_world.EntityManager.CreateEntity();
-            m_world.EntityManager.AddComponentObject(m_cloud, new PointCloudFile { Path = path });
-            m_world.EntityManager.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
+            var entities = m_world.EntityManager;
+            m_cloud = entities.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
+            new PointCloudPaths { Path = path }.WriteTo(entities.AddBuffer<PointCloudPath>(m_cloud));
+            entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
         }
 
         public FrameStats Frame(StreamView view)

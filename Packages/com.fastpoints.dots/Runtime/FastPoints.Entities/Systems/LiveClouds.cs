@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Streaming;
+using Unity.Entities;
+using UnityEngine;
+
+namespace FastPoints.Entities
+{
+    /// <summary>What the systems hold for the entity of a cloud. It is no component, since copies of the entity have none of
+    /// it: they open their own cloud.</summary>
+    sealed class LiveCloud : IDisposable
+    {
+        /// <summary>The GameObject of the <see cref="PointCloud"/> that places it; null for none.</summary>
+        public GameObject Object;
+
+        /// <summary>Null for none.</summary>
+        public OpenedCloud Opened;
+
+        /// <summary>The error of opening the cloud; null if there was none.</summary>
+        public string Error;
+
+        /// <summary>The source that the stream takes over next; null for none. If the stream has one already, this is a newer
+        /// state of the same cloud and replaces it when it is ready.</summary>
+        public NodeSource Source;
+
+        /// <summary>How <see cref="Source"/> is coloured, which becomes the entity's look when it is shown. Null keeps the
+        /// current look.</summary>
+        public PointCloudLook? Look;
+
+        public CloudStage Stage;
+
+        /// <summary>The states in the stream; null if there are none.</summary>
+        public CloudSuccession Succession;
+
+        /// <summary>How states that are not <see cref="CloudSuccession.Cloud"/> are coloured, by their number in the stream. The
+        /// entity's own look is that of the shown state.</summary>
+        public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
+
+        /// <summary>Gives a source, in place of one that the stream has not taken.</summary>
+        public void Give(NodeSource source, PointCloudLook? look, CloudStage stage)
+        {
+            DropSource();
+            (Source, Look, Stage) = (source, look, stage);
+        }
+
+        public void DropSource()
+        {
+            Source?.Dispose();
+            Source = null;
+        }
+
+        public void Dispose()
+        {
+            Opened?.Dispose();
+            DropSource();
+        }
+    }
+
+    /// <summary>The live clouds of a world, by their entities: an entity's index and version are the index into this table and
+    /// the version of the entry. Main thread.</summary>
+    sealed class LiveClouds : IDisposable
+    {
+        readonly Dictionary<Entity, LiveCloud> m_all = new Dictionary<Entity, LiveCloud>();
+
+        public Dictionary<Entity, LiveCloud>.Enumerator GetEnumerator() => m_all.GetEnumerator();
+
+        /// <summary>The entry of an entity, made if there is none.</summary>
+        public LiveCloud Of(Entity entity)
+        {
+            if (!m_all.TryGetValue(entity, out var live))
+                m_all.Add(entity, live = new LiveCloud());
+            return live;
+        }
+
+        /// <returns>Null if there is none.</returns>
+        public LiveCloud Find(Entity entity) => m_all.TryGetValue(entity, out var live) ? live : null;
+
+        /// <summary>The entity of the cloud whose shown state has a number in the stream; null if there is none.</summary>
+        public Entity Showing(int number)
+        {
+            foreach (var (entity, live) in m_all)
+                if (live.Succession != null && live.Succession.Cloud == number)
+                    return entity;
+            return Entity.Null;
+        }
+
+        public void Remove(Entity entity)
+        {
+            Find(entity)?.Dispose();
+            m_all.Remove(entity);
+        }
+
+        public void Dispose()
+        {
+            foreach (var live in m_all.Values)
+                live.Dispose();
+            m_all.Clear();
+        }
+    }
+}
