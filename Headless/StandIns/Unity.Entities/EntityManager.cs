@@ -13,6 +13,9 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
 
     public World World => m_world;
 
+    /// <summary>Rises with each structural change.</summary>
+    public int EntityOrderVersion => Store.StructuralVersion;
+
     public EntityArchetype CreateArchetype(params ComponentType[] types)
     {
         Span<int> indices = stackalloc int[types.Length];

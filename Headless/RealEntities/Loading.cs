@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.CompilerServices;
+using Unity.Entities;
+using Unity.Jobs.LowLevel.Unsafe;
+
+[assembly: InternalsVisibleTo("HostTests")]
+[assembly: InternalsVisibleTo("FastPoints.Tests")]
+[assembly: InternalsVisibleTo("Unity.Entities.Hybrid")]
+
+namespace RealEntities
+{
+    /// <summary>What Unity does once scripts are loaded: it calls what its post-processors have put into assemblies. For those that
+    /// were not processed their jobs are registered by reflection.</summary>
+    public static class Loading
+    {
+        const BindingFlags Any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
+
+        static bool s_isDone;
+
+        /// <summary>The assemblies that post-processors were at.</summary>
+        public static HashSet<string> Processed { get; } = new HashSet<string>();
+
+        public static void Once()
+        {
+            if (s_isDone)
+                return;
+            s_isDone = true;
+            Assembly[] assemblies = Directory.GetFiles(AppContext.BaseDirectory, "*.dll").Select(Path.GetFileNameWithoutExtension)
+                .Where(n => n.StartsWith("FastPoints") || n.StartsWith("Unity.") || n == "HostTests").Select(Assembly.Load).ToArray();
+            foreach (Assembly assembly in assemblies)
+                CallGenerated(assembly);
+            foreach (Assembly assembly in assemblies.Where(a => !Processed.Contains(a.GetName().Name)))
+                RegisterJobs(assembly);
+        }
+
+        static void CallGenerated(Assembly assembly)
+        {
+            foreach (Type type in assembly.GetTypes().Where(t => t.Name.StartsWith("__") && (t.Name.Contains("PostProcessorOutput") || t.Name.Contains("JobReflectionRegistrationOutput"))))
+                foreach (MethodInfo method in type.GetMethods(Any).Where(m => m.GetParameters().Length == 0 && m.IsDefined(typeof(UnityEngine.RuntimeInitializeOnLoadMethodAttribute), false)))
+                {
+                    method.Invoke(null, null);
+                    Processed.Add(assembly.GetName().Name);
+                }
+        }
+
+        static void RegisterJobs(Assembly assembly)
+        {
+            IEnumerable<Type> generic = assembly.GetCustomAttributes<Unity.Jobs.RegisterGenericJobTypeAttribute>().Select(a => a.ConcreteType);
+            foreach (Type job in assembly.GetTypes().Where(t => t.IsValueType && !t.ContainsGenericParameters).Concat(generic))
+                foreach (Type kind in job.GetInterfaces())
+                    kind.GetCustomAttribute<JobProducerTypeAttribute>()?.ProducerType.DeclaringType?.GetMethods(Any)
+                        .FirstOrDefault(m => m.Name == "EarlyJobInit" && m.GetGenericArguments().Length == 1)?.MakeGenericMethod(job).Invoke(null, null);
+        }
+    }
+}
+
+namespace StandIns.Entities
+{
+    static class SystemOrder
+    {
+        /// <summary>No meaning here: what no attribute orders is by Unity's hash.</summary>
+        internal static bool IsBackwards { get; set; }
+    }
+}
