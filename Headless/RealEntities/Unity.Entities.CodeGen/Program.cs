@@ -56,7 +56,9 @@ namespace RealEntities
         /// <summary>What was put in names types that are private. Mono lets it, .NET does not.</summary>
         static void ShowTypes(string file)
         {
-            using var module = ModuleDefinition.ReadModule(new MemoryStream(File.ReadAllBytes(file)));
+            using var resolver = new DefaultAssemblyResolver();
+            resolver.AddSearchDirectory(Path.GetDirectoryName(file));
+            using var module = ModuleDefinition.ReadModule(new MemoryStream(File.ReadAllBytes(file)), new ReaderParameters { AssemblyResolver = resolver });
             foreach (TypeDefinition type in module.GetTypes().Where(t => t.Name[0] != '<'))
             {
                 if (type.IsNested)
