@@ -6,12 +6,14 @@ namespace Unity.Entities;
 
 public unsafe struct EntityManager : IEquatable<EntityManager>
 {
-    internal EntityStore Store;
-    World m_world;
+    readonly EntityStore m_store;
+    readonly World m_world;
 
-    internal EntityManager(World world, EntityStore store) => (m_world, Store) = (world, store);
+    internal EntityManager(World world, EntityStore store) => (m_world, m_store) = (world, store);
 
-    public World World => m_world;
+    internal EntityStore Store => m_store.Alive;
+
+    public World World => Store.IsDisposed ? null : m_world;
 
     /// <summary>Rises with each structural change.</summary>
     public int EntityOrderVersion => Store.StructuralVersion;
@@ -51,7 +53,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
 
     public void DestroyEntity(EntityQuery entityQuery)
     {
-        using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
+        using (var entities = entityQuery.Of(Store).ToEntityArray(Allocator.Temp))
             DestroyEntity(entities);
     }
 
@@ -62,7 +64,8 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     public bool AddComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
     {
         bool isNew = AddComponent<T>(entity);
-        SetComponentData(entity, componentData);
+        if (TypeRegistry.InfoOf(TypeRegistry.Of<T>.Index.Value).SizeBytes > 0)
+            SetComponentData(entity, componentData);
         return isNew;
     }
 
@@ -79,7 +82,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
 
     public void RemoveComponent<T>(EntityQuery entityQuery)
     {
-        using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
+        using (var entities = entityQuery.Of(Store).ToEntityArray(Allocator.Temp))
             for (int i = 0; i < entities.Length; i++)
                 RemoveComponent<T>(entities[i]);
     }
@@ -110,9 +113,9 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     public EntityQuery CreateEntityQuery(params ComponentType[] requiredComponents) =>
         new EntityQuery(Store, QueryTerms.Of(requiredComponents));
 
-    public bool Equals(EntityManager other) => Store == other.Store;
+    public bool Equals(EntityManager other) => m_store == other.m_store;
     public override bool Equals(object obj) => obj is EntityManager other && Equals(other);
-    public override int GetHashCode() => Store.GetHashCode();
+    public override int GetHashCode() => m_store.GetHashCode();
 
     static Archetype Of(EntityArchetype archetype) => archetype.Stored ??
         throw new ArgumentException("CreateEntity with an archetype that was not created by CreateArchetype");
