@@ -13,8 +13,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace RealEntities
 {
-    /// <summary>What Unity does once scripts are loaded: it calls what its post-processors have put into assemblies. For those that
-    /// were not processed their jobs are registered by reflection.</summary>
+    /// <summary>What Unity does once scripts are loaded: it calls what its post-processors have put into assemblies. For those
+    /// that were not processed their jobs are registered by reflection.</summary>
     public static class Loading
     {
         const BindingFlags Any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
@@ -30,7 +30,8 @@ namespace RealEntities
                 return;
             s_isDone = true;
             Assembly[] assemblies = Directory.GetFiles(AppContext.BaseDirectory, "*.dll").Select(Path.GetFileNameWithoutExtension)
-                .Where(n => n.StartsWith("FastPoints") || n.StartsWith("Unity.") || n == "HostTests").Select(Assembly.Load).ToArray();
+                .Where(n => n.StartsWith("FastPoints") || n.StartsWith("Unity.") || n == "HostTests").Select(Assembly.Load)
+                .ToArray();
             foreach (Assembly assembly in assemblies)
                 CallGenerated(assembly);
             foreach (Assembly assembly in assemblies.Where(a => !Processed.Contains(a.GetName().Name)))
@@ -39,22 +40,29 @@ namespace RealEntities
 
         static void CallGenerated(Assembly assembly)
         {
-            foreach (Type type in assembly.GetTypes().Where(t => t.Name.StartsWith("__") && (t.Name.Contains("PostProcessorOutput") || t.Name.Contains("JobReflectionRegistrationOutput"))))
-                foreach (MethodInfo method in type.GetMethods(Any).Where(m => m.GetParameters().Length == 0 && m.IsDefined(typeof(UnityEngine.RuntimeInitializeOnLoadMethodAttribute), false)))
-                {
-                    method.Invoke(null, null);
-                    Processed.Add(assembly.GetName().Name);
-                }
+            IEnumerable<MethodInfo> generated = assembly.GetTypes()
+                .Where(t => t.Name.StartsWith("__") && t.Name.Contains("Output"))
+                .SelectMany(t => t.GetMethods(Any))
+                .Where(m => m.IsDefined(typeof(UnityEngine.RuntimeInitializeOnLoadMethodAttribute)));
+            foreach (MethodInfo method in generated)
+            {
+                method.Invoke(null, null);
+                Processed.Add(assembly.GetName().Name);
+            }
         }
 
         static void RegisterJobs(Assembly assembly)
         {
-            IEnumerable<Type> generic = assembly.GetCustomAttributes<Unity.Jobs.RegisterGenericJobTypeAttribute>().Select(a => a.ConcreteType);
+            IEnumerable<Type> generic = assembly.GetCustomAttributes<Unity.Jobs.RegisterGenericJobTypeAttribute>()
+                .Select(a => a.ConcreteType);
             foreach (Type job in assembly.GetTypes().Where(t => t.IsValueType && !t.ContainsGenericParameters).Concat(generic))
                 foreach (Type kind in job.GetInterfaces())
-                    kind.GetCustomAttribute<JobProducerTypeAttribute>()?.ProducerType.DeclaringType?.GetMethods(Any)
-                        .FirstOrDefault(m => m.Name == "EarlyJobInit" && m.GetGenericArguments().Length == 1)?.MakeGenericMethod(job).Invoke(null, null);
+                    InitializerOf(kind)?.MakeGenericMethod(job).Invoke(null, null);
         }
+
+        static MethodInfo InitializerOf(Type kindOfJob) =>
+            kindOfJob.GetCustomAttribute<JobProducerTypeAttribute>()?.ProducerType.DeclaringType?.GetMethods(Any)
+                .FirstOrDefault(m => m.Name == "EarlyJobInit" && m.GetGenericArguments().Length == 1);
     }
 }
 

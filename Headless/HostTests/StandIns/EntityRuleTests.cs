@@ -70,7 +70,8 @@ public sealed class EntityRuleTests
     {
         Assert.That(() => Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadOnly<Health>()),
             Throws.ArgumentException.With.Message.Contains("two components of the same type"));
-        Assert.That(() => Entities.CreateEntity(ComponentType.ReadWrite<Large>()), Throws.ArgumentException.With.Message.Contains("too large"));
+        Assert.That(() => Entities.CreateEntity(ComponentType.ReadWrite<Large>()),
+            Throws.ArgumentException.With.Message.Contains("too large"));
     }
 
     [Test]
@@ -78,12 +79,14 @@ public sealed class EntityRuleTests
     {
         var gone = Entities.CreateEntity();
         Entities.DestroyEntity(gone);
-        Assert.That(() => Entities.AddComponent<Tag>(gone), Throws.InvalidOperationException.With.Message.Contains("does not exist"));
+        Assert.That(() => Entities.AddComponent<Tag>(gone),
+            Throws.InvalidOperationException.With.Message.Contains("does not exist"));
         Assert.That(Entities.RemoveComponent<Tag>(gone), Is.False);
         Assert.That(() => Entities.AddComponentData(gone, new Health { Value = 1 }), Throws.InvalidOperationException);
         var there = Entities.CreateEntity();
         Assert.That(Entities.AddComponentData(there, new Tag()), Is.True);
-        Assert.That(() => Entities.SetComponentData(there, new Tag()), Throws.ArgumentException.With.Message.Contains("zero sized"));
+        Assert.That(() => Entities.SetComponentData(there, new Tag()),
+            Throws.ArgumentException.With.Message.Contains("zero sized"));
     }
 
     [Test]
@@ -97,7 +100,8 @@ public sealed class EntityRuleTests
         Entities.RemoveComponent<Grave>(living);
         Assert.That((Entities.Exists(living), Entities.Exists(destroyed)), Is.EqualTo((true, true)));
         using var copies = new NativeArray<Entity>(1, Allocator.Temp);
-        Assert.That(() => Entities.Instantiate(destroyed, copies), Throws.ArgumentException.With.Message.Contains("already been destroyed"));
+        Assert.That(() => Entities.Instantiate(destroyed, copies),
+            Throws.ArgumentException.With.Message.Contains("already been destroyed"));
     }
 
     [Test]
@@ -105,12 +109,18 @@ public sealed class EntityRuleTests
     {
         Assert.That(() => Entities.CreateEntityQuery(ComponentType.ReadWrite<Health>(), ComponentType.ReadOnly<Health>()),
             Throws.InstanceOf<EntityQueryDescValidationException>());
-        Assert.That(() => Builder.WithAll<Health>().WithNone<Health>().Build(Entities), Throws.InstanceOf<EntityQueryDescValidationException>());
-        Assert.That(() => Builder.WithAny<Health>().WithAll<Health>().Build(Entities), Throws.InstanceOf<EntityQueryDescValidationException>());
-        Assert.That(() => Builder.WithAll<Burning>().WithPresent<Burning>().Build(Entities), Throws.InstanceOf<EntityQueryDescValidationException>());
-        Assert.That(() => Builder.WithAbsent<Burning>().WithDisabled<Burning>().Build(Entities), Throws.InstanceOf<EntityQueryDescValidationException>());
-        Assert.That(() => Builder.WithDisabled<Health>().Build(Entities), Throws.InvalidOperationException.With.Message.Contains("enableable"));
-        Assert.That(() => Builder.WithOptions(EntityQueryOptions.IncludeDisabledEntities).WithOptions(EntityQueryOptions.Default).Build(Entities),
+        Assert.That(() => Builder.WithAll<Health>().WithNone<Health>().Build(Entities),
+            Throws.InstanceOf<EntityQueryDescValidationException>());
+        Assert.That(() => Builder.WithAny<Health>().WithAll<Health>().Build(Entities),
+            Throws.InstanceOf<EntityQueryDescValidationException>());
+        Assert.That(() => Builder.WithAll<Burning>().WithPresent<Burning>().Build(Entities),
+            Throws.InstanceOf<EntityQueryDescValidationException>());
+        Assert.That(() => Builder.WithAbsent<Burning>().WithDisabled<Burning>().Build(Entities),
+            Throws.InstanceOf<EntityQueryDescValidationException>());
+        Assert.That(() => Builder.WithDisabled<Health>().Build(Entities),
+            Throws.InvalidOperationException.With.Message.Contains("enableable"));
+        Assert.That(() => Builder.WithOptions(EntityQueryOptions.IncludeDisabledEntities).WithOptions(EntityQueryOptions.Default)
+            .Build(Entities),
             Throws.InvalidOperationException.With.Message.Contains("once"));
     }
 

@@ -138,7 +138,8 @@ public sealed class EntityTests
         var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.DestroyEntity(gone);
         var bare = Entities.CreateEntity();
-        Assert.That(() => Entities.GetComponentData<Health>(gone), Throws.ArgumentException.With.Message.Contains("does not exist"));
+        Assert.That(() => Entities.GetComponentData<Health>(gone),
+            Throws.ArgumentException.With.Message.Contains("does not exist"));
         Assert.That(() => Entities.GetComponentData<Health>(bare),
             Throws.ArgumentException.With.Message.Contains("has not been added"));
         Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);

@@ -51,7 +51,8 @@ namespace UnityEngine
         public GameObject() : this("New Game Object") { }
 
         internal static void InstantiateGameObjects(int sourceInstanceID, int count, NativeArray<int> newInstanceIDs,
-            NativeArray<int> newTransformInstanceIDs, SceneManagement.Scene destinationScene) => throw new NotSupportedException();
+            NativeArray<int> newTransformInstanceIDs, SceneManagement.Scene destinationScene) =>
+            throw new NotSupportedException();
         internal static SceneManagement.Scene GetScene(int instanceID) => throw new NotSupportedException();
     }
 

@@ -1,3 +1,5 @@
+using Unity.Jobs.LowLevel.Unsafe;
+
 namespace StandIns.Scheduling
 {
     /// <summary>A kind of job that was registered by its function: how it is called, and what its struct holds.</summary>
@@ -15,14 +17,15 @@ namespace StandIns.Scheduling
             (User, Layout, Bytes) = (user, JobLayout.Of(wrapper), UnsafeUtility.SizeOf(wrapper));
             RuntimeMethodHandle method = function.Method.MethodHandle;
             Type owner = function.Method.DeclaringType;
-            RuntimeHelpers.PrepareMethod(method, owner.IsGenericType ? owner.GetGenericArguments().Select(t => t.TypeHandle).ToArray() : null);
-            Call = (delegate*<void*, IntPtr, IntPtr, ref Unity.Jobs.LowLevel.Unsafe.JobRanges, int, void>)method.GetFunctionPointer();
+            RuntimeHelpers.PrepareMethod(method,
+                owner.IsGenericType ? owner.GetGenericArguments().Select(t => t.TypeHandle).ToArray() : null);
+            Call = (delegate*<void*, IntPtr, IntPtr, ref JobRanges, int, void>)method.GetFunctionPointer();
         }
 
         internal Type User { get; }
         internal JobLayout Layout { get; }
         internal int Bytes { get; }
-        internal readonly delegate*<void*, IntPtr, IntPtr, ref Unity.Jobs.LowLevel.Unsafe.JobRanges, int, void> Call;
+        internal readonly delegate*<void*, IntPtr, IntPtr, ref JobRanges, int, void> Call;
 
         internal static IntPtr Register(Type wrapper, Type user, object function)
         {
@@ -77,7 +80,7 @@ namespace StandIns.Scheduling
                     (begin, end) = (0, length = *(int*)((byte*)m_listOfLength + sizeof(void*)));
                 if (shared)
                     Restrict(copy, begin, end);
-                var ranges = new Unity.Jobs.LowLevel.Unsafe.JobRanges { TotalIterationCount = length, Begin = begin, End = end };
+                var ranges = new JobRanges { TotalIterationCount = length, Begin = begin, End = end };
                 m_job.Call(copy, default, default, ref ranges, 0);
             }
             finally
@@ -89,7 +92,7 @@ namespace StandIns.Scheduling
         [System.Diagnostics.Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
         void Restrict(byte* job, int begin, int end)
         {
-            foreach (JobField field in m_job.Layout.Restricted.Where(f => f.Type.MinIndexOffset >= 0 && f.Type.MaxIndexOffset >= 0))
+            foreach (JobField field in m_job.Layout.Restricted.Where(f => f.Type.MinIndexOffset >= 0))
             {
                 *(int*)(job + field.Offset + field.Type.MinIndexOffset) = begin;
                 *(int*)(job + field.Offset + field.Type.MaxIndexOffset) = end - 1;
@@ -130,11 +133,12 @@ namespace StandIns.Scheduling
 
     static unsafe partial class JobScheduler
     {
-        internal static JobHandle Schedule(ref Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobScheduleParameters parameters, int length,
-            int batchSize, bool parallel, void* listOfLength)
+        internal static JobHandle Schedule(ref JobsUtility.JobScheduleParameters parameters, int length, int batchSize,
+            bool parallel, void* listOfLength)
         {
-            var work = new RegisteredWork(RegisteredJob.Of(parameters.ReflectionData), (void*)parameters.JobDataPtr, length, listOfLength);
-            if (parameters.ScheduleMode == (int)Unity.Jobs.LowLevel.Unsafe.ScheduleMode.Run)
+            var job = RegisteredJob.Of(parameters.ReflectionData);
+            var work = new RegisteredWork(job, (void*)parameters.JobDataPtr, length, listOfLength);
+            if (parameters.ScheduleMode == (int)ScheduleMode.Run)
             {
                 Run(work, length);
                 return default;
@@ -209,7 +213,8 @@ namespace Unity.Jobs.LowLevel.Unsafe
     {
         static readonly int* s_systemId = (int*)NativeHeap.Allocate(64, 16);
 
-        public struct JobScheduleParameters(void* i_jobData, IntPtr i_reflectionData, JobHandle i_dependency, ScheduleMode i_scheduleMode)
+        public struct JobScheduleParameters(void* i_jobData, IntPtr i_reflectionData, JobHandle i_dependency,
+            ScheduleMode i_scheduleMode)
         {
             public JobHandle Dependency = i_dependency;
             public int ScheduleMode = (int)i_scheduleMode;
@@ -225,10 +230,11 @@ namespace Unity.Jobs.LowLevel.Unsafe
         public static bool JobDebuggerEnabled { get; set; } = true;
         public static bool JobCompilerEnabled { get; set; }
 
-        public static JobHandle Schedule(ref JobScheduleParameters parameters) => JobScheduler.Schedule(ref parameters, 1, 1, false, null);
+        public static JobHandle Schedule(ref JobScheduleParameters parameters) =>
+            JobScheduler.Schedule(ref parameters, 1, 1, false, null);
 
-        public static JobHandle ScheduleParallelFor(ref JobScheduleParameters parameters, int arrayLength, int innerloopBatchCount) =>
-            JobScheduler.Schedule(ref parameters, arrayLength, innerloopBatchCount,
+        public static JobHandle ScheduleParallelFor(ref JobScheduleParameters parameters, int arrayLength,
+            int innerloopBatchCount) => JobScheduler.Schedule(ref parameters, arrayLength, innerloopBatchCount,
                 parameters.ScheduleMode == (int)ScheduleMode.Parallel, null);
 
         /// <summary>In one batch: nothing is known of the length before it runs.</summary>

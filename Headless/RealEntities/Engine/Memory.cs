@@ -8,7 +8,8 @@ public static unsafe partial class UnsafeUtility
     const int HeaderBytes = 8;
 
     static readonly MethodInfo s_sizeOf = typeof(SystemUnsafe).GetMethod(nameof(SystemUnsafe.SizeOf));
-    static readonly MethodInfo s_isManaged = typeof(RuntimeHelpers).GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences));
+    static readonly MethodInfo s_isManaged =
+        typeof(RuntimeHelpers).GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences));
     static readonly ConcurrentDictionary<Type, int> s_sizes = new ConcurrentDictionary<Type, int>();
     static readonly ConcurrentDictionary<ulong, GCHandle> s_pinned = new ConcurrentDictionary<ulong, GCHandle>();
     static long s_lastPin;
@@ -31,7 +32,8 @@ public static unsafe partial class UnsafeUtility
     public static void MemCpyReplicate(void* destination, void* source, int size, int count) =>
         MemCpyStride(destination, size, source, 0, size, count);
 
-    public static void MemCpyStride(void* destination, int destinationStride, void* source, int sourceStride, int elementSize, int count)
+    public static void MemCpyStride(void* destination, int destinationStride, void* source, int sourceStride, int elementSize,
+        int count)
     {
         for (int i = 0; i < count; i++)
             MemCpy((byte*)destination + (long)i * destinationStride, (byte*)source + (long)i * sourceStride, elementSize);
@@ -59,8 +61,8 @@ public static unsafe partial class UnsafeUtility
         ? FieldOffsets.Of(field.DeclaringType, new[] { new[] { field } })[0]
         : HeaderBytes + (int)(*(uint*)(field.FieldHandle.Value + IntPtr.Size + 4) & 0x7FFFFFF);
 
-    /// <summary>Where the object's header begins. .NET holds no object with references where it is: such a one is only kept alive,
-    /// and a collection may move it.</summary>
+    /// <summary>Where the object's header begins. .NET holds no object with references where it is: such a one is only kept
+    /// alive, and a collection may move it.</summary>
     public static void* PinGCObjectAndGetAddress(object target, out ulong gcHandle)
     {
         gcHandle = Keep(target, target.GetType().IsValueType);

@@ -36,7 +36,18 @@ namespace Unity.Profiling.LowLevel
     [Flags]
     public enum MarkerFlags : ushort { Default = 0, Script = 2, AvailabilityNonDevelopment = 8, Counter = 128 }
 
-    public enum ProfilerMarkerDataType : byte { InstanceId = 1, Int32 = 2, UInt32 = 3, Int64 = 4, UInt64 = 5, Float = 6, Double = 7, String8 = 9, String16 = 11, Blob8 = 12 }
+    public enum ProfilerMarkerDataType : byte
+    {
+        InstanceId = 1,
+        Int32 = 2,
+        UInt32 = 3,
+        Int64 = 4,
+        UInt64 = 5,
+        Float = 6,
+        Double = 7,
+        String16 = 9,
+        Blob8 = 11,
+    }
 }
 
 namespace UnityEngine.Profiling

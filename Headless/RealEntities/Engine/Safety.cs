@@ -53,7 +53,8 @@ namespace Unity.Collections.LowLevel.Unsafe
             SafetyNames.IdOf(Encoding.UTF8.GetString(ownerTypeNameBytes, byteCount));
 
         /// <summary>Messages stay as they are.</summary>
-        public static void SetCustomErrorMessage(int staticSafetyId, AtomicSafetyErrorType errorType, byte* messageBytes, int byteCount) { }
+        public static void SetCustomErrorMessage(int staticSafetyId, AtomicSafetyErrorType errorType, byte* messageBytes,
+            int byteCount) { }
         public static void SetNestedContainer(AtomicSafetyHandle handle, bool isNestedContainer) { }
         public static void SetExclusiveWeak(ref AtomicSafetyHandle handle, bool value) { }
         public static void SetAllowSecondaryVersionWriting(AtomicSafetyHandle handle, bool allowWriting) { }
@@ -88,7 +89,8 @@ namespace Unity.Collections.LowLevel.Unsafe
         public static JobHandle GetWriter(AtomicSafetyHandle handle) => Writer(handle)?.Record.Handle ?? default;
         public static string GetWriterName(AtomicSafetyHandle handle) => Writer(handle)?.Job;
 
-        static IEnumerable<JobAccess> Accesses(AtomicSafetyHandle handle) => InFlightJobs.Of(handle.m_Node) ?? Enumerable.Empty<JobAccess>();
+        static IEnumerable<JobAccess> Accesses(AtomicSafetyHandle handle) =>
+            InFlightJobs.Of(handle.m_Node) ?? Enumerable.Empty<JobAccess>();
         static JobAccess[] Readers(AtomicSafetyHandle handle) => Accesses(handle).Where(a => !a.Writes).ToArray();
         static JobAccess Writer(AtomicSafetyHandle handle) => Accesses(handle).FirstOrDefault(a => a.Writes);
     }

@@ -13,7 +13,8 @@ public sealed unsafe class WorldTests
         bool isProcessed = Environment.GetEnvironmentVariable("REAL_ENTITIES") == "processed";
         Assert.That(RealEntities.Loading.Processed, Is.SupersetOf(new[] { "Unity.Entities", "Unity.Transforms" }));
         foreach (var assembly in new[] { typeof(PointCloudSystemGroup).Assembly, GetType().Assembly })
-            Assert.That(assembly.GetType("Unity.Entities.CodeGeneratedRegistry.AssemblyTypeRegistry") != null, Is.EqualTo(isProcessed), assembly.GetName().Name);
+            Assert.That(assembly.GetType("Unity.Entities.CodeGeneratedRegistry.AssemblyTypeRegistry") != null,
+                Is.EqualTo(isProcessed), assembly.GetName().Name);
     }
 
     [TestCase(WorldFlags.Editor)]
@@ -45,11 +46,13 @@ public sealed unsafe class WorldTests
         try
         {
             foreach (var type in typeof(PointCloudSystemGroup).Assembly.GetTypes()
-                .Where(t => t.IsValueType && (typeof(IComponentData).IsAssignableFrom(t) || typeof(IBufferElementData).IsAssignableFrom(t))))
+                .Where(t => t.IsValueType && t.GetInterfaces()
+                    .Any(i => i == typeof(IComponentData) || i == typeof(IBufferElementData))))
             {
                 var info = TypeManager.GetTypeInfo(TypeManager.GetTypeIndex(type));
                 Assert.That(info.Type, Is.EqualTo(type));
-                Assert.That(TypeManager.IsEnableable(info.TypeIndex), Is.EqualTo(typeof(IEnableableComponent).IsAssignableFrom(type)), type.Name);
+                Assert.That(TypeManager.IsEnableable(info.TypeIndex),
+                    Is.EqualTo(typeof(IEnableableComponent).IsAssignableFrom(type)), type.Name);
             }
         }
         finally
@@ -69,8 +72,10 @@ public sealed unsafe class WorldTests
         using var query = entities.CreateEntityQuery(ComponentType.ReadWrite<Health>());
         var handle = entities.GetComponentTypeHandle<Health>(false);
         var job = new HarmAll { Health = handle }.ScheduleParallel(query, default);
-        Assert.That(() => entities.GetComponentData<Health>(entity), Throws.InvalidOperationException.With.Message.Contains("HarmAll"));
-        Assert.That(() => entities.CreateEntity(ComponentType.ReadWrite<Health>()), Throws.InvalidOperationException.With.Message.Contains("HarmAll"));
+        Assert.That(() => entities.GetComponentData<Health>(entity),
+            Throws.InvalidOperationException.With.Message.Contains("HarmAll"));
+        Assert.That(() => entities.CreateEntity(ComponentType.ReadWrite<Health>()),
+            Throws.InvalidOperationException.With.Message.Contains("HarmAll"));
         job.Complete();
         Assert.That(entities.GetComponentData<Health>(entity).Value, Is.EqualTo(1));
         handle = entities.GetComponentTypeHandle<Health>(false);
@@ -126,7 +131,8 @@ public sealed unsafe class WorldTests
     public void CommandBuffers_OfAUser_PlaceHideAndDestroy()
     {
         using var probe = ProbeWorld.With(typeof(EndSimulationEntityCommandBufferSystem));
-        EntityCommandBuffer Commands() => probe.World.GetExistingSystemManaged<EndSimulationEntityCommandBufferSystem>().CreateCommandBuffer();
+        EntityCommandBuffer Commands() =>
+            probe.World.GetExistingSystemManaged<EndSimulationEntityCommandBufferSystem>().CreateCommandBuffer();
         var entity = probe.AddCloud();
         var moved = float4x4.Translate(new float3(1, 2, 3));
         Commands().SetComponent(entity, new LocalToWorld { Value = moved });

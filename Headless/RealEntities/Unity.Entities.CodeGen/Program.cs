@@ -11,8 +11,8 @@ namespace RealEntities
     /// <summary>Runs Unity's own IL post-processors over assemblies of a folder, where they lie: FOLDER NAME...</summary>
     static class Program
     {
-        static readonly string[] s_framework = Directory.GetFiles(Path.GetDirectoryName(typeof(object).Assembly.Location), "*.dll")
-            .Where(f => Path.GetFileName(f).StartsWith("System.", StringComparison.Ordinal) || f.EndsWith("netstandard.dll", StringComparison.Ordinal)).ToArray();
+        static readonly string[] s_framework =
+            Directory.GetFiles(Path.GetDirectoryName(typeof(object).Assembly.Location), "System.*.dll");
 
         static int Main(string[] args)
         {
@@ -20,8 +20,8 @@ namespace RealEntities
             foreach (string name in args.Skip(1))
             {
                 string file = Path.Combine(args[0], name + ".dll");
-                foreach (ILPostProcessor processor in new ILPostProcessor[] { new Unity.Jobs.CodeGen.JobsILPostProcessor(), new Unity.Entities.CodeGen.EntitiesILPostProcessors() })
-                    errors += Process(processor, name, file);
+                errors += Process(new Unity.Jobs.CodeGen.JobsILPostProcessor(), name, file);
+                errors += Process(new Unity.Entities.CodeGen.EntitiesILPostProcessors(), name, file);
                 ShowTypes(file);
             }
             return errors == 0 ? 0 : 1;
@@ -29,9 +29,9 @@ namespace RealEntities
 
         static int Process(ILPostProcessor processor, string name, string file)
         {
-            string symbols = Path.ChangeExtension(file, ".pdb");
+            string symbols = Path.ChangeExtension(file, ".pdb"), folder = Path.GetDirectoryName(file);
             using var module = ModuleDefinition.ReadModule(file);
-            string[] references = module.AssemblyReferences.Select(r => Path.Combine(Path.GetDirectoryName(file), r.Name + ".dll")).Where(File.Exists).ToArray();
+            var references = module.AssemblyReferences.Select(r => Path.Combine(folder, r.Name + ".dll")).Where(File.Exists);
             var compiled = new Compiled
             {
                 Name = name,
@@ -44,7 +44,7 @@ namespace RealEntities
             ILPostProcessResult result = processor.Process(compiled);
             List<DiagnosticMessage> said = result?.Diagnostics ?? new List<DiagnosticMessage>();
             foreach (DiagnosticMessage message in said)
-                Console.WriteLine($"{name}: {processor.GetType().Name}: {message.DiagnosticType} {message.File}:{message.Line} {message.MessageData}");
+                Console.WriteLine($"{name}: {message.DiagnosticType} {message.File}:{message.Line} {message.MessageData}");
             if (result?.InMemoryAssembly != null)
             {
                 File.WriteAllBytes(file, result.InMemoryAssembly.PeData);
@@ -58,13 +58,14 @@ namespace RealEntities
         {
             using var resolver = new DefaultAssemblyResolver();
             resolver.AddSearchDirectory(Path.GetDirectoryName(file));
-            using var module = ModuleDefinition.ReadModule(new MemoryStream(File.ReadAllBytes(file)), new ReaderParameters { AssemblyResolver = resolver });
-            foreach (TypeDefinition type in module.GetTypes().Where(t => t.Name[0] != '<'))
+            var reading = new ReaderParameters { AssemblyResolver = resolver };
+            using var module = ModuleDefinition.ReadModule(new MemoryStream(File.ReadAllBytes(file)), reading);
+            foreach (TypeDefinition type in module.GetTypes())
             {
-                if (type.IsNested)
-                    type.IsNestedPublic = true;
-                else
-                    type.IsPublic = true;
+                if (type.IsNestedPrivate)
+                    type.IsNestedAssembly = true;
+                else if (type.IsNestedFamily)
+                    type.IsNestedFamilyOrAssembly = true;
             }
             module.Write(file);
         }

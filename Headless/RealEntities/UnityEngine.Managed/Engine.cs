@@ -26,14 +26,16 @@ namespace UnityEngine
             this.u64_1 = u64_1;
         }
 
-        public Hash128(uint u32_0, uint u32_1, uint u32_2, uint u32_3) : this(((ulong)u32_1 << 32) | u32_0, ((ulong)u32_3 << 32) | u32_2) { }
+        public Hash128(uint u32_0, uint u32_1, uint u32_2, uint u32_3)
+            : this(((ulong)u32_1 << 32) | u32_0, ((ulong)u32_3 << 32) | u32_2) { }
 
         public bool isValid => u64_0 != 0 || u64_1 != 0;
 
         /// <summary>By another function than Unity's.</summary>
         public static unsafe Hash128 Compute(void* data, int size) => Of(new Span<byte>(data, size).ToArray());
         public static Hash128 Compute(string data) => Of(Encoding.UTF8.GetBytes(data));
-        public static Hash128 Compute<T>(List<T> data) where T : struct => Of(MemoryMarshal.AsBytes(data.ToArray().AsSpan()).ToArray());
+        public static Hash128 Compute<T>(List<T> data) where T : struct =>
+            Of(MemoryMarshal.AsBytes(data.ToArray().AsSpan()).ToArray());
 
         static Hash128 Of(byte[] bytes)
         {
@@ -111,13 +113,19 @@ namespace UnityEngine.LowLevel
 
     public class PlayerLoop
     {
+        static readonly Type[] s_steps =
+        {
+            typeof(UnityEngine.PlayerLoop.Initialization),
+            typeof(UnityEngine.PlayerLoop.Update),
+            typeof(UnityEngine.PlayerLoop.PreLateUpdate),
+        };
+
         static PlayerLoopSystem s_current = GetDefaultPlayerLoop();
 
         public static PlayerLoopSystem GetDefaultPlayerLoop() => new PlayerLoopSystem
         {
-            subSystemList = Array.ConvertAll(
-                new[] { typeof(UnityEngine.PlayerLoop.Initialization), typeof(UnityEngine.PlayerLoop.Update), typeof(UnityEngine.PlayerLoop.PreLateUpdate) },
-                type => new PlayerLoopSystem { type = type, subSystemList = new PlayerLoopSystem[0] }),
+            subSystemList = Array.ConvertAll(s_steps,
+                step => new PlayerLoopSystem { type = step, subSystemList = new PlayerLoopSystem[0] }),
         };
 
         public static PlayerLoopSystem GetCurrentPlayerLoop() => s_current;
@@ -191,7 +199,8 @@ namespace Unity.Burst.LowLevel
     /// <summary>Nothing is compiled by Burst.</summary>
     public static unsafe class BurstCompilerService
     {
-        static readonly Dictionary<UnityEngine.Hash128, (IntPtr At, uint Bytes)> s_shared = new Dictionary<UnityEngine.Hash128, (IntPtr, uint)>();
+        static readonly Dictionary<UnityEngine.Hash128, (IntPtr At, uint Bytes)> s_shared =
+            new Dictionary<UnityEngine.Hash128, (IntPtr, uint)>();
 
         public enum BurstLogType { Info, Warning, Error }
 

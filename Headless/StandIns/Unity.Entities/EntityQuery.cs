@@ -79,7 +79,7 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
     public void Dispose()
     {
         if (Alive != null && m_terms.IsOfASystem)
-            throw new InvalidOperationException("EntityQuery cannot be disposed: queries of GetEntityQuery() are owned by their system.");
+            throw new InvalidOperationException("EntityQuery cannot be disposed: GetEntityQuery()'s are owned by systems.");
         m_terms.IsDisposed = true;
     }
 

@@ -51,7 +51,7 @@ public ref struct EntityQueryBuilder
     public EntityQueryBuilder WithOptions(EntityQueryOptions options)
     {
         if (m_terms.HasOptions)
-            throw new InvalidOperationException("EntityQueryBuilder.WithOptions should only be called once for each query description.");
+            throw new InvalidOperationException("EntityQueryBuilder.WithOptions should only be called once for each query.");
         (m_terms.HasOptions, m_terms.Options) = (true, options);
         return this;
     }

@@ -54,7 +54,7 @@ sealed class EntityStore : IDisposable
         foreach (int type in sorted)
             bytes += TypeRegistry.InfoOf(type).SizeBytes;
         if (bytes > ChunkBytes)
-            throw new ArgumentException($"Archetype too large to fit in chunk. Instance size {bytes} bytes. Maximum chunk size {ChunkBytes}.");
+            throw new ArgumentException($"Archetype too large to fit in chunk: {bytes} bytes of at most {ChunkBytes}");
         var made = new Archetype(sorted.ToArray());
         m_archetypes.Add(made);
         return made;
@@ -81,7 +81,7 @@ sealed class EntityStore : IDisposable
     {
         var from = Find(source);
         if (from.IsDestroyed)
-            throw new ArgumentException("srcEntity is not instantiable because it has already been destroyed. (Only cleanup components are left on it)");
+            throw new ArgumentException("srcEntity is not instantiable because it has already been destroyed.");
         Span<int> types = stackalloc int[from.Archetype.Types.Length];
         int count = 0;
         foreach (var column in from.Archetype.Columns)

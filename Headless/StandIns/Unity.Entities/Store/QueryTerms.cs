@@ -43,7 +43,8 @@ sealed class QueryTerms
                     " passed with WithDisabled() is not an enableable component");
     }
 
-    public bool Declares(int type) => All.Contains(type) || Any.Contains(type) || Disabled.Contains(type) || Present.Contains(type);
+    public bool Declares(int type) =>
+        All.Contains(type) || Any.Contains(type) || Disabled.Contains(type) || Present.Contains(type);
 
     /// <summary>For a query: who named these may go on.</summary>
     public QueryTerms Copy()

@@ -23,7 +23,9 @@ public abstract class ComponentSystemBase
     protected virtual void OnStartRunning() { }
     protected virtual void OnStopRunning() { }
     protected virtual void OnDestroy() { }
-    public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) => EntityManager.CreateEntityQuery(componentTypes).OfASystem();
+
+    public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) =>
+        EntityManager.CreateEntityQuery(componentTypes).OfASystem();
 
     internal void Create(World world)
     {

@@ -29,7 +29,8 @@ public static class DefaultWorldInitialization
             return;
         var group = type.GetCustomAttribute<UpdateInGroupAttribute>()?.GroupType ?? typeof(SimulationSystemGroup);
         if (!typeof(ComponentSystemGroup).IsAssignableFrom(group))
-            throw new InvalidOperationException($"Invalid [UpdateInGroupAttribute] attribute for {type}: target group must be derived from ComponentSystemGroup.");
+            throw new InvalidOperationException($"Invalid [UpdateInGroupAttribute] attribute for {type}: "
+                + "target group must be derived from ComponentSystemGroup.");
         if (world.GetExistingSystemManaged(type) == null)
             return;
         if (world.GetExistingSystemManaged(group) is ComponentSystemGroup made)

@@ -41,7 +41,8 @@ static class SystemOrder
         return false;
     }
 
-    /// <summary>Of systems with an attribute that Unity ignores, it says so in everybody's Console: of each that orders nothing.</summary>
+    /// <summary>Where a system has an attribute that Unity ignores, everybody's Console names each of its attributes that order
+    /// nothing.</summary>
     static void Warn(List<ComponentSystemBase> systems, Type group)
     {
         foreach (var system in systems)
@@ -52,12 +53,13 @@ static class SystemOrder
             var before = type.GetCustomAttributes<UpdateBeforeAttribute>().Select(a => a.SystemType).ToArray();
             var after = type.GetCustomAttributes<UpdateAfterAttribute>().Select(a => a.SystemType).ToArray();
             bool IsLost(Type other) => other == type || (PartsAhead(other) == 0 && !IsThere(other));
-            if (!Array.Exists(before, b => IsLost(b) || PartsAhead(b) < 0) && !Array.Exists(after, a => IsLost(a) || PartsAhead(a) > 0))
+            if (!Array.Exists(before, b => IsLost(b) || PartsAhead(b) < 0)
+                && !Array.Exists(after, a => IsLost(a) || PartsAhead(a) > 0))
                 continue;
             foreach (var other in after.Concat(before))
             {
                 string why = other == type ? "a system cannot be updated or created after or before itself."
-                    : !IsThere(other) ? "only systems that are members of the same ComponentSystemGroup instance are ordered: " + group
+                    : !IsThere(other) ? "they are not members of the same ComponentSystemGroup instance, " + group
                     : PartsAhead(other) != 0 ? "OrderFirst/OrderLast has higher precedence." : null;
                 if (why != null)
                     UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: {why}");
