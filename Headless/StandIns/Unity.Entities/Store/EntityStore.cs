@@ -40,10 +40,12 @@ sealed class EntityStore : IDisposable
         Span<int> sorted = stackalloc int[types.Length];
         int count = 0;
         foreach (int type in types)
-            sorted[count++] = sorted.Slice(0, count).IndexOf(type) < 0 ? type
-                : throw new ArgumentException("It is not allowed to have two components of the same type on the same entity. ("
+        {
+            if (sorted.Slice(0, count).IndexOf(type) >= 0)
+                throw new ArgumentException("It is not allowed to have two components of the same type on the same entity. ("
                     + TypeRegistry.InfoOf(type).Type + ")");
-        sorted = sorted.Slice(0, count);
+            sorted[count++] = type;
+        }
         for (int i = 1; i < count; i++)
             for (int j = i; j > 0 && sorted[j] < sorted[j - 1]; j--)
                 (sorted[j], sorted[j - 1]) = (sorted[j - 1], sorted[j]);
