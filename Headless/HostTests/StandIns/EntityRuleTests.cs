@@ -131,7 +131,8 @@ public sealed class EntityRuleTests
         using var first = builder.Build(Entities);
         using var second = builder.WithAll<Tag>().Build(Entities);
         Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-        Assert.That((first.CalculateEntityCount(), second.CalculateEntityCount()), Is.EqualTo((1, 0)));
+        Assert.That(first.CalculateEntityCount(), Is.EqualTo(1));
+        Assert.That(second.Equals(first), Is.False);
     }
 
     [Test]

@@ -22,7 +22,7 @@ namespace RealEntities
                 string file = Path.Combine(args[0], name + ".dll");
                 errors += Process(new Unity.Jobs.CodeGen.JobsILPostProcessor(), name, file);
                 errors += Process(new Unity.Entities.CodeGen.EntitiesILPostProcessors(), name, file);
-                ShowTypes(file);
+                ShowTypes(name, file);
             }
             return errors == 0 ? 0 : 1;
         }
@@ -53,19 +53,23 @@ namespace RealEntities
             return said.Count(m => m.DiagnosticType == DiagnosticType.Error);
         }
 
-        /// <summary>What was put in names types that are private. Mono lets it, .NET does not.</summary>
-        static void ShowTypes(string file)
+        /// <summary>What was put in names types that are private, of Unity's assemblies from all others. Mono lets it, .NET does
+        /// not. The package's own stay out of other assemblies' sight: tests look at what is public.</summary>
+        static void ShowTypes(string name, string file)
         {
+            bool isUnitys = name.StartsWith("Unity.", StringComparison.Ordinal);
             using var resolver = new DefaultAssemblyResolver();
             resolver.AddSearchDirectory(Path.GetDirectoryName(file));
             var reading = new ReaderParameters { AssemblyResolver = resolver };
             using var module = ModuleDefinition.ReadModule(new MemoryStream(File.ReadAllBytes(file)), reading);
-            foreach (TypeDefinition type in module.GetTypes())
+            foreach (TypeDefinition type in module.GetTypes().Where(t => t.Name[0] != '<'))
             {
-                if (type.IsNestedPrivate)
+                if (isUnitys && !type.IsNested)
+                    type.IsPublic = true;
+                else if (isUnitys)
+                    type.IsNestedPublic = true;
+                else if (type.IsNestedPrivate)
                     type.IsNestedAssembly = true;
-                else if (type.IsNestedFamily)
-                    type.IsNestedFamilyOrAssembly = true;
             }
             module.Write(file);
         }
