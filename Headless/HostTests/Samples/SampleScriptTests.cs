@@ -105,7 +105,7 @@ public sealed class SampleScriptTests
             entities.DestroyEntity(budget);
         m_world.Settle();
         m_world.Frames(() => m_world.Count<PointCloudNode>() == 0);
-        int before = entities.Store.StructuralVersion, loaded = 0;
+        int before = entities.EntityOrderVersion, loaded = 0;
         for (int round = 0; round < 4; round++)
         {
             // Nodes go with their memory, and come again.
@@ -116,7 +116,7 @@ public sealed class SampleScriptTests
             loaded += m_world.Group.Stats.CachedNodes;
         }
         Assert.That(loaded, Is.GreaterThanOrEqualTo(4));
-        Assert.That(entities.Store.StructuralVersion, Is.EqualTo(before));
+        Assert.That(entities.EntityOrderVersion, Is.EqualTo(before));
     }
 
     [Test]

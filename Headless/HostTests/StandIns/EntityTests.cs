@@ -179,7 +179,8 @@ public sealed class EntityTests
         var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.DestroyEntity(gone);
         var bare = Entities.CreateEntity();
-        Assert.That(() => Entities.GetComponentData<Health>(gone), Throws.ArgumentException.With.Message.Contains("must exist"));
+        Assert.That(() => Entities.GetComponentData<Health>(gone),
+            Throws.ArgumentException.With.Message.Contains("does not exist"));
         Assert.That(() => Entities.GetComponentData<Health>(bare),
             Throws.ArgumentException.With.Message.Contains("has not been added"));
         Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
@@ -191,7 +192,7 @@ public sealed class EntityTests
         Assert.That(() => Entities.GetBuffer<Item>(bare, true).Add(default), Throws.InvalidOperationException);
         Entities.CreateEntity();
         Assert.That(() => items.Length, Throws.InstanceOf<ObjectDisposedException>(), "a structural change");
-        Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
+        Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<NullReferenceException>());
         var manager = Entities;
         m_world.Dispose();
         Assert.That(() => manager.CreateEntity(), Throws.InstanceOf<ObjectDisposedException>());
@@ -276,6 +277,11 @@ public sealed class EntityTests
     [UpdateAfter(typeof(C))]
     sealed class F : Noting { }
 
+    [UpdateInGroup(typeof(Group))]
+    [UpdateBefore(typeof(A))]
+    [UpdateAfter(typeof(G))]
+    sealed class G : Noting { }
+
     [Test]
     public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()
     {
@@ -292,7 +298,13 @@ public sealed class EntityTests
             logged.Clear();
             m_world.GetExistingSystemManaged<Group>().RemoveSystemFromUpdateList(m_world.GetExistingSystemManaged<C>());
             m_world.GetExistingSystemManaged<Group>().SortSystems();
-            Assert.That(logged, Has.Some.Contains("both have to be in"));
+            Assert.That(logged, Has.Count.EqualTo(2).And.All.Contains("members of the same ComponentSystemGroup"));
+            logged.Clear();
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(C), typeof(A), typeof(G));
+            m_world.Update();
+            Assert.That(logged.Where(l => l.Contains("itself")), Has.Some.Contains(typeof(G).FullName));
+            Assert.That(logged.Where(l => l.Contains("precedence")), Has.Some.Contains(typeof(F).FullName)
+                .And.Some.Contains(typeof(G).FullName), "one that is harmless is told of with one that is not");
         }
         finally
         {

@@ -6,12 +6,17 @@ namespace Unity.Entities;
 
 public unsafe struct EntityManager : IEquatable<EntityManager>
 {
-    internal EntityStore Store;
-    World m_world;
+    readonly EntityStore m_store;
+    readonly World m_world;
 
-    internal EntityManager(World world, EntityStore store) => (m_world, Store) = (world, store);
+    internal EntityManager(World world, EntityStore store) => (m_world, m_store) = (world, store);
 
-    public World World => m_world;
+    internal EntityStore Store => m_store.Alive;
+
+    public World World => Store.IsDisposed ? null : m_world;
+
+    /// <summary>Rises with each structural change.</summary>
+    public int EntityOrderVersion => Store.StructuralVersion;
 
     public EntityArchetype CreateArchetype(params ComponentType[] types)
     {
@@ -90,7 +95,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
 
     public void DestroyEntity(EntityQuery entityQuery)
     {
-        using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
+        using (var entities = entityQuery.Of(Store).ToEntityArray(Allocator.Temp))
             DestroyEntity(entities);
     }
 
@@ -101,7 +106,8 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     public bool AddComponentData<T>(Entity entity, T componentData) where T : unmanaged, IComponentData
     {
         bool isNew = AddComponent<T>(entity);
-        SetComponentData(entity, componentData);
+        if (TypeRegistry.InfoOf(TypeRegistry.Of<T>.Index.Value).SizeBytes > 0)
+            SetComponentData(entity, componentData);
         return isNew;
     }
 
@@ -122,7 +128,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
 
     public void RemoveComponent<T>(EntityQuery entityQuery)
     {
-        using (var entities = entityQuery.ToEntityArray(Allocator.Temp))
+        using (var entities = entityQuery.Of(Store).ToEntityArray(Allocator.Temp))
             for (int i = 0; i < entities.Length; i++)
                 RemoveComponent<T>(entities[i]);
     }
@@ -150,9 +156,9 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
     public EntityQuery CreateEntityQuery(params ComponentType[] requiredComponents) =>
         new EntityQuery(Store, QueryTerms.Of(requiredComponents));
 
-    public bool Equals(EntityManager other) => Store == other.Store;
+    public bool Equals(EntityManager other) => m_store == other.m_store;
     public override bool Equals(object obj) => obj is EntityManager other && Equals(other);
-    public override int GetHashCode() => Store.GetHashCode();
+    public override int GetHashCode() => m_store.GetHashCode();
 
     static Archetype Of(EntityArchetype archetype) => archetype.Stored ??
         throw new ArgumentException("CreateEntity with an archetype that was not created by CreateArchetype");

@@ -6,10 +6,24 @@ namespace Unity.Entities;
 
 public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
 {
-    EntityStore m_store;
-    QueryTerms m_terms;
+    readonly EntityStore m_store;
+    readonly QueryTerms m_terms;
 
-    internal EntityQuery(EntityStore store, QueryTerms terms) => (m_store, m_terms) = (store, terms);
+    internal EntityQuery(EntityStore store, QueryTerms terms)
+    {
+        terms.Check();
+        (m_store, m_terms) = (store, terms);
+    }
+
+    /// <summary>Of this store and of no other world's.</summary>
+    internal EntityQuery Of(EntityStore store) =>
+        Alive == store ? this : throw new ArgumentException("query is invalid or disposed");
+
+    internal EntityQuery OfASystem()
+    {
+        m_terms.IsOfASystem = true;
+        return this;
+    }
 
     public bool IsEmpty => CalculateEntityCount() == 0;
 
@@ -45,6 +59,9 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
 
     public NativeArray<T> ToComponentDataArray<T>(AllocatorManager.AllocatorHandle allocator) where T : unmanaged, IComponentData
     {
+        if (!m_terms.Declares(TypeRegistry.Of<T>.Index.Value))
+            throw new InvalidOperationException("Trying to get iterator for " + typeof(T) +
+                " but the required component type was not declared in the EntityQuery.");
         var values = new NativeArray<T>(CalculateEntityCount(), allocator.ToAllocator);
         int next = 0, type = TypeRegistry.Of<T>.Index.Value;
         for (int a = 0; a < m_store.ArchetypeCount; a++)
@@ -59,13 +76,17 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
         return values;
     }
 
-    /// <summary>A system's query belongs to the system and is not disposed by hand.</summary>
-    public void Dispose() => m_terms = null;
+    public void Dispose()
+    {
+        if (Alive != null && m_terms.IsOfASystem)
+            throw new InvalidOperationException("EntityQuery cannot be disposed: GetEntityQuery()'s are owned by systems.");
+        m_terms.IsDisposed = true;
+    }
 
     public bool Equals(EntityQuery other) => m_terms == other.m_terms;
     public override bool Equals(object compare) => compare is EntityQuery other && Equals(other);
     public override int GetHashCode() => m_terms == null ? 0 : m_terms.GetHashCode();
 
-    EntityStore Alive => m_terms != null && !m_store.IsDisposed ? m_store
-        : throw new ObjectDisposedException("EntityQuery", "The query was not created, or it or its world has been disposed.");
+    EntityStore Alive => !m_terms.IsDisposed ? m_store.Alive
+        : throw new ObjectDisposedException("EntityQuery", "The query has been disposed.");
 }

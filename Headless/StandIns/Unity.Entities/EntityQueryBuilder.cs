@@ -3,6 +3,9 @@ using Unity.Collections;
 
 namespace Unity.Entities;
 
+/// <summary>A query names a type twice.</summary>
+public class EntityQueryDescValidationException(string message) : Exception(message) { }
+
 public ref struct EntityQueryBuilder
 {
     readonly QueryTerms m_terms;
@@ -47,10 +50,12 @@ public ref struct EntityQueryBuilder
 
     public EntityQueryBuilder WithOptions(EntityQueryOptions options)
     {
-        m_terms.Options |= options;
+        if (m_terms.HasOptions)
+            throw new InvalidOperationException("EntityQueryBuilder.WithOptions should only be called once for each query.");
+        (m_terms.HasOptions, m_terms.Options) = (true, options);
         return this;
     }
 
-    public EntityQuery Build(EntityManager entityManager) => new EntityQuery(entityManager.Store, m_terms);
-    public EntityQuery Build(SystemBase systemBase) => Build(systemBase.EntityManager);
+    public EntityQuery Build(EntityManager entityManager) => new EntityQuery(entityManager.Store, m_terms.Copy());
+    public EntityQuery Build(SystemBase systemBase) => Build(systemBase.EntityManager).OfASystem();
 }

@@ -1,3 +1,4 @@
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 
 namespace StandIns.Entities;
@@ -15,9 +16,17 @@ sealed class EntityStore : IDisposable
         public int Version;
         public Archetype Archetype;
         public int Row;
+        /// <summary>Only its cleanup components are left.</summary>
+        public bool IsDestroyed;
     }
 
+    /// <summary>Of entities of one archetype, which a chunk has at least one of.</summary>
+    const int ChunkBytes = 16320;
+
     public bool IsDisposed { get; private set; }
+
+    public EntityStore Alive => !IsDisposed ? this
+        : throw new ObjectDisposedException("EntityManager", "The world has been disposed.");
 
     /// <summary>Rises with each structural change: what was looked up before is invalid.</summary>
     public int StructuralVersion { get; private set; }
@@ -31,15 +40,23 @@ sealed class EntityStore : IDisposable
         Span<int> sorted = stackalloc int[types.Length];
         int count = 0;
         foreach (int type in types)
-            if (sorted.Slice(0, count).IndexOf(type) < 0)
-                sorted[count++] = type;
-        sorted = sorted.Slice(0, count);
+        {
+            if (sorted.Slice(0, count).IndexOf(type) >= 0)
+                throw new ArgumentException("It is not allowed to have two components of the same type on the same entity. ("
+                    + TypeRegistry.InfoOf(type).Type + ")");
+            sorted[count++] = type;
+        }
         for (int i = 1; i < count; i++)
             for (int j = i; j > 0 && sorted[j] < sorted[j - 1]; j--)
                 (sorted[j], sorted[j - 1]) = (sorted[j - 1], sorted[j]);
         foreach (var archetype in m_archetypes)
             if (sorted.SequenceEqual(archetype.Types))
                 return archetype;
+        int bytes = UnsafeUtility.SizeOf<Entity>();
+        foreach (int type in sorted)
+            bytes += TypeRegistry.InfoOf(type).SizeBytes;
+        if (bytes > ChunkBytes)
+            throw new ArgumentException($"Archetype too large to fit in chunk: {bytes} bytes of at most {ChunkBytes}");
         var made = new Archetype(sorted.ToArray());
         m_archetypes.Add(made);
         return made;
@@ -47,7 +64,6 @@ sealed class EntityStore : IDisposable
 
     public Entity Create(Archetype archetype)
     {
-        CheckAlive();
         StructuralVersion++;
         if (!m_free.TryPop(out int index))
         {
@@ -67,6 +83,8 @@ sealed class EntityStore : IDisposable
     public Entity Copy(EntityStore store, Entity source, int left = -1)
     {
         var from = store.Find(source);
+        if (from.IsDestroyed)
+            throw new ArgumentException("srcEntity is not instantiable because it has already been destroyed.");
         Span<int> types = stackalloc int[from.Archetype.Types.Length];
         int count = 0;
         foreach (var column in from.Archetype.Columns)
@@ -82,9 +100,8 @@ sealed class EntityStore : IDisposable
     /// <summary>What has cleanup components keeps these until they are removed.</summary>
     public void Destroy(Entity entity)
     {
-        CheckAlive();
         // As in Unity: one that is gone is passed over.
-        if (!Exists(entity))
+        if (!Exists(entity) || m_places[entity.Index].IsDestroyed)
             return;
         var archetype = m_places[entity.Index].Archetype;
         if (!archetype.HasCleanup)
@@ -97,6 +114,7 @@ sealed class EntityStore : IDisposable
             if (column.Info.IsCleanup)
                 kept.Add(column.TypeIndex);
         Move(entity, ArchetypeOf(kept.ToArray()));
+        m_places[entity.Index].IsDestroyed = true;
     }
 
     public bool Exists(Entity entity) => entity.Index > 0 && entity.Index < m_used &&
@@ -107,7 +125,9 @@ sealed class EntityStore : IDisposable
     /// <returns>Whether it was not there.</returns>
     public bool Add(Entity entity, int type)
     {
-        var archetype = Find(entity).Archetype;
+        if (!Exists(entity))
+            throw new InvalidOperationException("The entity does not exist: " + entity);
+        var archetype = m_places[entity.Index].Archetype;
         if (archetype.Find(type) != null)
             return false;
         var types = new int[archetype.Types.Length + 1];
@@ -126,8 +146,7 @@ sealed class EntityStore : IDisposable
         if (archetype.Find(type) == null)
             return false;
         var types = Array.FindAll(archetype.Types, t => t != type);
-        // The last cleanup component of an entity that was destroyed.
-        if (types.Length == 0 && TypeRegistry.InfoOf(type).IsCleanup)
+        if (types.Length == 0 && m_places[entity.Index].IsDestroyed)
             Erase(entity);
         else
             Move(entity, ArchetypeOf(types));
@@ -150,18 +169,10 @@ sealed class EntityStore : IDisposable
         IsDisposed = true;
     }
 
-    void CheckAlive()
-    {
-        if (IsDisposed)
-            throw new ObjectDisposedException("EntityManager", "The world has been disposed.");
-    }
-
     Place Find(Entity entity)
     {
-        CheckAlive();
         if (!Exists(entity))
-            throw new ArgumentException("All entities passed to EntityManager must exist. One of the " +
-                "entities has already been destroyed or was never created: " + entity);
+            throw new ArgumentException("The entity does not exist: " + entity);
         return m_places[entity.Index];
     }
 
@@ -190,6 +201,7 @@ sealed class EntityStore : IDisposable
             column.Free(place.Row);
         RemoveRow(place);
         place.Archetype = null;
+        place.IsDestroyed = false;
         place.Version++;
         m_free.Push(entity.Index);
     }

@@ -26,6 +26,38 @@ sealed class QueryTerms
     public readonly List<int> Absent = new List<int>();
 
     public EntityQueryOptions Options;
+    public bool HasOptions;
+    public bool IsOfASystem;
+    public bool IsDisposed;
+
+    /// <summary>Refuses what Unity refuses when a query is made.</summary>
+    public void Check()
+    {
+        var named = All.Concat(Any).Concat(None).Concat(Disabled).Concat(Present).Concat(Absent);
+        if (named.GroupBy(t => t).FirstOrDefault(t => t.Count() > 1) is { } twice)
+            throw new EntityQueryDescValidationException("EntityQuery contains a filter with duplicate component type name " +
+                TypeRegistry.InfoOf(twice.Key).Type.Name);
+        foreach (int type in Disabled)
+            if (!TypeRegistry.InfoOf(type).IsEnableable)
+                throw new InvalidOperationException("Component type " + TypeRegistry.InfoOf(type).Type +
+                    " passed with WithDisabled() is not an enableable component");
+    }
+
+    public bool Declares(int type) =>
+        All.Contains(type) || Any.Contains(type) || Disabled.Contains(type) || Present.Contains(type);
+
+    /// <summary>For a query: who named these may go on.</summary>
+    public QueryTerms Copy()
+    {
+        var copy = new QueryTerms { Options = Options };
+        copy.All.AddRange(All);
+        copy.Any.AddRange(Any);
+        copy.None.AddRange(None);
+        copy.Disabled.AddRange(Disabled);
+        copy.Present.AddRange(Present);
+        copy.Absent.AddRange(Absent);
+        return copy;
+    }
 
     public static QueryTerms Of(ComponentType[] types)
     {

@@ -4,16 +4,28 @@ public abstract class ComponentSystemBase
 {
     bool m_wasRunning;
 
-    public bool Enabled { get; set; } = true;
+    bool m_isEnabled = true;
+
+    public bool Enabled
+    {
+        get => Made != null && m_isEnabled;
+        set => m_isEnabled = Made != null && value;
+    }
+
     public World World { get; private set; }
-    public EntityManager EntityManager => World.EntityManager;
+    public EntityManager EntityManager => Made.EntityManager;
+
+    internal World Made =>
+        World ?? throw new InvalidOperationException("system state is not initialized or has already been destroyed");
 
     public abstract void Update();
     protected virtual void OnCreate() { }
     protected virtual void OnStartRunning() { }
     protected virtual void OnStopRunning() { }
     protected virtual void OnDestroy() { }
-    public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) => EntityManager.CreateEntityQuery(componentTypes);
+
+    public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) =>
+        EntityManager.CreateEntityQuery(componentTypes).OfASystem();
 
     internal void Create(World world)
     {
@@ -23,8 +35,14 @@ public abstract class ComponentSystemBase
 
     internal void Destroy()
     {
-        OnDestroy();
-        World = null;
+        try
+        {
+            OnDestroy();
+        }
+        finally
+        {
+            World = null;
+        }
     }
 
     /// <summary>Whether it runs in this update: tells the system where that has changed.</summary>

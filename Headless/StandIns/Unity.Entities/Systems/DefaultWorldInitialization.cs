@@ -13,7 +13,7 @@ public static class DefaultWorldInitialization
         world.GetOrCreateSystemManaged<SimulationSystemGroup>();
         world.GetOrCreateSystemManaged<PresentationSystemGroup>();
         foreach (var type in systemTypes)
-            world.GetOrCreateSystemManaged(type);
+            World.Try(() => world.GetOrCreateSystemManaged(type));
         foreach (var type in systemTypes)
             Add(world, type);
         world.GetExistingSystemManaged<InitializationSystemGroup>().SortSystems();
@@ -28,6 +28,11 @@ public static class DefaultWorldInitialization
         if (isRoot)
             return;
         var group = type.GetCustomAttribute<UpdateInGroupAttribute>()?.GroupType ?? typeof(SimulationSystemGroup);
+        if (!typeof(ComponentSystemGroup).IsAssignableFrom(group))
+            throw new InvalidOperationException($"Invalid [UpdateInGroupAttribute] attribute for {type}: "
+                + "target group must be derived from ComponentSystemGroup.");
+        if (world.GetExistingSystemManaged(type) == null)
+            return;
         if (world.GetExistingSystemManaged(group) is ComponentSystemGroup made)
             made.AddSystemToUpdateList(world.GetExistingSystemManaged(type));
         else

@@ -12,12 +12,15 @@ public abstract class SystemBase : ComponentSystemBase
     {
         if (!Begin())
             return;
+        var world = World;
+        world.Executing++;
         try
         {
             OnUpdate();
         }
         finally
         {
+            world.Executing--;
             // What a system has scheduled and says so, the engine starts; other jobs wait.
             if (!Dependency.Equals(default))
                 JobHandle.ScheduleBatchedJobs();

@@ -41,26 +41,30 @@ static class SystemOrder
         return false;
     }
 
-    /// <summary>Of attributes that Unity ignores, and says so in everybody's Console.</summary>
+    /// <summary>Where a system has an attribute that Unity ignores, everybody's Console names each of its attributes that order
+    /// nothing.</summary>
     static void Warn(List<ComponentSystemBase> systems, Type group)
     {
         foreach (var system in systems)
         {
             var type = system.GetType();
-            foreach (var before in type.GetCustomAttributes<UpdateBeforeAttribute>())
-                Warn(systems, type, before.SystemType, group, PartOf(before.SystemType, group) < PartOf(type, group));
-            foreach (var after in type.GetCustomAttributes<UpdateAfterAttribute>())
-                Warn(systems, type, after.SystemType, group, PartOf(after.SystemType, group) > PartOf(type, group));
+            int PartsAhead(Type other) => PartOf(other, group) - PartOf(type, group);
+            bool IsThere(Type other) => systems.Exists(s => s.GetType() == other);
+            var before = type.GetCustomAttributes<UpdateBeforeAttribute>().Select(a => a.SystemType).ToArray();
+            var after = type.GetCustomAttributes<UpdateAfterAttribute>().Select(a => a.SystemType).ToArray();
+            bool IsLost(Type other) => other == type || (PartsAhead(other) == 0 && !IsThere(other));
+            if (!Array.Exists(before, b => IsLost(b) || PartsAhead(b) < 0)
+                && !Array.Exists(after, a => IsLost(a) || PartsAhead(a) > 0))
+                continue;
+            foreach (var other in after.Concat(before))
+            {
+                string why = other == type ? "a system cannot be updated or created after or before itself."
+                    : !IsThere(other) ? "they are not members of the same ComponentSystemGroup instance, " + group
+                    : PartsAhead(other) != 0 ? "OrderFirst/OrderLast has higher precedence." : null;
+                if (why != null)
+                    UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: {why}");
+            }
         }
-    }
-
-    static void Warn(List<ComponentSystemBase> systems, Type type, Type other, Type group, bool isAgainstParts)
-    {
-        if (isAgainstParts)
-            UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: " +
-                "OrderFirst and OrderLast have higher precedence.");
-        else if (PartOf(type, group) == PartOf(other, group) && !systems.Exists(s => s.GetType() == other))
-            UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: both have to be in {group}.");
     }
 
     static int PartOf(Type system, Type group)

@@ -6,18 +6,22 @@ public sealed class World : IDisposable
 {
     readonly List<ComponentSystemBase> m_systems = new List<ComponentSystemBase>();
     readonly EntityStore m_store = new EntityStore();
+    readonly EntityManager m_entities;
+
+    /// <summary>Systems whose update has begun and not ended.</summary>
+    internal int Executing;
 
     public World(string name, WorldFlags flags = WorldFlags.Simulation)
     {
         Name = name;
-        EntityManager = new EntityManager(this, m_store);
+        m_entities = new EntityManager(this, m_store);
     }
 
     /// <summary>Null until a host or a test sets it.</summary>
     public static World DefaultGameObjectInjectionWorld { get; set; }
 
     public string Name { get; }
-    public EntityManager EntityManager { get; }
+    public EntityManager EntityManager => m_store.Alive != null ? m_entities : default;
     public bool IsCreated => !m_store.IsDisposed;
 
     public T GetExistingSystemManaged<T>() where T : ComponentSystemBase => (T)GetExistingSystemManaged(typeof(T));
@@ -25,6 +29,8 @@ public sealed class World : IDisposable
     /// <summary>Without garbage: it is asked each frame.</summary>
     public ComponentSystemBase GetExistingSystemManaged(Type type)
     {
+        if (m_store.Alive != null && !typeof(ComponentSystemBase).IsAssignableFrom(type))
+            throw new ArgumentException("The passed-in Type " + type + " is not a type that derives from SystemBase or ISystem");
         foreach (var system in m_systems)
             if (system.GetType() == type)
                 return system;
@@ -40,7 +46,15 @@ public sealed class World : IDisposable
             throw new ObjectDisposedException(Name);
         var system = (ComponentSystemBase)Activator.CreateInstance(type);
         m_systems.Add(system);
-        system.Create(this);
+        try
+        {
+            system.Create(this);
+        }
+        catch
+        {
+            m_systems.Remove(system);
+            throw;
+        }
         return system;
     }
 
@@ -56,6 +70,8 @@ public sealed class World : IDisposable
     {
         if (!IsCreated)
             throw new ArgumentException("The World has already been Disposed.");
+        if (Executing > 0)
+            throw new ArgumentException("The World can not be disposed while a system in that world is executing");
         for (int i = m_systems.Count - 1; i >= 0; i--)
             Try(m_systems[i].Stop);
         for (int i = m_systems.Count - 1; i >= 0; i--)
@@ -66,8 +82,8 @@ public sealed class World : IDisposable
             DefaultGameObjectInjectionWorld = null;
     }
 
-    /// <summary>A system that throws keeps no other from ending.</summary>
-    static void Try(Action step)
+    /// <summary>A system that throws keeps no other from its steps.</summary>
+    internal static void Try(Action step)
     {
         try
         {

@@ -6,6 +6,10 @@ public sealed class NativeContainerAttribute : Attribute { }
 [AttributeUsage(AttributeTargets.Struct)]
 public sealed class NativeContainerIsReadOnlyAttribute : Attribute { }
 
+/// <summary>May be written in parallel.</summary>
+[AttributeUsage(AttributeTargets.Struct)]
+public sealed class NativeContainerIsAtomicWriteOnlyAttribute : Attribute { }
+
 [AttributeUsage(AttributeTargets.Struct)]
 public sealed class NativeContainerSupportsMinMaxWriteRestrictionAttribute : Attribute { }
 

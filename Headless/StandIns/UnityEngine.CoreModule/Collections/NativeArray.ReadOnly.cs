@@ -8,7 +8,7 @@ public unsafe partial struct NativeArray<T>
     [NativeContainer]
     [NativeContainerIsReadOnly]
     [DebuggerDisplay("Length = {Length}")]
-    public struct ReadOnly : IEnumerable<T>
+    public partial struct ReadOnly : IEnumerable<T>
     {
         [NativeDisableUnsafePtrRestriction] internal void* m_Buffer;
         internal int m_Length;

@@ -1,6 +1,6 @@
 namespace Unity.Collections.LowLevel.Unsafe;
 
-public static unsafe class NativeArrayUnsafeUtility
+public static unsafe partial class NativeArrayUnsafeUtility
 {
     public static void SetAtomicSafetyHandle<T>(ref NativeArray<T> array, AtomicSafetyHandle safety) where T : struct
     {

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public sealed class Application
+public sealed partial class Application
 {
     /// <summary>The host is as an editor that does not play, unless a test has it play.</summary>
     public static bool isPlaying => SceneLoop.IsPlaying;

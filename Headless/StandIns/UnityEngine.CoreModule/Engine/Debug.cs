@@ -3,7 +3,7 @@ using StandIns.Engine;
 namespace UnityEngine;
 
 /// <summary>Everything goes to standard error: standard output belongs to the command line's own results.</summary>
-public class Debug
+public partial class Debug
 {
     /// <summary>Takes the place of standard error where a test wants to see what was logged.</summary>
     internal static Action<LogType, string> s_sink;

@@ -1,9 +1,9 @@
 namespace UnityEngine.Serialization
 {
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true, Inherited = false)]
-    public class FormerlySerializedAsAttribute : Attribute
+    public partial class FormerlySerializedAsAttribute(string oldName) : Attribute
     {
-        public FormerlySerializedAsAttribute(string oldName) { }
+        internal readonly string OldName = oldName;
     }
 }
 

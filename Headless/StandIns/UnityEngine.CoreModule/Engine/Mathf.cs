@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public struct Mathf
+public partial struct Mathf
 {
     public const float PI = MathF.PI;
 

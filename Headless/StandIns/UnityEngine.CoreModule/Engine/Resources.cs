@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public sealed class Resources
+public sealed partial class Resources
 {
     /// <summary>What a host puts where assets would be.</summary>
     internal static readonly Dictionary<string, Object> Assets = new Dictionary<string, Object>();

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public class ScriptableObject : Object
+public partial class ScriptableObject : Object
 {
     public static T CreateInstance<T>() where T : ScriptableObject
     {

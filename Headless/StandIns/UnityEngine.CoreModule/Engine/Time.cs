@@ -1,7 +1,7 @@
 namespace UnityEngine;
 
 /// <summary>A host sets what a frame takes.</summary>
-public class Time
+public partial class Time
 {
     internal static float s_frame = 1 / 60f;
 

@@ -5,7 +5,7 @@ public interface IJobParallelFor
     void Execute(int index);
 }
 
-public static unsafe class IJobParallelForExtensions
+public static unsafe partial class IJobParallelForExtensions
 {
     struct Kind<T> : IJobKind<T> where T : struct, IJobParallelFor
     {

@@ -1,6 +1,6 @@
 namespace Unity.Jobs.LowLevel.Unsafe;
 
-public static class JobsUtility
+public static partial class JobsUtility
 {
     public const int MaxJobThreadCount = 128;
     public const int CacheLineSize = 64;

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Unity.Collections.LowLevel.Unsafe;
 
-public static unsafe class UnsafeUtility
+public static unsafe partial class UnsafeUtility
 {
     public static void* Malloc(long size, int alignment, Allocator allocator)
     {

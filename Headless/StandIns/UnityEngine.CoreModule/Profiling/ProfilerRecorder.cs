@@ -1,6 +1,6 @@
 namespace Unity.Profiling;
 
-public readonly struct ProfilerCategory(string categoryName)
+public readonly partial struct ProfilerCategory(string categoryName)
 {
     private readonly string m_name = categoryName;
 

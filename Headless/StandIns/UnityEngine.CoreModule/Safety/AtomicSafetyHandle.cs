@@ -4,7 +4,7 @@ namespace Unity.Collections.LowLevel.Unsafe;
 
 /// <summary>A container's permission to touch its memory. The copy that a job gets says what the job declared; the others ask the
 /// node whether jobs are in flight that the main thread has not completed.</summary>
-public unsafe struct AtomicSafetyHandle
+public unsafe partial struct AtomicSafetyHandle
 {
     internal const int OfJob = 1;
     internal const int NoRead = 2;

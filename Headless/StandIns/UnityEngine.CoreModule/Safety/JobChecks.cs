@@ -29,7 +29,8 @@ static unsafe class JobChecks
             return Register(at, layout, name, parallel, dependency, runsAtOnce);
     }
 
-    static JobRecord Register(byte* at, JobLayout layout, string name, bool parallel, JobHandle dependency, bool runsAtOnce)
+    internal static JobRecord Register(byte* at, JobLayout layout, string name, bool parallel, JobHandle dependency,
+        bool runsAtOnce)
     {
         JobField[] fields = layout.Containers;
         for (int i = 0; i < fields.Length; i++)

@@ -97,7 +97,8 @@ sealed class JobLayout
             IsReadOnly = Has<ReadOnlyAttribute>(path) || type.IsDefined(typeof(NativeContainerIsReadOnlyAttribute), false),
             IsWriteOnly = Has<WriteOnlyAttribute>(path),
             DisablesSafety = Has<NativeDisableContainerSafetyRestrictionAttribute>(path),
-            DisablesParallelForRestriction = Has<NativeDisableParallelForRestrictionAttribute>(path),
+            DisablesParallelForRestriction = Has<NativeDisableParallelForRestrictionAttribute>(path)
+                || type.IsDefined(typeof(NativeContainerIsAtomicWriteOnlyAttribute), false),
             IsDeallocated = Has<DeallocateOnJobCompletionAttribute>(path),
         });
     }

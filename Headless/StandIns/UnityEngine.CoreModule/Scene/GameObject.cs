@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public sealed class GameObject : Object
+public sealed partial class GameObject : Object
 {
     readonly List<Component> m_components = new List<Component>();
     readonly Transform m_transform;

@@ -32,7 +32,7 @@ public struct Scene
 public struct SceneHandle { }
 #endif
 
-public class SceneManager
+public partial class SceneManager
 {
     internal static Scene s_active;
 

@@ -2,7 +2,7 @@ namespace StandIns.Scheduling;
 
 /// <summary>Schedules, runs and completes jobs. A job waits until what is scheduled is flushed, and starts as soon as its
 /// dependencies are done.</summary>
-static unsafe class JobScheduler
+static unsafe partial class JobScheduler
 {
     // A job that became ready when this worker finished another, and that nobody else has to be woken for.
     [ThreadStatic] static JobNode t_next;

@@ -7,7 +7,7 @@ namespace UnityEngine;
 public class MissingReferenceException(string message) : SystemException(message) { }
 
 /// <summary>Equal to null once it is destroyed, though the reference is not.</summary>
-public class Object
+public partial class Object
 {
     static int s_lastId;
     readonly int m_id = Interlocked.Increment(ref s_lastId);

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public struct Bounds(Vector3 center, Vector3 size) : IEquatable<Bounds>, IFormattable
+public partial struct Bounds(Vector3 center, Vector3 size) : IEquatable<Bounds>, IFormattable
 {
     Vector3 m_center = center;
     Vector3 m_extents = size * 0.5f;
