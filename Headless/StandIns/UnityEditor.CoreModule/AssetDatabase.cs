@@ -141,10 +141,6 @@ public sealed class AssetDatabase
 
     static string KindOf(Object asset) => asset is GameObject ? "Prefab" : asset.GetType().Name;
 
-    internal static readonly List<string> AssetBundleNames = new List<string>();
-
-    public static string[] GetAllAssetBundleNames() => AssetBundleNames.ToArray();
-
     public static string[] FindAssets(string filter, string[] searchInFolders) =>
         throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
 

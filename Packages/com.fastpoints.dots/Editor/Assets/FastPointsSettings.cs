@@ -54,9 +54,6 @@ namespace FastPoints.Editor
         /// <summary>From this size on, the clouds of a player are warned of when it is built; 0 for never.</summary>
         public int PlayerMiB = 2048;
 
-        /// <summary>Which variants of the package's shaders players contain.</summary>
-        public VariantChoice PlayerVariants = VariantChoice.Automatic;
-
         /// <summary>Clouds that go into every player, because only code names them.</summary>
         public PointCloudAsset[] AlwaysInPlayers = new PointCloudAsset[0];
 
