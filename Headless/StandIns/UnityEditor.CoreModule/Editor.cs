@@ -133,11 +133,12 @@ public class ScriptableSingleton<T> : ScriptableObject where T : ScriptableObjec
                 throw new InvalidOperationException("an import worker sees no " + typeof(T).Name + " of the main process");
             if (s_instance != null)
                 return s_instance;
-            var made = CreateInstance<T>();
+            var made = Activator.CreateInstance<T>();
             // Not to be edited otherwise: Save is the user's.
             made.hideFlags = HideFlags.HideAndDontSave & ~HideFlags.NotEditable;
             if (FilePath != null && File.Exists(FilePath))
                 SettingsFile.Read(FilePath, made);
+            SceneLoop.Send(made, "OnEnable");
             return made;
         }
     }
@@ -161,8 +162,16 @@ static class SettingsFile
     public static void Write(string path, Object of)
     {
         Directory.CreateDirectory(Path.GetDirectoryName(path));
-        File.WriteAllLines(path, Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of))));
+        AssetDatabase.CheckWritable(path);
+        s_writes++;
+        File.WriteAllText(path, TextOf(of));
     }
+
+    /// <summary>How often any was written.</summary>
+    internal static int s_writes;
+
+    internal static string TextOf(Object of) =>
+        string.Concat(Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of)) + "\n"));
 
     public static void Read(string path, Object into)
     {
@@ -191,6 +200,12 @@ static class SettingsFile
 
     static IEnumerable<FieldInfo> Fields(Object of) =>
         SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));
+}
+
+/// <summary>Here by the lines of a settings file.</summary>
+public static class EditorJsonUtility
+{
+    public static string ToJson(object obj) => SettingsFile.TextOf((Object)obj);
 }
 
 public enum SettingsScope { User = 0, Project = 1 }

@@ -1,16 +1,20 @@
 using System;
 using System.IO;
+using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Entities;
 using FastPoints.Samplers;
 using UnityEditor;
+using UnityEngine;
 
 namespace FastPoints.Editor
 {
     /// <summary>A project's settings for imports: in <c>ProjectSettings/FastPoints.asset</c>, for version control.</summary>
-    [FilePath("ProjectSettings/FastPoints.asset", FilePathAttribute.Location.ProjectFolder)]
+    [FilePath(FileName, FilePathAttribute.Location.ProjectFolder)]
     internal sealed class FastPointsSettings : ScriptableSingleton<FastPointsSettings>
     {
+        const string FileName = "ProjectSettings/FastPoints.asset";
+
         public Sampler Sampler = Sampler.Random;
 
         /// <summary>Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there
@@ -61,18 +65,41 @@ namespace FastPoints.Editor
         /// <param name="project">The project's folder.</param>
         public static ProjectPaths ReadPaths(string project)
         {
-            string file = Path.Combine(project, "ProjectSettings/FastPoints.asset"), key = nameof(Place) + ":";
+            string file = Path.Combine(project, FileName), key = nameof(Place) + ":";
             string line = File.Exists(file) ? Array.Find(File.ReadAllLines(file), l => l.TrimStart().StartsWith(key,
                 StringComparison.Ordinal)) : null;
             string place = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
             return string.IsNullOrEmpty(place) ? new ProjectPaths(project) : new ProjectPaths(project, place);
         }
 
-        /// <summary>Saves changes.</summary>
+        /// <summary>What the file says; kept when scripts are loaded anew, as Unity keeps private fields.</summary>
+        string m_saved;
+
+        void OnEnable()
+        {
+            if (string.IsNullOrEmpty(m_saved))
+                m_saved = EditorJsonUtility.ToJson(this);
+        }
+
+        /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built
+        /// anew.</summary>
         public void Save()
         {
-            Save(true);
             Apply();
+            string now = EditorJsonUtility.ToJson(this);
+            if (now == m_saved && File.Exists(FileName))
+                return;
+            try
+            {
+                LockedFile.Open(FileName);
+                Save(true);
+                m_saved = now;
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: the settings hold until the editor is closed, and are saved with the next change. " +
+                    e.Message);
+            }
         }
 
         /// <summary>Applies the project's settings to scenes.</summary>

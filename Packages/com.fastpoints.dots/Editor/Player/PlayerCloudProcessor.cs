@@ -24,9 +24,10 @@ namespace FastPoints.Editor
             {
                 foreach (string path in PlayerAssets.Of(scenes))
                 {
-                    var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-                    if (asset == null)
+                    // Textures and meshes that scenes refer to are not loaded for this.
+                    if (AssetDatabase.GetMainAssetTypeAtPath(path) != typeof(PointCloudAsset))
                         continue;
+                    var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
                     string folder = paths.Absolute(asset.ProjectPath ?? "");
                     if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
                         clouds.Add(path, folder, asset.PlayerPath);
