@@ -124,9 +124,10 @@ public sealed class LockedFileTests : EditorFixture
     [Test]
     public void Write_LockedFile_IsRefused()
     {
-        FastPointsSettings.instance.Save();
+        var settings = FastPointsSettings.instance;
+        settings.Save();
         Lock(Settings);
-        Assert.That(() => SettingsFile.Write(Settings, FastPointsSettings.instance), Throws.TypeOf<UnauthorizedAccessException>());
+        Assert.That(() => SettingsFile.Write(Settings, settings), Throws.TypeOf<UnauthorizedAccessException>());
         Assert.That(AssetDatabase.MakeEditable(Settings), Is.True, "nobody else locks it");
         Assert.That(AssetDatabase.MakeEditable("../elsewhere.txt"), Is.True);
         Assert.That(() => AssetDatabase.MakeEditable(null), Throws.ArgumentNullException);

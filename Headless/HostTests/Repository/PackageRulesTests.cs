@@ -85,7 +85,8 @@ public sealed class PackageRulesTests
     public void Check_ModulesOfTheEngine_AreThoseThatAreUsed(string assembly, string dependency, string problem)
     {
         Directory.CreateDirectory(Path.Combine(m_root, "Headless", "Api"));
-        File.WriteAllText(Path.Combine(m_root, "Headless", "Api", "used.tsv"), "id\tassembly\nT:UnityEngine.X\t" + assembly + "\n");
+        string used = Path.Combine(m_root, "Headless", "Api", "used.tsv");
+        File.WriteAllText(used, "id\tassembly\nT:UnityEngine.X\t" + assembly + "\n");
         Change("package.json", "\"1.8.21\"", "\"1.8.21\"" + dependency);
 
         Assert.That(Problems(), problem == null ? Is.Empty : Has.Length.EqualTo(1).And.Some.Contains(problem));
