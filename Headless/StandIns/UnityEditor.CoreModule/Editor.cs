@@ -164,14 +164,11 @@ static class SettingsFile
         Directory.CreateDirectory(Path.GetDirectoryName(path));
         AssetDatabase.CheckWritable(path);
         s_writes++;
-        File.WriteAllText(path, TextOf(of));
+        File.WriteAllLines(path, Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of))));
     }
 
     /// <summary>How often any was written.</summary>
     internal static int s_writes;
-
-    internal static string TextOf(Object of) =>
-        string.Concat(Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of)) + "\n"));
 
     public static void Read(string path, Object into)
     {
@@ -200,12 +197,6 @@ static class SettingsFile
 
     static IEnumerable<FieldInfo> Fields(Object of) =>
         SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));
-}
-
-/// <summary>Here by the lines of a settings file.</summary>
-public static class EditorJsonUtility
-{
-    public static string ToJson(object obj) => SettingsFile.TextOf((Object)obj);
 }
 
 public enum SettingsScope { User = 0, Project = 1 }

@@ -1,5 +1,7 @@
 using System;
+using System.Globalization;
 using System.IO;
+using System.Reflection;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Entities;
@@ -78,15 +80,21 @@ namespace FastPoints.Editor
         void OnEnable()
         {
             if (string.IsNullOrEmpty(m_saved))
-                m_saved = EditorJsonUtility.ToJson(this);
+                m_saved = Text();
         }
+
+        /// <summary>All that is kept, to compare within a session.</summary>
+        string Text() => string.Join("\n", Array.ConvertAll(GetType().GetFields(BindingFlags.Instance | BindingFlags.Public), f =>
+            f.GetValue(this) is PointCloudAsset[] clouds
+                ? string.Join(",", Array.ConvertAll(clouds, c => c == null ? 0 : c.GetHashCode()))
+                : Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
 
         /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built
         /// anew.</summary>
         public void Save()
         {
             Apply();
-            string now = EditorJsonUtility.ToJson(this);
+            string now = Text();
             if (now == m_saved && File.Exists(FileName))
                 return;
             try
