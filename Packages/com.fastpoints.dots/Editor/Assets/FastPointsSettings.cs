@@ -87,7 +87,7 @@ namespace FastPoints.Editor
         string Text() => string.Join("\n", Array.ConvertAll(GetType().GetFields(BindingFlags.Instance | BindingFlags.Public), f =>
             f.GetValue(this) is PointCloudAsset[] clouds
                 ? string.Join(",", Array.ConvertAll(clouds, c => c == null ? 0 : c.GetHashCode()))
-                : Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
+                : System.Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
 
         /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built
         /// anew.</summary>
