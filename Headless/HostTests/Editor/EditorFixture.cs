@@ -26,7 +26,6 @@ public abstract class EditorFixture
         settings.SeveralFiles = SeveralFiles.Ask;
         settings.PointFiles = PointFiles.Ask;
         settings.Place = ProjectPaths.DefaultClouds;
-        settings.PlayerVariants = VariantChoice.Automatic;
         settings.AlwaysInPlayers = new PointCloudAsset[0];
         settings.Apply();
         m_project.Dispose();

@@ -44,6 +44,20 @@ public sealed class PlayerCloudTests : EditorFixture
             .And.Contains("2,000 points  PointClouds/a.fastpoints"));
     }
 
+    /// <summary>A scene may refer to thousands of textures and meshes.</summary>
+    [Test]
+    public void Build_OtherAssets_AreNotLoaded()
+    {
+        Take("a");
+        m_project.UpdateToTheEnd();
+        AssetDatabase.Assets["Assets/other.mat"] = new DefaultAsset();
+        int before = AssetDatabase.s_loads;
+
+        Build();
+
+        Assert.That(AssetDatabase.s_loads - before, Is.EqualTo(1));
+    }
+
     static readonly string[][] s_noScenes = { null, new string[0] };
 
     [TestCaseSource(nameof(s_noScenes))]

@@ -1,5 +1,6 @@
 using System.Collections;
 using FastPoints.UnityTests;
+using FastPoints.UnityTests.Performance;
 using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Editor;
@@ -13,7 +14,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
     public void Forget() => s_calls.Clear();
 
     [TearDown]
-    public void Stop() => EditorApplication.isPlaying = false;
+    public void Stop() => (EditorApplication.isPlaying, Application.isBatchMode) = (false, false);
 
     [Test]
     public void Run_ScriptsAreLoadedAnew_SetUpRunsAgainAndUnitySetUpDoesNot()
@@ -58,6 +59,46 @@ public sealed class TestProjectFixtureTests : EditorFixture
         new EditModeRun(typeof(Keeping), nameof(Keeping.Leave)).Run();
 
         Assert.That(s_calls, Is.EqualTo(new[] { "0 files", "0 files" }));
+    }
+
+    /// <summary>In the project's settings and .meta files.</summary>
+    [TestCase(nameof(Keeping.Update))]
+    [TestCase(nameof(Keeping.Fail))]
+    public void Project_OfTheUser_IsAsBefore(string test)
+    {
+        SessionState.SetString("FastPoints.PointFileClaims", "yes");
+        FastPointsSettings.instance.PointFiles = PointFiles.Ask;
+        m_project.Scratch.Demo("project/Assets/users.las", 500);
+        AssetDatabase.Refresh();
+
+        try
+        {
+            new EditModeRun(typeof(Keeping), test).Run();
+        }
+        catch (System.InvalidOperationException)
+        {
+            Assert.That(test, Is.EqualTo(nameof(Keeping.Fail)));
+        }
+
+        Assert.That(s_calls, Is.EqualTo(new[] { "updated" }));
+        Assert.That(FastPointsSettings.instance.PointFiles, Is.EqualTo(PointFiles.Ask));
+        Assert.That(AssetDatabase.Overrides, Is.Empty);
+    }
+
+    [TestCase(nameof(ImporterTests.PointFile_InAssets_GetsOurImporterWhereNoOtherIsInCharge))]
+    [TestCase(nameof(ImporterTests.Handle_OfAFileOutside_KnowsItsPointsWhenItIsConverted))]
+    public void ImporterTests_InBatchMode_Pass(string test)
+    {
+        Application.isBatchMode = true;
+        Assert.That(() => new EditModeRun(typeof(ImporterTests), test).Run(), Throws.Nothing);
+    }
+
+    [Test]
+    public void FrameRateTests_InBatchMode_MeasureNothing()
+    {
+        Application.isBatchMode = true;
+        var run = new EditModeRun(typeof(FrameRateTests), nameof(FrameRateTests.EditorFrames_BesideAConversion_AreMeasured));
+        Assert.That(run.Run, Throws.TypeOf<IgnoreException>());
     }
 
     sealed class Listing
@@ -115,6 +156,21 @@ public sealed class TestProjectFixtureTests : EditorFixture
             while (again.MoveNext())
                 yield return again.Current;
             s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
+        }
+
+        public IEnumerator Update()
+        {
+            PointCloudImports.Current.Update(System.DateTime.UtcNow);
+            s_calls.Add("updated");
+            yield return null;
+        }
+
+        public IEnumerator Fail()
+        {
+            var steps = Update();
+            while (steps.MoveNext())
+                yield return steps.Current;
+            throw new System.InvalidOperationException();
         }
 
         public IEnumerator Leave()

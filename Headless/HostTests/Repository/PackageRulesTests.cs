@@ -78,6 +78,20 @@ public sealed class PackageRulesTests
         Assert.That(Problems(), Is.Empty);
     }
 
+    [TestCase("UnityEngine:IMGUI", "", "com.unity.modules.imgui: wanted 1.0.0, since it is used")]
+    [TestCase("UnityEngine:Core", ", \"com.unity.modules.imgui\": \"1.0.0\"", "com.unity.modules.imgui: wanted none")]
+    [TestCase("UnityEngine:IMGUI", ", \"com.unity.modules.imgui\": \"1.0.0\"", null)]
+    [TestCase("Unity.Mathematics|UnityEngine:Mathematics", "", null)]
+    public void Check_ModulesOfTheEngine_AreThoseThatAreUsed(string assembly, string dependency, string problem)
+    {
+        Directory.CreateDirectory(Path.Combine(m_root, "Headless", "Api"));
+        string used = Path.Combine(m_root, "Headless", "Api", "used.tsv");
+        File.WriteAllText(used, "id\tassembly\nT:UnityEngine.X\t" + assembly + "\n");
+        Change("package.json", "\"1.8.21\"", "\"1.8.21\"" + dependency);
+
+        Assert.That(Problems(), problem == null ? Is.Empty : Has.Length.EqualTo(1).And.Some.Contains(problem));
+    }
+
     [Test]
     public void Check_ThisPackage_FindsNothing() =>
         Assert.That(PackageCommand.Run(Checkout.Repository, null, null).Problems, Is.Empty);

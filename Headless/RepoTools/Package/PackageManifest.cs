@@ -70,6 +70,23 @@ public sealed class PackageManifest
         }
     }
 
+    /// <summary>A project may leave out any module of the engine that no package asks for. Names the modules that are used and
+    /// not asked for, and those that are asked for in vain.</summary>
+    /// <param name="assemblies">The assembly of each signature that is used, as used.tsv has it.</param>
+    public IEnumerable<string> CheckModules(IEnumerable<string> assemblies)
+    {
+        var used = assemblies.Where(a => Regex.IsMatch(a, @"^UnityEngine:\w+$") && a != "UnityEngine:Core")
+            .Select(a => "com.unity.modules." + a.Split(':')[1].ToLowerInvariant()).ToHashSet();
+        var declared = m_root.TryGetProperty("dependencies", out JsonElement all)
+            ? all.EnumerateObject().Select(d => d.Name)
+                .Where(n => n.StartsWith("com.unity.modules.", StringComparison.Ordinal)).ToHashSet()
+            : new HashSet<string>();
+        foreach (string module in used.Except(declared))
+            yield return Wanted("dependencies." + module, "1.0.0, since it is used", "");
+        foreach (string module in declared.Except(used))
+            yield return Wanted("dependencies." + module, "none, since nothing of it is used", "one");
+    }
+
     private static string Wanted(string field, string wanted, string got) =>
         $"package.json: {field}: wanted {wanted}, got \"{got}\"";
 

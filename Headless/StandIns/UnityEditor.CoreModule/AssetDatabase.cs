@@ -129,7 +129,7 @@ public sealed class AssetDatabase
             Postprocess(changed, deleted);
     }
 
-    /// <summary>Of a filter by type, as <c>t:Name</c>, and of no other.</summary>
+    /// <summary>Of a filter by type, as <c>t:Name</c>, or an empty one, and of no other.</summary>
     public static string[] FindAssets(string filter)
     {
         s_searches++;
@@ -137,16 +137,12 @@ public sealed class AssetDatabase
     }
 
     static string[] Find(string filter) =>
-        Assets.Where(a => "t:" + KindOf(a.Value) == filter).Select(a => GuidOf(a.Key)).ToArray();
+        Assets.Where(a => filter == "" || "t:" + KindOf(a.Value) == filter).Select(a => GuidOf(a.Key)).ToArray();
 
     static string KindOf(Object asset) => asset is GameObject ? "Prefab" : asset.GetType().Name;
 
-    internal static readonly List<string> AssetBundleNames = new List<string>();
-
-    public static string[] GetAllAssetBundleNames() => AssetBundleNames.ToArray();
-
-    public static string[] FindAssets(string filter, string[] searchInFolders) =>
-        throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
+    public static string[] FindAssets(string filter, string[] searchInFolders) => Find(filter)
+        .Where(guid => searchInFolders.Any(f => GUIDToAssetPath(guid).StartsWith(f + "/", StringComparison.Ordinal))).ToArray();
 
     public static void CreateAsset(Object asset, string path) => throw EditorOnly.NotHere(nameof(CreateAsset));
     public static void SaveAssets() => throw EditorOnly.NotHere(nameof(SaveAssets));
@@ -216,9 +212,35 @@ public sealed class AssetDatabase
         }
         else
         {
+            CheckWritable(Absolute(path) + ".meta");
             Overrides[path] = typeof(T);
             ImportAsset(path);
         }
+    }
+
+    /// <summary>Version control, as a test has it: whether a file may be checked out. Null for none, which refuses
+    /// nothing.</summary>
+    internal static Func<string, bool> s_checksOut;
+
+    /// <summary>Has whoever locks files unlock one; says the same of files outside of the project, as of those that nobody
+    /// locks.</summary>
+    public static bool MakeEditable(string path)
+    {
+        if (path == null)
+            throw new ArgumentNullException(nameof(path));
+        if (Path.IsPathRooted(path) || path.StartsWith("../", StringComparison.Ordinal) || s_checksOut == null)
+            return true;
+        if (!s_checksOut(path))
+            return false;
+        File.SetAttributes(Absolute(path), File.GetAttributes(Absolute(path)) & ~FileAttributes.ReadOnly);
+        return true;
+    }
+
+    /// <summary>A locked file is read-only. Who writes one all the same, as the system's owner may here, is refused.</summary>
+    internal static void CheckWritable(string path)
+    {
+        if (File.Exists(path) && (File.GetAttributes(path) & FileAttributes.ReadOnly) != 0)
+            throw new UnauthorizedAccessException("Access to the path '" + path + "' is denied.");
     }
 
     /// <summary>Importers and previews are made in processes of their own, several at once: while one runs here, this is such
@@ -236,6 +258,7 @@ public sealed class AssetDatabase
         Assets.Clear();
         Overrides.Clear();
         Dependencies.Clear();
+        s_checksOut = null;
         s_imported.Clear();
     }
 

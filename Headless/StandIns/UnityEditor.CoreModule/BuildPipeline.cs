@@ -4,13 +4,8 @@ namespace UnityEditor;
 
 public enum BuildTarget { StandaloneOSX = 2, Android = 13, StandaloneWindows64 = 19, WebGL = 20, StandaloneLinux64 = 24 }
 
-[Flags]
-public enum BuildOptions { None = 0, CleanBuildCache = 128 }
-
 public class BuildPipeline
 {
-    public static bool isBuildingPlayer { get; internal set; }
-
     public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) => throw EditorOnly.NotHere(nameof(BuildPlayer));
 }
 

@@ -5,7 +5,6 @@ namespace UnityEditor
         public string[] scenes { get; set; }
         public string locationPathName { get; set; }
         public BuildTarget target { get; set; }
-        public BuildOptions options { get; set; }
     }
 }
 

@@ -133,11 +133,12 @@ public class ScriptableSingleton<T> : ScriptableObject where T : ScriptableObjec
                 throw new InvalidOperationException("an import worker sees no " + typeof(T).Name + " of the main process");
             if (s_instance != null)
                 return s_instance;
-            var made = CreateInstance<T>();
+            var made = Activator.CreateInstance<T>();
             // Not to be edited otherwise: Save is the user's.
             made.hideFlags = HideFlags.HideAndDontSave & ~HideFlags.NotEditable;
             if (FilePath != null && File.Exists(FilePath))
                 SettingsFile.Read(FilePath, made);
+            SceneLoop.Send(made, "OnEnable");
             return made;
         }
     }
@@ -161,8 +162,13 @@ static class SettingsFile
     public static void Write(string path, Object of)
     {
         Directory.CreateDirectory(Path.GetDirectoryName(path));
+        AssetDatabase.CheckWritable(path);
+        s_writes++;
         File.WriteAllLines(path, Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of))));
     }
+
+    /// <summary>How often any was written.</summary>
+    internal static int s_writes;
 
     public static void Read(string path, Object into)
     {

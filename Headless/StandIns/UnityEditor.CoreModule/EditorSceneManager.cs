@@ -51,7 +51,7 @@ namespace UnityEditor.SceneManagement
 
     public enum NewSceneMode { Single = 0, Additive = 1 }
 
-    /// <summary>There is one scene, and previews of others; a new one brings its camera.</summary>
+    /// <summary>There is one scene; a new one brings its camera.</summary>
     public sealed class EditorSceneManager : SceneManager
     {
         /// <summary>What the user answers when asked to save.</summary>
@@ -81,27 +81,11 @@ namespace UnityEditor.SceneManagement
                 throw new InvalidOperationException("This cannot be used during play mode.");
         }
 
-        /// <summary>Roots of scenes by path, as a test puts them there.</summary>
-        internal static readonly Dictionary<string, GameObject[]> Scenes = new Dictionary<string, GameObject[]>();
-
-        /// <summary>Paths of those that were opened.</summary>
-        internal static readonly List<string> Opened = new List<string>();
-
-        internal static int s_previewScenes;
-
-        public static Scene OpenPreviewScene(string scenePath)
+        /// <summary>Its objects stay where they are; there is a file of that name.</summary>
+        public static bool SaveScene(Scene scene, string dstScenePath)
         {
-            s_previewScenes++;
-            Opened.Add(scenePath);
-            return new Scene { Roots = Scenes[scenePath], Path = scenePath };
-        }
-
-        public static bool ClosePreviewScene(Scene scene)
-        {
-            s_previewScenes--;
+            File.WriteAllText(dstScenePath, "");
             return true;
         }
-
-        public static bool SaveScene(Scene scene, string dstScenePath) => throw EditorOnly.NotHere(nameof(SaveScene));
     }
 }

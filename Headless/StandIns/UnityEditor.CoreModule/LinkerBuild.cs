@@ -15,9 +15,4 @@ namespace UnityEditor.Build
     {
         string GenerateAdditionalLinkXmlFile(BuildReport report, UnityLinkerBuildPipelineData data);
     }
-
-    public interface IPostprocessBuildWithReport : IOrderedCallback
-    {
-        void OnPostprocessBuild(BuildReport report);
-    }
 }

@@ -68,7 +68,12 @@ sealed class EditModeRun(Type fixture, string test)
         {
             m_step = (int)state.GetValue(steps);
             if (steps.Current is not IEditModeTestYieldInstruction instruction)
+            {
+                for (var inner = steps.Current as IEnumerator; inner != null && MoveNext(inner);)
+                    NextFrame();
+                NextFrame();
                 continue;
+            }
             var performed = instruction.Perform();
             while (MoveNext(performed))
                 continue;
@@ -77,6 +82,17 @@ sealed class EditModeRun(Type fixture, string test)
         }
         m_step = 0;
         return true;
+    }
+
+    /// <summary>A frame between two steps of a test, as a host makes it; without any, none.</summary>
+    internal Action Frame;
+
+    /// <summary>In batch mode there is no Game view: only what a script draws is drawn.</summary>
+    void NextFrame()
+    {
+        if (Frame != null && !Application.isBatchMode && Camera.main != null && Camera.main.targetTexture != null)
+            Camera.main.Render();
+        Frame?.Invoke();
     }
 
     bool MoveNext(IEnumerator steps)

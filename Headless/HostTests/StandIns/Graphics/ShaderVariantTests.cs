@@ -44,6 +44,17 @@ public sealed class ShaderVariantTests
         Assert.That(names, Is.Not.Empty.And.All.StartsWith("FASTPOINTS_"));
     }
 
+    /// <summary>No material of a project names them, so Unity would strip features.</summary>
+    [Test]
+    public void Keywords_OfThePackagesShaders_GoIntoEveryPlayer()
+    {
+        string folder = Path.Combine(Checkout.Repository.PackageRoot, "Shaders");
+        var pragmas = Directory.GetFiles(folder, "*", SearchOption.AllDirectories).SelectMany(File.ReadLines)
+            .Select(l => Regex.Match(l, @"#\s*pragma\s+(multi_compile|shader_feature)\w*").Groups[1].Value)
+            .Where(p => p.Length > 0).ToList();
+        Assert.That(pragmas, Is.Not.Empty.And.All.EqualTo("multi_compile"));
+    }
+
     private static bool HasChecker()
     {
         try

@@ -52,9 +52,8 @@ public sealed partial class GameObject : Object
         Refresh();
     }
 
-    /// <summary>Nobody looks for one here by its name.</summary>
-    public static GameObject Find(string name) =>
-        throw new NotSupportedException("there are no scenes here to find " + name + " in");
+    /// <summary>Of those that are active; a name alone, no path.</summary>
+    public static GameObject Find(string name) => SceneLoop.Objects.Find(o => o.name == name && o.activeInHierarchy);
 
     /// <summary>Without its mesh.</summary>
     public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());

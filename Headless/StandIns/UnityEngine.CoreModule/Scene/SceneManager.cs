@@ -2,7 +2,6 @@ namespace UnityEngine.SceneManagement;
 
 public struct Scene
 {
-    internal GameObject[] Roots;
     internal string Path;
     internal int Number;
 
@@ -19,8 +18,6 @@ public struct Scene
 #else
     public int handle => Number;
 #endif
-
-    public GameObject[] GetRootGameObjects() => Roots;
 
     public static bool operator ==(Scene lhs, Scene rhs) => lhs.Number == rhs.Number;
     public static bool operator !=(Scene lhs, Scene rhs) => lhs.Number != rhs.Number;

@@ -1,16 +1,22 @@
 using System;
+using System.Globalization;
 using System.IO;
+using System.Reflection;
+using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Entities;
 using FastPoints.Samplers;
 using UnityEditor;
+using UnityEngine;
 
 namespace FastPoints.Editor
 {
     /// <summary>A project's settings for imports: in <c>ProjectSettings/FastPoints.asset</c>, for version control.</summary>
-    [FilePath("ProjectSettings/FastPoints.asset", FilePathAttribute.Location.ProjectFolder)]
+    [FilePath(FileName, FilePathAttribute.Location.ProjectFolder)]
     internal sealed class FastPointsSettings : ScriptableSingleton<FastPointsSettings>
     {
+        const string FileName = "ProjectSettings/FastPoints.asset";
+
         public Sampler Sampler = Sampler.Random;
 
         /// <summary>Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there
@@ -54,9 +60,6 @@ namespace FastPoints.Editor
         /// <summary>From this size on, the clouds of a player are warned of when it is built; 0 for never.</summary>
         public int PlayerMiB = 2048;
 
-        /// <summary>Which variants of the package's shaders players contain.</summary>
-        public VariantChoice PlayerVariants = VariantChoice.Automatic;
-
         /// <summary>Clouds that go into every player, because only code names them.</summary>
         public PointCloudAsset[] AlwaysInPlayers = new PointCloudAsset[0];
 
@@ -64,18 +67,47 @@ namespace FastPoints.Editor
         /// <param name="project">The project's folder.</param>
         public static ProjectPaths ReadPaths(string project)
         {
-            string file = Path.Combine(project, "ProjectSettings/FastPoints.asset"), key = nameof(Place) + ":";
+            string file = Path.Combine(project, FileName), key = nameof(Place) + ":";
             string line = File.Exists(file) ? Array.Find(File.ReadAllLines(file), l => l.TrimStart().StartsWith(key,
                 StringComparison.Ordinal)) : null;
             string place = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
             return string.IsNullOrEmpty(place) ? new ProjectPaths(project) : new ProjectPaths(project, place);
         }
 
-        /// <summary>Saves changes.</summary>
+        /// <summary>What the file says; kept when scripts are loaded anew, as Unity keeps private fields.</summary>
+        string m_saved;
+
+        void OnEnable()
+        {
+            if (string.IsNullOrEmpty(m_saved))
+                m_saved = Text();
+        }
+
+        /// <summary>All that is kept, to compare within a session.</summary>
+        string Text() => string.Join("\n", Array.ConvertAll(GetType().GetFields(BindingFlags.Instance | BindingFlags.Public), f =>
+            f.GetValue(this) is PointCloudAsset[] clouds
+                ? string.Join(",", Array.ConvertAll(clouds, c => c == null ? 0 : c.GetHashCode()))
+                : System.Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
+
+        /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built
+        /// anew.</summary>
         public void Save()
         {
-            Save(true);
             Apply();
+            string now = Text();
+            if (now == m_saved && File.Exists(FileName))
+                return;
+            try
+            {
+                LockedFile.Open(FileName);
+                Save(true);
+                m_saved = now;
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: the settings hold until the editor is closed, and are saved with the next change. " +
+                    e.Message);
+            }
         }
 
         /// <summary>Applies the project's settings to scenes.</summary>

@@ -58,9 +58,6 @@ namespace FastPoints.Editor
                 "What is dropped together and larger stays where it is, and gets handles."), settings.CopiedMiB, 0, 2048);
             settings.PlayerMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
                 "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerMiB, 0, 65536);
-            settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup(new GUIContent("Shader variants in players",
-                "Automatic: those that the built scenes ask for; all if scripts, events or animations may change " +
-                "looks."), settings.PlayerVariants);
             settings.AlwaysInPlayers = CloudFields(new GUIContent("Always in players",
                 "Clouds that only code names. An empty field takes one more."), settings.AlwaysInPlayers);
         }

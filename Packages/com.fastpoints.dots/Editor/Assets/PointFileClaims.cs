@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Text;
 using FastPoints.Base;
 using FastPoints.Files;
@@ -103,15 +104,34 @@ namespace FastPoints.Editor
             m_offered.Clear();
             if (paths.Length == 0)
                 return;
+            PointCloudException refused = null;
             AssetDatabase.StartAssetEditing();
             try
             {
                 foreach (string path in paths)
-                    AssetDatabase.SetImporterOverride<PointFileImporter>(path);
+                    refused = TryClaim(path) ?? refused;
             }
             finally
             {
                 AssetDatabase.StopAssetEditing();
+            }
+            if (refused != null)
+                Debug.LogWarning("FastPoints: not all point cloud files are imported: " + refused.Message);
+        }
+
+        /// <returns>Why not; null if all went well.</returns>
+        static PointCloudException TryClaim(string path)
+        {
+            try
+            {
+                // Their .meta files say by what they are imported.
+                LockedFile.Open(PointCloudImports.Paths.Absolute(path + ".meta"));
+                AssetDatabase.SetImporterOverride<PointFileImporter>(path);
+                return null;
+            }
+            catch (PointCloudException e)
+            {
+                return e;
             }
         }
     }

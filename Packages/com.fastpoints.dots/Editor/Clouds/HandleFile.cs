@@ -15,8 +15,13 @@ namespace FastPoints.Editor
         /// <exception cref="PointCloudException">It cannot be read, or is not a handle.</exception>
         public static CloudHandle Read(string path) => CloudHandle.FromJson(StoreFile.ReadText(path), path);
 
-        /// <exception cref="PointCloudException">It cannot be written.</exception>
-        public static void Write(string path, CloudHandle handle) => TextFile.Write(path, handle.ToJson());
+        /// <summary>Main thread.</summary>
+        /// <exception cref="PointCloudException">It is locked, or cannot be written.</exception>
+        public static void Write(string path, CloudHandle handle)
+        {
+            LockedFile.Open(path);
+            TextFile.Write(path, handle.ToJson());
+        }
 
         /// <summary>Names for new handles in a folder.</summary>
         public static FreeNames NewHandles(string folder) =>

@@ -29,9 +29,10 @@ namespace FastPoints.Editor
                     BatchConvert.Convert(PointCloudImports.Current, built);
                 foreach (string path in built)
                 {
-                    var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-                    if (asset == null)
+                    // Textures and meshes that scenes refer to are not loaded for this.
+                    if (AssetDatabase.GetMainAssetTypeAtPath(path) != typeof(PointCloudAsset))
                         continue;
+                    var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
                     string folder = paths.Absolute(asset.ProjectPath ?? "");
                     if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
                         clouds.Add(path, folder, asset.PlayerPath);

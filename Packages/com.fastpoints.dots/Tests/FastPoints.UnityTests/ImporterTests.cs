@@ -19,6 +19,7 @@ namespace FastPoints.UnityTests
             string asset = TestProject.Folder + "/hills.las";
             File.Copy(TestProject.MakeScan(), asset);
             AssetDatabase.Refresh();
+            TestProject.Claim(asset);
             var deadline = TestProject.Deadline();
             while (AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset) == null)
             {

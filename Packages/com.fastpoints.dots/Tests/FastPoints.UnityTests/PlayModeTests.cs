@@ -19,8 +19,8 @@ namespace FastPoints.UnityTests
         [UnityTest]
         public IEnumerator PlayMode_CloudInTheScene_IsStreamedForTheCamera()
         {
-            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
-                Assert.Ignore("without a graphics device no camera draws");
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null || GraphicsNodePool.WhyNot != null)
+                Assert.Ignore(GraphicsNodePool.WhyNot ?? "without a graphics device no camera draws");
             // The usual camera looks along Z from ten metres before the cloud.
             var scene = EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
             PointCloudDrops.Show(TestProject.TakeScan(), Vector3.zero, null).gameObject.name = CloudName;
@@ -37,11 +37,13 @@ namespace FastPoints.UnityTests
             while (TestProject.DrawnNodes() == 0)
             {
                 TestProject.AssertBefore(deadline, "the first drawn node");
+                TestProject.Draw();
                 yield return null;
             }
             while (PointScene.Current.RecordedPictures == 0)
             {
                 TestProject.AssertBefore(deadline, "the first picture that the pass of the project's pipeline records");
+                TestProject.Draw();
                 yield return null;
             }
             yield return new ExitPlayMode();

@@ -10,6 +10,7 @@ using Unity.Entities;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
@@ -21,6 +22,9 @@ namespace FastPoints.UnityTests
     {
         public const string Folder = "Assets/FastPointsUnityTests";
         public const string Scene = Folder + "/main.unity";
+
+        /// <summary>What the user's settings say of point files; outlives a reload.</summary>
+        const string PointFilesBefore = "FastPoints.UnityTests.PointFiles";
 
         /// <summary>How long a test waits for something that takes a second or two.</summary>
         const double PatienceSeconds = 120;
@@ -46,7 +50,9 @@ namespace FastPoints.UnityTests
         public static void Begin()
         {
             Clean();
-            FastPointsSettings.instance.PointFiles = PointFiles.Import;
+            // Or the user's own files would be claimed, in their .meta files.
+            SessionState.SetInt(PointFilesBefore, (int)FastPointsSettings.instance.PointFiles);
+            FastPointsSettings.instance.PointFiles = PointFiles.Leave;
             Directory.CreateDirectory(Outside);
             AssetDatabase.CreateFolder(Path.GetDirectoryName(Folder), Path.GetFileName(Folder));
         }
@@ -54,6 +60,10 @@ namespace FastPoints.UnityTests
         /// <summary>Takes everything away, an empty scene included; also what an earlier run left.</summary>
         public static void Clean()
         {
+            int before = SessionState.GetInt(PointFilesBefore, -1);
+            if (before >= 0)
+                FastPointsSettings.instance.PointFiles = (PointFiles)before;
+            SessionState.EraseInt(PointFilesBefore);
             EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
             foreach (var request in new List<ImportRequest>(Imports.Queue.Requests))
                 if (AssetDatabase.GUIDToAssetPath(request.Asset).StartsWith(Folder, StringComparison.Ordinal))
@@ -82,6 +92,31 @@ namespace FastPoints.UnityTests
 
         /// <summary>The folder of an asset's converted cloud; it may not be there.</summary>
         public static string ConvertedFolder(PointCloudAsset asset) => Imports.Paths.Absolute(asset.ProjectPath);
+
+        /// <summary>Has a file of the tests' folder imported as it would be in a project that wants that.</summary>
+        public static void Claim(string asset)
+        {
+            var settings = FastPointsSettings.instance;
+            settings.PointFiles = PointFiles.Import;
+            try
+            {
+                new PointFileClaims(settings).Offer(new List<string> { asset });
+            }
+            finally
+            {
+                settings.PointFiles = PointFiles.Leave;
+            }
+        }
+
+        /// <summary>Has the main camera draw: in batch mode there is no Game view, and one behind another tab draws
+        /// nothing.</summary>
+        public static void Draw()
+        {
+            var camera = Camera.main;
+            if (camera.targetTexture == null)
+                camera.targetTexture = new RenderTexture(320, 180, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+            camera.Render();
+        }
 
         /// <summary>When a test that begins to wait now gives up.</summary>
         public static DateTime Deadline() => DateTime.UtcNow.AddSeconds(PatienceSeconds);

@@ -11,7 +11,6 @@ public sealed class Shader : Object
 
     internal ShaderLabSource Source { get; }
     public int passCount => Source.Passes.Count;
-    public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(Source);
 
     public static int PropertyToID(string name) => PropertyNames.IdOf(name);
     public static void SetGlobalVector(int nameID, Vector4 value) => PropertySheet.Global.Set(nameID, PropertyValue.Of(value));

@@ -1,0 +1,135 @@
+namespace FastPoints.HostTests.Editor;
+
+/// <summary>Files that version control has locked until they are checked out.</summary>
+public sealed class LockedFileTests : EditorFixture
+{
+    const string Handle = "Assets/a.pointcloud", Settings = "ProjectSettings/FastPoints.asset";
+
+    readonly List<string> m_asked = new List<string>();
+
+    [SetUp]
+    public void Forget() => m_asked.Clear();
+
+    void Lock(string path) => File.SetAttributes(m_project.Paths.Absolute(path), FileAttributes.ReadOnly);
+
+    void AnswerCheckOuts(bool agrees) => AssetDatabase.s_checksOut = path =>
+    {
+        m_asked.Add(path);
+        return agrees;
+    };
+
+    void Take() => m_project.Imports.Take(m_project.Scratch.Demo("a.las", 2000), "Assets");
+
+    [Test]
+    public void Handle_IsCheckedOutWhenItsCloudIsConverted()
+    {
+        AnswerCheckOuts(true);
+        Take();
+        Assert.That(m_asked, Is.Empty, "a new file");
+        Lock(Handle);
+
+        m_project.UpdateToTheEnd();
+
+        Assert.That(m_asked, Is.EqualTo(new[] { Handle }));
+        Assert.That(HandleFile.Read(Handle).Stamp, Is.Not.Null);
+        Assert.That(m_logged, Is.Empty);
+    }
+
+    [TestCase(true, "version control does not check it out")]
+    [TestCase(false, "is read-only")]
+    public void Handle_ThatCannotBeCheckedOut_IsOneErrorAndNothingIsLost(bool hasVersionControl, string reason)
+    {
+        Take();
+        if (hasVersionControl)
+            AnswerCheckOuts(false);
+        string before = File.ReadAllText(Handle);
+        Lock(Handle);
+
+        m_project.UpdateToTheEnd();
+
+        Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: ").And.Contains(Handle).And.Contains(reason));
+        Assert.That(File.ReadAllText(Handle), Is.EqualTo(before));
+        Assert.That(CloudFolder.IsCloud(Path.Combine(m_project.Paths.Clouds, "a.fastpoints")), "the cloud stays");
+        Assert.That(Directory.GetFiles("Assets", "*.tmp"), Is.Empty);
+    }
+
+    [Test]
+    public void Settings_OfWhichNothingHasChanged_AreNotWritten()
+    {
+        var settings = FastPointsSettings.instance;
+        settings.UpdateMs = 6;
+        settings.Save();
+        int written = SettingsFile.s_writes;
+        try
+        {
+            settings.Save();
+            Assert.That(SettingsFile.s_writes, Is.EqualTo(written), "as each Undo of anything does");
+            Object.DestroyImmediate(settings);
+            settings = FastPointsSettings.instance;
+            settings.Save();
+            Assert.That((SettingsFile.s_writes, settings.UpdateMs), Is.EqualTo((written, 6)), "the next session knows");
+            settings.UpdateMs = 5;
+            settings.Save();
+            Assert.That(SettingsFile.s_writes, Is.EqualTo(written + 1));
+        }
+        finally
+        {
+            settings.UpdateMs = 4;
+        }
+    }
+
+    [Test]
+    public void Settings_ThatCannotBeCheckedOut_HoldAndAreSavedLater()
+    {
+        var settings = FastPointsSettings.instance;
+        settings.Save();
+        Lock(Settings);
+        AnswerCheckOuts(false);
+        string before = File.ReadAllText(Settings);
+        settings.PlayerMiB = 7;
+        settings.Save();
+        Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: the settings hold").And.Contains(Settings));
+        Assert.That((settings.PlayerMiB, File.ReadAllText(Settings)), Is.EqualTo((7, before)));
+
+        AnswerCheckOuts(true);
+        settings.Save();
+
+        Assert.That(m_asked, Is.EqualTo(new[] { Settings, Settings }));
+        Assert.That(File.ReadAllText(Settings), Does.Contain("PlayerMiB: 7"));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Meta_OfAFileThatIsClaimed_IsCheckedOut(bool agrees)
+    {
+        SessionState.EraseString("FastPoints.PointFileClaims");
+        FastPointsSettings.instance.PointFiles = PointFiles.Leave;
+        foreach (string name in new[] { "locked", "open" })
+            m_project.Scratch.Demo("project/Assets/" + name + ".las", 500);
+        AssetDatabase.Refresh();
+        File.WriteAllText("Assets/locked.las.meta", "guid: 1\n");
+        Lock("Assets/locked.las.meta");
+        AnswerCheckOuts(agrees);
+        FastPointsSettings.instance.PointFiles = PointFiles.Import;
+
+        m_project.Imports.Update(DateTime.UtcNow);
+
+        Assert.That(m_asked, Is.EqualTo(new[] { "Assets/locked.las.meta" }));
+        Assert.That(AssetDatabase.Overrides.Keys, Is.EquivalentTo(agrees
+            ? new[] { "Assets/locked.las", "Assets/open.las" } : new[] { "Assets/open.las" }));
+        Assert.That(m_logged.Count(l => l.StartsWith("Warning: FastPoints: not all")), Is.EqualTo(agrees ? 0 : 1));
+    }
+
+    /// <summary>What the stand-in holds to.</summary>
+    [Test]
+    public void Write_LockedFile_IsRefused()
+    {
+        var settings = FastPointsSettings.instance;
+        settings.Save();
+        Lock(Settings);
+        Assert.That(() => SettingsFile.Write(Settings, settings), Throws.TypeOf<UnauthorizedAccessException>());
+        Assert.That(AssetDatabase.MakeEditable(Settings), Is.True, "nobody else locks it");
+        Assert.That(AssetDatabase.MakeEditable("../elsewhere.txt"), Is.True);
+        Assert.That(() => AssetDatabase.MakeEditable(null), Throws.ArgumentNullException);
+    }
+}
