@@ -33,7 +33,7 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
-            Group.IsOpening = false;
+            Group.IsOpening = Group.IsFollowing = false;
             if (!m_files.IsEmpty)
                 Begin();
             if (m_opened.Count > 0)
@@ -159,10 +159,14 @@ namespace FastPoints.Entities
                 file.LooksAgain = false;
                 cloud.Update(budgetMs);
                 if (cloud.Newest != null)
+                {
+                    Group.Wake();
                     Take(entity, cloud, file);
+                }
                 if (cloud.IsBuildGone && EntityManager.HasComponent<PointCloudSource>(entity))
                     EntityManager.GetComponentObject<PointCloudSource>(entity).WithdrawsBuild = true;
-                Group.IsOpening |= !cloud.IsEnded;
+                Group.IsOpening |= !cloud.IsAtRest;
+                Group.IsFollowing |= cloud.IsFollowed;
                 return true;
             }
             catch (Exception e)
