@@ -41,16 +41,14 @@ namespace FastPoints.Editor
             out int materialIndex)
         {
             materialIndex = 0;
-            var world = World.DefaultGameObjectInjectionWorld;
-            var stream = world != null && world.IsCreated
-                ? world.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stream : null;
-            if (stream == null)
+            var group = PointCloudSystemGroup.Shown;
+            if (group?.Stream == null)
                 return null;
             bool CanBePicked(GameObject cloud) => cloud != null && (layers & ~Tools.lockedLayers & 1 << cloud.layer) != 0 &&
                 (ignore == null || Array.IndexOf(ignore, cloud) < 0) && (filter == null || Array.IndexOf(filter, cloud) >= 0) &&
                 !SceneVisibilityManager.instance.IsPickingDisabled(cloud) &&
                 StageUtility.IsGameObjectRenderedByCameraAndPartOfEditableScene(cloud, camera);
-            var clouds = CloudsOf(world.EntityManager, CanBePicked);
+            var clouds = CloudsOf(group.World.EntityManager, CanBePicked);
             if (clouds.Count == 0)
                 return null;
             if (s_picker == null)
@@ -60,7 +58,7 @@ namespace FastPoints.Editor
                 EditorApplication.delayCall += Forget;
             }
             var ray = CameraViews.PickRayOf(camera, camera.ScreenPointToRay(position), Radius * EditorGUIUtility.pixelsPerPoint);
-            s_picker.Begin(stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
+            s_picker.Begin(group.Stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
             var waited = Stopwatch.StartNew();
             while (!s_picker.Update(MostMs) && waited.Elapsed.TotalMilliseconds < MostMs)
                 Thread.Yield();
