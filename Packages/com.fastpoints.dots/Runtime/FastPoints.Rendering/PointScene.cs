@@ -97,11 +97,12 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Whether clouds are drawn for a camera. Previews of assets and reflections show none; other cameras do, and
-        /// overlay cameras where a <see cref="PointCloudCamera"/> asks for it.</summary>
+        /// <summary>Whether clouds are drawn for a camera. Previews of assets, which have a scene of their own, and reflections
+        /// show none; other cameras do, and overlay cameras where a <see cref="PointCloudCamera"/> asks for it.</summary>
         public static bool IsDrawn(Camera camera, bool isOverlay = false)
         {
-            if (camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection)
+            if (camera.cameraType == CameraType.Preview && camera.overrideSceneCullingMask == 0 && camera.scene.IsValid() ||
+                camera.cameraType == CameraType.Reflection)
                 return false;
             return camera.TryGetComponent<PointCloudCamera>(out var choice) && choice.enabled ? choice.DrawsClouds : !isOverlay;
         }
