@@ -135,7 +135,7 @@ namespace FastPoints.Entities
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
             bool isBusy = m_stats.ReadsUnderWay > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
-                Stream.HasLeaving || Stream.IsReadingHierarchy;
+                Stream.Uploads.IsUnderWay || Stream.HasLeaving || Stream.IsReadingHierarchy;
             m_quietFrames = isBusy ? 0 : m_quietFrames + 1;
         }
 
