@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;
@@ -244,7 +245,7 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(asset.PlayerSource, Is.Empty, "a player cannot stream it");
         using var world = StreamingWorld();
         var cloud = PointCloudDrops.Show(asset, null, null);
-        ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+        EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         Assert.That(cloud.Error, Is.Null);
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
     }
@@ -271,23 +272,25 @@ public sealed class EditorImportsTests : EditorFixture
         var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
         Assert.That(cloud.transform.position.z, Is.EqualTo(3));
-        ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+        EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         var entity = cloud.Entity;
         Assert.That(cloud.TryGetSpace(out var space), Is.True);
 
+        EditorProject.Rest(world);
         m_project.UpdateToTheEnd();
 
         NodeSource Shown() => stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source;
-        ImportProject.Updates(world.Update, () => Shown() is FolderSource);
+        EditorProject.Frames(world, () => Shown() is FolderSource);
         Assert.That(cloud.Entity, Is.EqualTo(entity), "it was not opened anew");
         Assert.That(cloud.TryGetSpace(out var later) && later.Equals(space), Is.True);
         var origin = HandleFile.Read(HandlePath("scan.pointcloud")).Origin;
         Assert.That(origin, Is.EqualTo(space.OriginGeo));
         Assert.That(asset.HasOrigin && asset.Origin.Equals(origin), Is.True);
 
+        EditorProject.Rest(world);
         CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
         EditorImports.Refresh("Assets/scan.pointcloud");
-        ImportProject.Updates(world.Update, () => Shown() is TreeSource);
+        EditorProject.Frames(world, () => Shown() is TreeSource);
         Assert.That(m_logged, Is.Empty);
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
     }
@@ -303,19 +306,67 @@ public sealed class EditorImportsTests : EditorFixture
             EditModeFrames.Update();
             return EditorApplication.s_queuedUpdates - before;
         }
-        void Rest() => ImportProject.Updates(world.Update, () => Asked() == 0);
-        Rest();
+        EditorProject.Rest(world);
         var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         var cloud = PointCloudDrops.Show(asset, null, null);
         world.Update();
         Assert.That(Asked(), Is.EqualTo(1));
-        Rest();
+        EditorProject.Rest(world);
         Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.True);
         EditorApplication.isPlaying = true;
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
         world.Update();
         Assert.That(Asked(), Is.Zero, "the player loop runs anyway");
         EditorApplication.isPlaying = false;
+    }
+
+    /// <summary>An entity of a subscene has no component that could be told.</summary>
+    [Test]
+    public void Refresh_CloudWithoutAGameObject_LooksForItsFolderAgain()
+    {
+        using var world = StreamingWorld();
+        var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var entity = world.EntityManager.CreateEntity();
+        world.EntityManager.AddComponentData(entity, new Unity.Transforms.LocalToWorld { Value = float4x4.identity });
+        world.EntityManager.AddComponentData(entity, asset.File());
+        asset.Paths.WriteTo(world.EntityManager.AddBuffer<PointCloudPath>(entity));
+        EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(entity));
+        EditorProject.Rest(world);
+        m_project.UpdateToTheEnd();
+        EditorProject.Frames(world, () => group.Stream.Clouds[
+            world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source is FolderSource);
+    }
+
+    /// <summary>Views are not drawn without end beside a build that was paused, or broken off yesterday.</summary>
+    [Test]
+    public void EditModeFrames_BuildThatStandsStill_AreOneASecondUntilItIsDone()
+    {
+        string folder = m_project.Scratch.Converted("far.fastpoints");
+        var asset = m_project.Imports.Take(folder, "Assets");
+        Directory.Move(folder, folder + ".part");
+        using var world = StreamingWorld();
+        var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        var cloud = PointCloudDrops.Show(asset, null, null);
+        EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+        EditorProject.Rest(world);
+        Assert.That(group.WantsFrame, Is.False);
+        int looks = 0;
+        for (var watch = Stopwatch.StartNew(); watch.Elapsed.TotalSeconds < 2.5;)
+        {
+            EditModeFrames.Update();
+            if (EditorApplication.TakeUpdate())
+            {
+                looks += group.WantsFrame ? 0 : 1;
+                world.Update();
+            }
+            Thread.Sleep(1);
+        }
+        Assert.That(looks, Is.InRange(1, 3));
+        Directory.Move(folder + ".part", folder);
+        EditorProject.Frames(world, () => group.Stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(
+            cloud.Entity).Number].Source is FolderSource { Folder: { IsInTheMaking: false } });
+        UnityEngine.Object.DestroyImmediate(cloud.gameObject);
     }
 
     /// <summary>No world is updated then, while views are drawn as the user turns them.</summary>

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using FastPoints.Feeds;
 using UnityEditor.AssetImporters;
 
@@ -7,6 +8,8 @@ namespace FastPoints.HostTests.Editor;
 /// the package's importers.</summary>
 sealed class EditorProject : IDisposable
 {
+    static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(15);
+
     readonly string m_before = Environment.CurrentDirectory;
 
     public EditorProject()
@@ -46,6 +49,35 @@ sealed class EditorProject : IDisposable
             now = now.AddSeconds(0.3);
             Imports.Update(now);
         }, () => Imports.Queue.Requests.Count == 0);
+    }
+
+    /// <summary>An editor that does not play and is not touched: a frame comes only where one was asked for.</summary>
+    public static void Frames(World world, Func<bool> isDone)
+    {
+        for (var atRest = Stopwatch.StartNew(); !isDone() && atRest.Elapsed < s_longestRest;)
+        {
+            EditModeFrames.Update();
+            if (EditorApplication.TakeUpdate())
+            {
+                world.Update();
+                atRest.Restart();
+            }
+            Thread.Yield();
+        }
+        Assert.That(isDone(), Is.True, "nothing came of it before the editor came to rest");
+    }
+
+    /// <summary>Frames until none is asked for.</summary>
+    public static void Rest(World world)
+    {
+        bool rests = false;
+        ImportProject.Updates(() =>
+        {
+            EditModeFrames.Update();
+            rests = !EditorApplication.TakeUpdate();
+            if (!rests)
+                world.Update();
+        }, () => rests);
     }
 
     /// <summary>As the inspector's Apply: null for what importers begin with.</summary>

@@ -263,6 +263,26 @@ public sealed class MeasureTests
         }
     }
 
+    [Test]
+    public void Click_WorldThatIsShownIsNotTheDefaultOne_SelectsItsCloud()
+    {
+        ScenePicking.MostMs = double.PositiveInfinity;
+        var camera = CameraAbove();
+        using var other = new World("other");
+        try
+        {
+            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ShownWorld) = (other, m_world);
+            Assert.That(HandleUtility.Click(camera, new Vector2(50, 50)), Is.EqualTo(new[] { m_scene }));
+        }
+        finally
+        {
+            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ShownWorld) = (m_world, null);
+            ScenePicking.MostMs = 100;
+            EditorApplication.CallDelayed();
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        }
+    }
+
     /// <summary>The nearer one first, then what lies behind it.</summary>
     [Test]
     public void Click_OnTwoClouds_GoesThroughBoth()

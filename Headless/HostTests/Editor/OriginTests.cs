@@ -83,6 +83,47 @@ public sealed class OriginTests : EditorFixture
         Assert.That(math.length(WorldOf(cloud, own)), Is.LessThan(1e-8), "it lies at its own again");
     }
 
+    /// <summary>A scene that is saved, and an instance of a prefab, keep what no user has set.</summary>
+    [Test]
+    public void Update_PlaceAndSystemThatACloudDecides_AreKeptOnceAndInEditModeAlone()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(SceneVisibility).TypeHandle);
+        var origin = Origin();
+        int[] Kept()
+        {
+            Update();
+            Update();
+            var kept = new[] { EditorUtility.s_dirty, PrefabUtility.s_recorded };
+            int[] counts = Array.ConvertAll(kept, k => k.Count(o => o == origin));
+            Array.ForEach(kept, k => k.Clear());
+            return counts;
+        }
+        var cloud = Shown("a", origin);
+        Assert.That(Kept(), Is.EqualTo(new[] { 1, 1 }));
+        Assert.That(origin.HasPlace, Is.True);
+        Assert.That(Kept(), Is.EqualTo(new[] { 0, 0 }), "nothing is decided any more");
+
+        Object.DestroyImmediate(origin.gameObject);
+        origin = Origin();
+        origin.Place = cloud.Cloud.Origin;
+        Shown("b", origin, "EPSG:25832 ETRS89 / UTM zone 32N");
+        Assert.That(Kept(), Is.EqualTo(new[] { 1, 1 }), "a coordinate system alone");
+        Assert.That(origin.Crs, Does.StartWith("EPSG:25832"));
+
+        EditorApplication.isPlaying = true;
+        try
+        {
+            origin = Origin();
+            Shown("c", origin);
+            Assert.That(Kept(), Is.EqualTo(new[] { 0, 0 }), "play mode's end takes it back");
+            Assert.That(origin.HasPlace, Is.True);
+        }
+        finally
+        {
+            EditorApplication.isPlaying = false;
+        }
+    }
+
     /// <summary>Each frame of a long flight: what lies at the camera stays there to 1e-6, though it is 1,000 km off.</summary>
     [Test]
     public void Shift_AgainAndAgain_NeitherJumpsNorDrifts()

@@ -156,6 +156,36 @@ public sealed class AuthoringTests
         Assert.That(clips.Length, Is.EqualTo(1));
     }
 
+    /// <summary>A write completes other people's jobs, and those who look for changes look again.</summary>
+    [Test]
+    public void Components_ThatStandStill_WriteNothing()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        var box = scene.AddComponent<PointCloudClipBox>();
+        Frames(() => IsStreamed(cloud.Entity));
+        int Written(Action change)
+        {
+            SceneLoop.Update();
+            m_world.Update();
+            int Count() => ComponentWrites<Unity.Transforms.LocalToWorld>.Count + ComponentWrites<PointCloudLayer>.Count +
+                ComponentWrites<PointCloudPlacement>.Count + ComponentWrites<PointCloudClip>.Count;
+            int before = Count();
+            change();
+            SceneLoop.Update();
+            m_world.Update();
+            return Count() - before;
+        }
+        Assert.That(Written(() => { }), Is.Zero);
+        var place = Matrix4x4.identity;
+        place.m03 = 50;
+        Assert.That(Written(() => SceneLoop.Place(scene.transform, place)), Is.EqualTo(3), "cloud, placement and box");
+        Assert.That(Written(() => scene.layer = 6), Is.EqualTo(1));
+        Assert.That(Written(() => box.Cuts = true), Is.EqualTo(1));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
     [Test]
     public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
     {

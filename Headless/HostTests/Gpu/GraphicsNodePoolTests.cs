@@ -217,6 +217,26 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         CheckBytes(stream);
     }
 
+    /// <summary>At the end of play mode that is paused no frame comes in which Destroy would do it, and nobody else takes away
+    /// what is not saved.</summary>
+    [Test]
+    public void Dispose_MaterialsInPlayMode_AreGoneAtOnce()
+    {
+        var shaders = new GpuShaders();
+        var materials = new PointMaterials(shaders.Points, shaders.Compose);
+        var made = new[] { materials.For(PointStyle.Default, false, false, false), materials.ComposeLayer };
+        EditorApplication.isPlaying = true;
+        try
+        {
+            materials.Dispose();
+            Assert.That(made.Count(m => m != null), Is.Zero);
+        }
+        finally
+        {
+            EditorApplication.isPlaying = false;
+        }
+    }
+
     /// <summary>Once all has been made: what is drawn at once depends on when reads arrive, and a buffer may have to grow
     /// late. Garbage of a frame would be in every round. The safety checks of the test build remember each job, so that what
     /// schedules jobs is not looked at here.</summary>

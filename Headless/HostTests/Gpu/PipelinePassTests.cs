@@ -286,8 +286,13 @@ public sealed class PipelinePassTests : PipelineFixture
             CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
             Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
         camera.cameraType = CameraType.Preview;
+        camera.scene = new UnityEngine.SceneManagement.Scene { Mask = 16 };
         RenderOnce(camera);
         Assert.That(Scene.NextViews.Length, Is.Zero);
+        camera.scene = default;
+        RenderOnce(camera);
+        Assert.That(Scene.NextViews.Length, Is.EqualTo(1), "what a virtual camera sees, in the Scene view");
+        Scene.BeginFrame();
         camera.cameraType = CameraType.SceneView;
         RenderOnce(camera);
         Assert.That(Scene.NextViews.Length, Is.EqualTo(1));

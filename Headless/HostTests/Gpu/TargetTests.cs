@@ -113,6 +113,55 @@ public sealed class TargetTests : PipelineFixture
         texture.Release();
     }
 
+    /// <summary>As the Scene view's small picture of a camera that is selected: that very camera, with another mask.</summary>
+    [TestCase(nameof(BuiltInHost))]
+    [TestCase(nameof(UrpHost))]
+    [TestCase(nameof(HdrpHost))]
+    public void Render_OneCameraAtTwoSizesInAFrame_StreamsForBothAndKeepsItsBuffer(string pipeline)
+    {
+        var camera = LookingCamera("pixels", out var large, pipeline);
+        var sceneMaskOf = CameraViews.SceneMaskOf;
+        CameraViews.SceneMaskOf = c => c.overrideSceneCullingMask;
+        Render(camera);
+        var wanted = Scene.NextViews.ToArray().Single();
+        var buffer = PixelsOf(Scene);
+        var small = new RenderTexture(WidthPx / 4, HeightPx / 4, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        small.Create();
+        try
+        {
+            (camera.targetTexture, camera.overrideSceneCullingMask) = (small, 4);
+            RenderOnce(camera);
+            RenderOnce(camera);
+            Assert.That(Scene.NextViews.ToArray().Select(v => (v.ScalePx, v.Mask.Scenes)), Is.EquivalentTo(new[]
+            {
+                (wanted.ScalePx, 0ul), (wanted.ScalePx / 4, 4ul),
+            }));
+            for (int size = 1; size < 40; size++)
+            {
+                camera.Part = new Rect(0, 0, size, size);
+                RenderOnce(camera);
+            }
+            Assert.That(Scene.NextViews.Length, Is.LessThanOrEqualTo(4), "a window whose edge is dragged");
+        }
+        finally
+        {
+            CameraViews.SceneMaskOf = sceneMaskOf;
+        }
+        Assert.That(PixelsOf(Scene), Is.SameAs(buffer).And.Not.Null);
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        large.Release();
+        small.Release();
+    }
+
+    /// <summary>The buffer of pixels of the first camera.</summary>
+    static GraphicsBuffer PixelsOf(PointScene scene)
+    {
+        object Field(object of, string name) => of.GetType().GetField(name, System.Reflection.BindingFlags.Instance |
+            System.Reflection.BindingFlags.Public | System.Reflection.BindingFlags.NonPublic).GetValue(of);
+        var cameras = (System.Collections.IList)Field(scene, "m_cameras");
+        return ((ComputeRaster)Field(Field(cameras[0], "Renderer"), "m_raster")).Pixels;
+    }
+
     /// <summary>A device draws clouds, or one warning says why not, and nothing is thrown, however many frames come.</summary>
     [TestCase(true, null, "compute shaders")]
     [TestCase(false, 1, "storage buffers")]

@@ -145,6 +145,7 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
         var column = Store.Column(entity, TypeRegistry.Of<T>.Index.Value, out int row);
         CheckHasData(column);
         UnsafeUtility.WriteArrayElement(column.At(row), 0, componentData);
+        ComponentWrites<T>.Count++;
     }
 
     public bool IsComponentEnabled<T>(Entity entity) where T : unmanaged, IEnableableComponent =>
@@ -169,4 +170,11 @@ public unsafe struct EntityManager : IEquatable<EntityManager>
             throw new ArgumentException("GetComponentData and SetComponentData can not be called with " +
                 "a zero sized component: " + column.Info.Type.Name);
     }
+}
+
+/// <summary>How often the main thread has set components of a type: each time Unity completes all jobs that use the type, and
+/// tells those who look for changes of one.</summary>
+static class ComponentWrites<T>
+{
+    internal static int Count;
 }

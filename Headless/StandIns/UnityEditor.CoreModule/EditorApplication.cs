@@ -32,7 +32,18 @@ public sealed class EditorApplication
     /// <summary>As a test says.</summary>
     public static bool isFocused { get; internal set; } = true;
 
+    static int s_takenUpdates;
+
+    /// <summary>However often it was asked for: one frame.</summary>
     public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
+
+    /// <summary>Whether an editor that does not play makes a frame now.</summary>
+    internal static bool TakeUpdate()
+    {
+        bool isQueued = s_takenUpdates != s_queuedUpdates;
+        s_takenUpdates = s_queuedUpdates;
+        return isQueued;
+    }
 
     internal static void CallDelayed()
     {

@@ -103,7 +103,19 @@ public class EditorUtility
     }
 
     public static void RevealInFinder(string path) { }
-    public static void SetDirty(Object target) { }
+
+    /// <summary>What was said to have changed: anything else is not saved.</summary>
+    internal static readonly List<Object> s_dirty = new List<Object>();
+
+    public static void SetDirty(Object target) => s_dirty.Add(target);
+}
+
+public static class PrefabUtility
+{
+    /// <summary>What instances of prefabs have been asked to keep: other changes by scripts go with the next load.</summary>
+    internal static readonly List<Object> s_recorded = new List<Object>();
+
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject) => s_recorded.Add(targetObject);
 }
 
 /// <summary>Undo takes away what it makes.</summary>

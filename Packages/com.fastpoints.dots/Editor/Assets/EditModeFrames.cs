@@ -11,7 +11,10 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     internal static class EditModeFrames
     {
+        static readonly TimeSpan s_followInterval = TimeSpan.FromSeconds(1);
+
         static int s_asked;
+        static DateTime s_followed;
 
         static EditModeFrames()
         {
@@ -26,7 +29,7 @@ namespace FastPoints.Editor
         public static void Update()
         {
             var group = PointCloudSystemGroup.Shown;
-            bool wants = group != null && group.WantsFrame;
+            bool wants = group != null && (group.WantsFrame || IsTimeToFollow(group));
             if (EditorApplication.isPlaying)
             {
                 if (EditorApplication.isPaused && wants)
@@ -41,6 +44,18 @@ namespace FastPoints.Editor
             s_asked = Math.Max(0, s_asked - 1);
             EditorApplication.QueuePlayerLoopUpdate();
             SceneView.RepaintAll();
+        }
+
+        /// <summary>Whether it is time for a frame in which clouds look for newer data on disk.</summary>
+        static bool IsTimeToFollow(PointCloudSystemGroup group)
+        {
+            var now = DateTime.UtcNow;
+            if (now - s_followed < s_followInterval)
+                return false;
+            s_followed = now;
+            var imports = PointCloudImports.Current;
+            return group.IsFollowing || imports?.Queue.Running is { } running &&
+                group.IsShown(imports.Paths.Absolute(running.Cloud));
         }
 
         /// <summary>Asks for a frame, and for a picture after it.</summary>

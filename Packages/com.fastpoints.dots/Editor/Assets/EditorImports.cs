@@ -458,6 +458,10 @@ namespace FastPoints.Editor
         {
             foreach (var cloud in CloudsOf(asset))
                 cloud.Refresh();
+            // Those of subscenes have no component.
+            var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
+            if (shown != null)
+                PointCloudSystemGroup.Shown?.IsShown(shown.Paths.FullPath, true);
             EditorApplication.QueuePlayerLoopUpdate();
         }
 

@@ -44,8 +44,7 @@ namespace FastPoints.Editor
             if (Event.current != null && (Event.current.type == EventType.DragUpdated ||
                 Event.current.type == EventType.DragPerform))
                 return null;
-            var world = World.DefaultGameObjectInjectionWorld;
-            var group = world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            var group = PointCloudSystemGroup.Shown;
             if (group?.Stream == null)
                 return null;
             bool CanBePicked(GameObject cloud) => cloud != null && (layers & ~Tools.lockedLayers & 1 << cloud.layer) != 0 &&

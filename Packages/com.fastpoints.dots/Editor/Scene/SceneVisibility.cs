@@ -17,8 +17,18 @@ namespace FastPoints.Editor
                 return;
             CameraViews.SceneMaskOf = MaskOf;
             PointCloud.IsHiddenInSceneViews = cloud => SceneVisibilityManager.instance.IsHidden(cloud);
+            PointCloudOrigin.Decided = Keep;
             // Clouds look in their updates.
             SceneVisibilityManager.visibilityChanged += EditModeFrames.Ask;
+        }
+
+        /// <summary>Has what no user changed saved, in instances of prefabs too.</summary>
+        static void Keep(PointCloudOrigin origin)
+        {
+            if (EditorApplication.isPlaying)
+                return;
+            EditorUtility.SetDirty(origin);
+            PrefabUtility.RecordPrefabInstancePropertyModifications(origin);
         }
 
         /// <summary>As the render pipelines ask for it.</summary>

@@ -30,7 +30,7 @@ namespace FastPoints.Rendering
             };
         }
 
-        /// <summary>Depth and colour of each pixel.</summary>
+        /// <summary>Depth and colour of each pixel of the largest picture.</summary>
         public GraphicsBuffer Pixels { get; private set; }
 
         /// <summary>Whether it can draw this view: the device counts rows from the top, has buffers as large as the picture
@@ -94,7 +94,8 @@ namespace FastPoints.Rendering
         void MakePixels(in RenderView view)
         {
             int words = view.WidthPx * view.HeightPx * (BytesPerPixel / sizeof(uint));
-            if (Pixels != null && Pixels.count == words)
+            // One camera may be drawn at two sizes, in turn.
+            if (Pixels != null && Pixels.count >= words)
                 return;
             Pixels?.Dispose();
             Pixels = new GraphicsBuffer(GraphicsBuffer.Target.Raw, words, sizeof(uint));

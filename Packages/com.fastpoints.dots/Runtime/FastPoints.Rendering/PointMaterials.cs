@@ -100,10 +100,11 @@ namespace FastPoints.Rendering
         {
             if (material == null)
                 return;
-            if (Application.isPlaying)
-                UnityEngine.Object.Destroy(material);
-            else
+            // In a paused editor no frame would come that destroys what waits.
+            if (Application.isEditor)
                 UnityEngine.Object.DestroyImmediate(material);
+            else
+                UnityEngine.Object.Destroy(material);
             material = null;
         }
     }

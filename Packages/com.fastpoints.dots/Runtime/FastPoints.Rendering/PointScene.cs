@@ -16,6 +16,9 @@ namespace FastPoints.Rendering
         /// <summary>A camera that was not drawn for so many frames releases its buffers.</summary>
         const int FramesToForget = 120;
 
+        /// <summary>The most views of a camera that a frame selects for.</summary>
+        const int MostViews = 4;
+
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
         readonly SizeTree m_sizes = new SizeTree();
@@ -31,9 +34,10 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
 
-            /// <summary>What the next frame selects for: as it was last announced. None before, and after that frame.</summary>
-            public readonly StreamView[] Views = new StreamView[2];
-            public int ViewCount;
+            /// <summary>What the next frame selects for: as it was last drawn at each size and with each mask, for an editor
+            /// draws a camera once more into a small picture, and recorders do. None before, and after that frame.</summary>
+            public readonly List<((int, int, ulong, uint) Drawn, StreamView View)> Views =
+                new List<((int, int, ulong, uint), StreamView)>(MostViews + 1);
         }
 
         /// <param name="points">The package's Points.shader.</param>
@@ -54,16 +58,16 @@ namespace FastPoints.Rendering
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        /// <summary>Views of the cameras that were announced since the last <see cref="BeginFrame"/>: those of a camera
-        /// once.</summary>
+        /// <summary>Views of the cameras that were announced since the last <see cref="BeginFrame"/>: once for each size and
+        /// mask of a camera.</summary>
         public NativeArray<StreamView> NextViews
         {
             get
             {
                 m_nextViews.Clear();
                 foreach (var seen in m_cameras)
-                    for (int view = 0; view < seen.ViewCount; view++)
-                        m_nextViews.Add(seen.Views[view]);
+                    foreach (var seenAt in seen.Views)
+                        m_nextViews.Add(seenAt.View);
                 return m_nextViews.AsArray();
             }
         }
@@ -85,7 +89,7 @@ namespace FastPoints.Rendering
             m_frame++;
             for (int i = m_cameras.Count - 1; i >= 0; i--)
             {
-                m_cameras[i].ViewCount = 0;
+                m_cameras[i].Views.Clear();
                 if (m_cameras[i].Camera != null && m_frame - m_cameras[i].LastFrame < FramesToForget)
                     continue;
                 m_cameras[i].Renderer.Dispose();
@@ -93,11 +97,12 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Whether clouds are drawn for a camera. Previews of assets and reflections show none; other cameras do, and
-        /// overlay cameras where a <see cref="PointCloudCamera"/> asks for it.</summary>
+        /// <summary>Whether clouds are drawn for a camera. Previews of assets, which have a scene of their own, and reflections
+        /// show none; other cameras do, and overlay cameras where a <see cref="PointCloudCamera"/> asks for it.</summary>
         public static bool IsDrawn(Camera camera, bool isOverlay = false)
         {
-            if (camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection)
+            if (camera.cameraType == CameraType.Preview && camera.overrideSceneCullingMask == 0 && camera.scene.IsValid() ||
+                camera.cameraType == CameraType.Reflection)
                 return false;
             return camera.TryGetComponent<PointCloudCamera>(out var choice) && choice.enabled ? choice.DrawsClouds : !isOverlay;
         }
@@ -107,14 +112,25 @@ namespace FastPoints.Rendering
         /// at all.</summary>
         public void Announce(Camera camera)
         {
-            var seen = Seen(camera);
-            seen.ViewCount = camera.stereoEnabled ? 2 : 1;
-            if (!camera.stereoEnabled)
-                seen.Views[0] = CameraViews.StreamViewOf(camera);
-            for (int eye = 0; camera.stereoEnabled && eye < seen.ViewCount; eye++)
-                seen.Views[eye] =
-                    CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
+            var views = Seen(camera).Views;
+            var view = camera.stereoEnabled ? EyeOf(camera, Camera.StereoscopicEye.Left) : CameraViews.StreamViewOf(camera);
+            var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
+            // The order stays: another one would be another frame's.
+            int at = 0;
+            while (at < views.Count && !views[at].Drawn.Equals(drawn))
+                at++;
+            while (at < views.Count && views[at].Drawn.Equals(drawn))
+                views.RemoveAt(at);
+            // A window may be dragged to any number of sizes before the next frame.
+            for (; views.Count >= MostViews; at = views.Count)
+                views.RemoveAt(0);
+            views.Insert(at, (drawn, view));
+            if (camera.stereoEnabled)
+                views.Insert(at + 1, (drawn, EyeOf(camera, Camera.StereoscopicEye.Right)));
         }
+
+        static StreamView EyeOf(Camera camera, Camera.StereoscopicEye eye) =>
+            CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, eye), camera.pixelHeight);
 
         /// <summary>Records the clouds as a camera sees them, into its target.</summary>
         public void Record(CommandBuffer commands, Camera camera, in CameraTarget target)

@@ -19,7 +19,8 @@ namespace FastPoints.Samples.StreamingFlight
         /// <summary>False until the world streams.</summary>
         public static bool TryGetFigures(out FrameStats stats)
         {
-            var group = World.DefaultGameObjectInjectionWorld?.GetExistingSystemManaged<PointCloudSystemGroup>();
+            var world = PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld;
+            var group = world?.GetExistingSystemManaged<PointCloudSystemGroup>();
             bool isStreaming = group?.Stream != null;
             stats = isStreaming ? group.Stats : default;
             return isStreaming;

@@ -125,7 +125,7 @@ namespace FastPoints.UnityTests
             Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
 
         /// <summary>Nodes that the world's clouds have in the list of what to draw.</summary>
-        public static int DrawnNodes() => World.DefaultGameObjectInjectionWorld
+        public static int DrawnNodes() => (PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld)
             ?.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stats.DrawnNodes ?? 0;
 
         /// <summary>Entities that are converted clouds on disk.</summary>
@@ -137,7 +137,7 @@ namespace FastPoints.UnityTests
 
         static int Count(params ComponentType[] types)
         {
-            var world = World.DefaultGameObjectInjectionWorld;
+            var world = PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld;
             if (world == null || !world.IsCreated)
                 return 0;
             using var query = world.EntityManager.CreateEntityQuery(types);

@@ -44,6 +44,10 @@ namespace FastPoints.Entities
         int[] m_hiddenClasses = new int[0];
 
         OwnedEntity m_entity;
+
+        // As the entity has them.
+        LocalToWorld m_placed;
+        PointCloudLayer m_layer;
         string m_comparedCrs;
 
         // The values that the cloud was opened with.
@@ -174,12 +178,15 @@ namespace FastPoints.Entities
                 Reopen();
             if (Origin != null && m_cloud != null && !ReferenceEquals(m_comparedCrs, m_cloud.Crs))
                 Origin.Compare(this, m_comparedCrs = m_cloud.Crs);
-            if (m_entity.TryGet(out var entities))
-            {
-                entities.SetComponentData(Entity, TransformMatrix.Of(transform));
-                entities.SetComponentData(Entity, Layer);
-                TellWhoseItIs(entities);
-            }
+            if (!m_entity.TryGet(out var entities))
+                return;
+            TellWhoseItIs(entities);
+            TransformMatrix.Set(entities, Entity, transform, ref m_placed);
+            var layer = Layer;
+            if (layer.IsSame(m_layer))
+                return;
+            m_layer = layer;
+            entities.SetComponentData(Entity, layer);
         }
 
         static PointCloudSystemGroup GroupOf(EntityManager entities) =>
@@ -270,8 +277,8 @@ namespace FastPoints.Entities
                 (m_openedUp, m_openedUnitMetres) = (m_cloud.Up, m_cloud.UnitMetres);
             if (!HasCloud || !m_entity.TryCreate(out var entities))
                 return;
-            entities.AddComponentData(Entity, TransformMatrix.Of(transform));
-            entities.AddComponentData(Entity, Layer);
+            entities.AddComponentData(Entity, m_placed = TransformMatrix.Of(transform));
+            entities.AddComponentData(Entity, m_layer = Layer);
             var file = m_cloud != null ? m_cloud.File() : new PointCloudFile();
             var paths = m_cloud != null ? m_cloud.Paths : new PointCloudPaths { Path = m_path };
             file.Color = m_color;
@@ -287,6 +294,16 @@ namespace FastPoints.Entities
     /// <summary>A GameObject's transform as entities store it.</summary>
     static class TransformMatrix
     {
+        /// <summary>Has an entity follow. One that stands still is not written to: that would complete others' jobs, and tell
+        /// them of a change.</summary>
+        /// <param name="placed">As it was written last.</param>
+        public static void Set(EntityManager entities, Entity entity, Transform transform, ref LocalToWorld placed)
+        {
+            var now = Of(transform);
+            if (!now.Value.Equals(placed.Value))
+                entities.SetComponentData(entity, placed = now);
+        }
+
         public static LocalToWorld Of(Transform transform)
         {
             var matrix = transform.localToWorldMatrix;

@@ -18,6 +18,10 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
+        // As the entity has them.
+        LocalToWorld m_placed;
+        bool m_cuts;
+
         /// <summary>The box along the world's axes around this one at its current place.</summary>
         public Bounds WorldBounds => CloudBounds.Under(transform.localToWorldMatrix, new Bounds(Vector3.zero, Vector3.one));
 
@@ -31,11 +35,12 @@ namespace FastPoints.Entities
             {
                 if (!m_entity.TryCreate(out entities))
                     return;
-                entities.AddComponentData(m_entity.Value, new PointCloudClip());
-                entities.AddComponentData(m_entity.Value, new LocalToWorld());
+                entities.AddComponentData(m_entity.Value, new PointCloudClip { Cuts = m_cuts = Cuts });
+                entities.AddComponentData(m_entity.Value, m_placed = TransformMatrix.Of(transform));
             }
-            entities.SetComponentData(m_entity.Value, new PointCloudClip { Cuts = Cuts });
-            entities.SetComponentData(m_entity.Value, TransformMatrix.Of(transform));
+            TransformMatrix.Set(entities, m_entity.Value, transform, ref m_placed);
+            if (m_cuts != Cuts)
+                entities.SetComponentData(m_entity.Value, new PointCloudClip { Cuts = m_cuts = Cuts });
         }
 
         void OnDrawGizmosSelected()

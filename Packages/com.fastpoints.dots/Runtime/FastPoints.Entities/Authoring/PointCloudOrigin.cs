@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
@@ -40,6 +41,9 @@ namespace FastPoints.Entities
 
         readonly List<PointCloud> m_clouds = new List<PointCloud>();
         double3 m_shown;
+
+        /// <summary>Called when a cloud has decided on a place or a coordinate system, where there is an editor.</summary>
+        internal static Action<PointCloudOrigin> Decided { get; set; }
 
         /// <summary>Whether there is a place; otherwise the clouds stay at their own origins.</summary>
         public bool HasPlace => m_hasPlace;
@@ -106,7 +110,10 @@ namespace FastPoints.Entities
             if (string.IsNullOrEmpty(crs))
                 return;
             if (string.IsNullOrEmpty(m_crs))
+            {
                 m_crs = crs;
+                Decided?.Invoke(this);
+            }
             if (crs != m_crs)
                 Debug.LogWarning("FastPoints: " + cloud.gameObject.name + " is in " + crs + ", but its " + gameObject.name +
                     " in " + m_crs + ": they do not lie as they should. Convert one of them, or give each an origin of its own");
@@ -135,6 +142,7 @@ namespace FastPoints.Entities
         {
             (m_scale, m_up, m_crs) = (space.Scale, space.Up, crs);
             Place = place;
+            Decided?.Invoke(this);
         }
 
         void Apply()

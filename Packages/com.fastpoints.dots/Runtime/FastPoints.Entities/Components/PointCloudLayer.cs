@@ -13,5 +13,8 @@ namespace FastPoints.Entities
         internal ulong Scenes;
 
         internal bool IsHiddenInSceneViews;
+
+        internal readonly bool IsSame(in PointCloudLayer other) => Value == other.Value && Scenes == other.Scenes &&
+            IsHiddenInSceneViews == other.IsHiddenInSceneViews;
     }
 }

@@ -31,7 +31,7 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
-            Group.IsOpening = false;
+            Group.IsOpening = Group.IsFollowing = false;
             if (!m_files.IsEmpty)
                 Begin();
             UpdateOpened();
@@ -159,10 +159,14 @@ namespace FastPoints.Entities
                 }
                 opened.Update(budgetMs);
                 if (opened.Newest != null)
+                {
+                    Group.Wake();
                     Take(entity, live, file);
+                }
                 if (opened.IsBuildGone)
                     live.Succession?.Withdraw();
-                Group.IsOpening |= !opened.IsEnded;
+                Group.IsOpening |= !opened.IsAtRest;
+                Group.IsFollowing |= opened.IsFollowed;
             }
             catch (Exception e)
             {

@@ -41,8 +41,11 @@ namespace FastPoints.Entities
         /// <summary>Whether it can be disposed without waiting for a disk.</summary>
         public bool IsOpen => m_opening == null || m_opening.IsDone;
 
-        /// <summary>Whether nothing newer is expected.</summary>
-        public bool IsEnded => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsEnded);
+        /// <summary>Whether updates change nothing until somebody asks, or a second is over.</summary>
+        public bool IsAtRest => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsAtRest);
+
+        /// <summary>Whether newer states are expected.</summary>
+        public bool IsFollowed => m_feed != null && !m_feed.IsEnded;
 
         public bool IsBuildGone => m_feed != null && m_feed.IsBuildGone;
 

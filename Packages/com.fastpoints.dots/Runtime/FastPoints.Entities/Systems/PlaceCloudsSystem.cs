@@ -32,10 +32,10 @@ namespace FastPoints.Entities
                     continue;
                 var localToWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
                 var space = EntityManager.GetComponentData<PointCloudSpace>(entity).Value;
-                EntityManager.SetComponentData(entity, new PointCloudPlacement
-                {
-                    Value = space.Place(source.Grid, source.Root, localToWorld),
-                });
+                var placed = space.Place(source.Grid, source.Root, localToWorld);
+                var before = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
+                if (!placed.Linear.Equals(before.Linear) || !placed.OriginWorld.Equals(before.OriginWorld))
+                    EntityManager.SetComponentData(entity, new PointCloudPlacement { Value = placed });
             }
         }
     }

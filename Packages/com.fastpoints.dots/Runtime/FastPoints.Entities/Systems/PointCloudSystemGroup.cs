@@ -86,8 +86,11 @@ namespace FastPoints.Entities
         /// <summary>What belongs to clouds' entities and is no component.</summary>
         internal readonly LiveClouds Live = new LiveClouds();
 
-        /// <summary>Whether further states of clouds that are files are expected.</summary>
+        /// <summary>Whether clouds that are files are being opened or looked at, or have states to be taken.</summary>
         internal bool IsOpening { get; set; }
+
+        /// <summary>Whether a cloud is unfinished on disk: its folder is looked at once a second, if there are frames.</summary>
+        internal bool IsFollowing { get; set; }
 
         /// <summary>What the frame has done so far; after the update, all that it did.</summary>
         public ref FrameStats Stats => ref m_stats;
@@ -103,7 +106,8 @@ namespace FastPoints.Entities
             {
                 if (Stream == null)
                     return MayBegin;
-                return m_quietFrames < FramesToRest || Scene != null && HasMoved(Scene.NextViews);
+                // A look at a folder needs frames until it ends, and no more after it.
+                return m_quietFrames < FramesToRest || IsOpening || Scene != null && HasMoved(Scene.NextViews);
             }
         }
 
@@ -146,7 +150,7 @@ namespace FastPoints.Entities
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
             bool isBusy = m_stats.ReadsUnderWay > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
-                Stream.HasLeaving || IsOpening;
+                Stream.Uploads.IsUnderWay || Stream.HasLeaving || Stream.IsReadingHierarchy;
             m_quietFrames = isBusy ? 0 : m_quietFrames + 1;
         }
 
@@ -164,6 +168,28 @@ namespace FastPoints.Entities
                 m_lastViews.Dispose();
             }
             base.OnDestroy();
+        }
+
+        /// <summary>Has frames go on, as something changes that they do not see.</summary>
+        internal void Wake() => m_quietFrames = 0;
+
+        /// <summary>Whether a cloud that is a file is to be found in this folder.</summary>
+        /// <param name="looks">Whether all such look for newer data on disk, with the next frame.</param>
+        internal bool IsShown(string folder, bool looks = false)
+        {
+            bool isShown = false;
+            foreach (var (entity, live) in Live)
+            {
+                if (live.Opened?.Path != folder || !EntityManager.HasComponent<PointCloudFile>(entity))
+                    continue;
+                isShown = true;
+                if (!looks)
+                    continue;
+                var file = EntityManager.GetComponentData<PointCloudFile>(entity);
+                file.LooksAgain = true;
+                EntityManager.SetComponentData(entity, file);
+            }
+            return isShown;
         }
 
         /// <summary>Takes the cameras of the last frame again.</summary>

@@ -60,6 +60,9 @@ namespace FastPoints.SourceFeeds
         /// <summary>The handle that <see cref="Update"/> waits for before it continues.</summary>
         public JobHandle Step => m_step;
 
+        /// <summary>Whether there is something to read.</summary>
+        public bool IsReading => m_reading != null || m_wanted != None;
+
         /// <summary>Whether a page's levels, and the one below, are known. The first requested page that is not is read
         /// next.</summary>
         public bool IsKnown(int page)
@@ -74,7 +77,7 @@ namespace FastPoints.SourceFeeds
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
-            if (m_reading == null && m_wanted == None || !WorkPump.HasEnded(m_step) || !WorkPump.HasEnded(m_building))
+            if (!IsReading || !WorkPump.HasEnded(m_step) || !WorkPump.HasEnded(m_building))
                 return null;
             m_step.Complete();
             m_building.Complete();

@@ -110,6 +110,8 @@ namespace FastPoints.SourceFeeds
 
         public override PointCloudException Update() => m_pages.Update();
 
+        internal override bool IsReading => m_pages.IsReading;
+
         public override JobHandle Reading => m_pages.Step;
 
         public override NodeMaker TakeMaker(int points)

@@ -17,6 +17,10 @@ namespace FastPoints.Feeds
         /// <summary>Whether nothing newer is expected.</summary>
         public abstract bool IsEnded { get; }
 
+        /// <summary>Whether nothing is under way and nothing waits to be taken: until the clock says that it is time to look at a
+        /// folder again, updates change nothing.</summary>
+        internal virtual bool IsAtRest => IsEnded;
+
         /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
         public virtual bool IsBuildGone => false;
 

@@ -35,8 +35,9 @@ namespace FastPoints.Feeds
 
         public override CloudFacts Newest => m_converted.Newest ?? m_source?.Newest;
 
-        public override bool IsEnded => m_converted.IsEnded || !m_converted.IsThere && m_opening == null &&
-            (m_source == null || m_source.IsEnded);
+        public override bool IsEnded => m_converted.IsEnded || !m_converted.IsThere && IsAtRest;
+
+        internal override bool IsAtRest => m_converted.IsAtRest && m_opening == null && (m_source == null || m_source.IsAtRest);
 
         public override bool IsBuildGone => m_isBuildGone;
 

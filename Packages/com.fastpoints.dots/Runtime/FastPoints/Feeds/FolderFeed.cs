@@ -30,7 +30,8 @@ namespace FastPoints.Feeds
         /// <summary>Whether a state was found and still exists.</summary>
         public bool IsThere => m_generations.IsFound;
 
-        public override bool IsEnded => !m_generations.IsBuilding && m_generations.IsIdle;
+        public override bool IsEnded => !m_generations.IsBuilding && IsAtRest;
+        internal override bool IsAtRest => m_generations.IsAtRest;
         public override bool IsBuildGone => m_generations.IsGone;
 
         public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);

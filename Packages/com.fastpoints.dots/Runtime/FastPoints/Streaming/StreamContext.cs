@@ -63,16 +63,10 @@ namespace FastPoints.Streaming
         public bool IsDisposed { get; private set; }
 
         /// <summary>Whether a removed cloud still has reads or uploads in flight.</summary>
-        public bool HasLeaving
-        {
-            get
-            {
-                for (int c = 0; c < m_state.Clouds.Count; c++)
-                    if (m_state.Clouds[c] != null && m_state.Clouds[c].IsLeaving)
-                        return true;
-                return false;
-            }
-        }
+        public bool HasLeaving => m_state.Clouds.Exists(c => c != null && c.IsLeaving);
+
+        /// <summary>Whether a source reads what its pages are built of, which no read of the stream's is.</summary>
+        internal bool IsReadingHierarchy => m_state.Clouds.Exists(c => c != null && c.Source.IsReading);
 
         /// <summary>Replaces <see cref="ClipBoxes"/>.</summary>
         public void SetClipBoxes(List<ClipBox> boxes)

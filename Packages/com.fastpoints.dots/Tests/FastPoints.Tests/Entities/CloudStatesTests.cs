@@ -174,6 +174,25 @@ namespace FastPoints.Tests.Entities
             m_world.Dispose();
         }
 
+        /// <summary>In edit mode no frame comes but those that are asked for.</summary>
+        [Test]
+        public void WantsFrame_HierarchyThatIsReadPageByPage_IsTrueUntilAllIsShown()
+        {
+            PointFileReaders.Register();
+            using var cloud = new TreeTestCloud(TreeTestCloud.EptBinary, 20_000);
+            Add(new PointCloudFile { Path = cloud.Path });
+            m_group.Stream.Settings.Selection.PointBudget = long.MaxValue;
+            m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
+            m_group.Stream.Settings.Selection.SmallestNodePx = 0;
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_mostTime && m_group.WantsFrame;)
+            {
+                m_group.Views.Add(StreamView.Everything(1e6));
+                m_world.Update();
+            }
+            Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(20_000));
+            Assert.That(m_group.WantsFrame, Is.False);
+        }
+
         [Test]
         public void LooksAgain_CloudThatWasNotThere_IsShownWhenItIs()
         {

@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Feeds
             Directory.Move(cloud.Path, cloud.Path + ".part");
             using var feed = CloudFeeds.Open(cloud.Path);
             Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
-            for (int i = 0; i < 4 * FolderGenerations.FramesPerLook; i++)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 2.5 * FolderGenerations.LookInterval;)
             {
                 feed.Update(1);
                 // Looks go on on another thread: without time for them nothing could be found that must not be.

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Threading;
 using FastPoints.Base;
@@ -83,7 +84,7 @@ namespace FastPoints.Tests.Streaming
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var stream = StreamedTestCloud.Stream();
             using var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null);
-            for (int i = 0; i < 3 * FolderGenerations.FramesPerLook; i++)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 1.5 * FolderGenerations.LookInterval;)
             {
                 StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
                 followed.Update();

@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Support
         public bool IsBuilding => m_generations.IsBuilding;
 
         /// <summary>Whether the newest generation that was found is the one that is shown.</summary>
-        public bool IsCurrent => m_succession.IsCurrent && m_generations.IsIdle && m_generations.Newest == null;
+        public bool IsCurrent => m_succession.IsCurrent && m_generations.Newest == null;
 
         /// <summary>Once a frame, after it. Never waits. A generation that is not shown yet may never be: its files get other
         /// names with the next one.</summary>
@@ -54,6 +54,9 @@ namespace FastPoints.Tests.Support
         public void Update()
         {
             m_succession.Update();
+            // A build of a test's size has ended before a second is over.
+            if (IsBuilding)
+                m_generations.Refresh();
             m_generations.Update();
             if (m_generations.Newest != null)
                 Add(m_generations.Take());

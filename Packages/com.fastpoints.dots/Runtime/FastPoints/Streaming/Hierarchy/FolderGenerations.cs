@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using FastPoints.Base;
 using FastPoints.Store;
 
@@ -8,8 +9,8 @@ namespace FastPoints.Streaming
     /// on a thread of the pool, and keeps it until it is taken. Main thread; only <see cref="Dispose"/> waits.</summary>
     internal sealed class FolderGenerations : IDisposable
     {
-        /// <summary>Frames between two looks at the folder: a second.</summary>
-        public const int FramesPerLook = 60;
+        /// <summary>Between two looks at the folder, however many frames come: in edit mode some come at rest, or none.</summary>
+        public static readonly TimeSpan LookInterval = TimeSpan.FromSeconds(1);
 
         /// <summary>For a moment after a build, neither it nor its result may exist.</summary>
         const int LooksUntilGone = 2;
@@ -18,7 +19,7 @@ namespace FastPoints.Streaming
         PoolWork<Look> m_looking;
         CloudFolder m_newest;
         ulong m_cloudId;
-        int m_framesToLook = FramesPerLook;
+        long m_lastLook = Stopwatch.GetTimestamp();
         int m_looksInVain;
         bool m_isAsked;
 
@@ -57,8 +58,8 @@ namespace FastPoints.Streaming
         /// <summary>Whether the folder no longer exists: the build was broken off, or the folder was deleted.</summary>
         public bool IsGone => m_looksInVain >= LooksUntilGone;
 
-        /// <summary>Whether no look is in progress.</summary>
-        public bool IsIdle => m_looking == null;
+        /// <summary>Whether no look is asked for or in progress, and no generation waits to be taken.</summary>
+        public bool IsAtRest => m_looking == null && m_newest == null && !m_isAsked;
 
         /// <summary>The newest generation that was not taken; null for none.</summary>
         public CloudFolder Newest => m_newest;
@@ -87,12 +88,14 @@ namespace FastPoints.Streaming
                 if (seen.Newer != null)
                     Keep(seen.Newer);
             }
-            if (m_looking != null || m_newest != null || !m_isAsked && !(IsBuilding && --m_framesToLook <= 0))
+            if (m_looking != null || m_newest != null || !m_isAsked && !(IsBuilding && IsTime))
                 return;
-            m_framesToLook = FramesPerLook;
+            m_lastLook = Stopwatch.GetTimestamp();
             m_isAsked = false;
             BeginLook();
         }
+
+        bool IsTime => (Stopwatch.GetTimestamp() - m_lastLook) / (double)Stopwatch.Frequency >= LookInterval.TotalSeconds;
 
         /// <summary>This is a method of its own because a lambda's closure is allocated where its method begins.</summary>
         void BeginLook()

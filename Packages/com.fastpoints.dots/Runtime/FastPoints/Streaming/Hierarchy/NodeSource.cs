@@ -85,6 +85,9 @@ namespace FastPoints.Streaming
         /// <returns>The failure, or null.</returns>
         public virtual PointCloudException Update() => null;
 
+        /// <summary>Whether <see cref="Update"/> has something to do.</summary>
+        internal virtual bool IsReading => false;
+
         /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
         public virtual JobHandle Reading => default;
 
