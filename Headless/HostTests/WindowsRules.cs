@@ -13,6 +13,28 @@ static class WindowsRules
 #pragma warning restore CA2255
     internal static void Follow() => FileChanges.Before = Check;
 
+    /// <summary>For one test.</summary>
+    internal static IDisposable On()
+    {
+        var before = new Restored(WindowsFiles.IsOn);
+        WindowsFiles.IsOn = true;
+        return before;
+    }
+
+    /// <summary>Somebody begins to read a file when the first change comes that is meant, and does so until the result is
+    /// disposed.</summary>
+    internal static IDisposable ReadAt(Func<FileChange, string, string, bool> isMeant, Func<string, string, string> file)
+    {
+        var reader = new Reader();
+        FileChanges.Before = (change, path, to) =>
+        {
+            if (reader.Held == null && isMeant(change, path, to))
+                reader.Held = WindowsFiles.Hold(file(path, to));
+            Check(change, path, to);
+        };
+        return reader;
+    }
+
     internal static void Check(FileChange change, string path, string to)
     {
         switch (change)
@@ -37,6 +59,26 @@ static class WindowsRules
                 break;
             default:
                 throw new ArgumentOutOfRangeException(nameof(change), change, null);
+        }
+    }
+
+    sealed class Restored(bool isOn) : IDisposable
+    {
+        public void Dispose()
+        {
+            WindowsFiles.IsOn = isOn;
+            FileChanges.Before = Check;
+        }
+    }
+
+    sealed class Reader : IDisposable
+    {
+        public IDisposable Held;
+
+        public void Dispose()
+        {
+            FileChanges.Before = Check;
+            Held?.Dispose();
         }
     }
 }

@@ -78,8 +78,8 @@ namespace FastPoints.Editor
             return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
         }
 
-        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one. What has
-        /// its files open keeps the name for a while; the rest is done on a thread of the pool.</summary>
+        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one. It may
+        /// keep that while somebody has its files open; the rest is done on a thread of the pool.</summary>
         public static void Delete(string path)
         {
             CloudFolderWriter.DeleteUnfinished(path);

@@ -43,6 +43,7 @@ namespace FastPoints.Writing
                 using var entries = Directory.EnumerateFileSystemEntries(m_part).GetEnumerator();
                 // One is the lock.
                 HasLeftovers = entries.MoveNext() && entries.MoveNext();
+                MakeFolders();
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
@@ -116,9 +117,7 @@ namespace FastPoints.Writing
             foreach (string file in Directory.GetFiles(m_part))
                 if (Path.GetFileName(file) != LockName)
                     FileChanges.Delete(file);
-            Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
-            Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
-            Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
+            MakeFolders();
         }));
 
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
@@ -209,8 +208,8 @@ namespace FastPoints.Writing
                 m_lock.Dispose();
         }
 
-        /// <summary>Takes what a build that ended early left of a target out of the way, unless it is being built now, and deletes
-        /// it on a thread of the pool.</summary>
+        /// <summary>Takes what a build that ended early left of a target out of the way, unless it is being built now, and
+        /// deletes it on a thread of the pool.</summary>
         public static void DeleteUnfinished(string target)
         {
             string part = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.PartSuffix;
@@ -257,9 +256,9 @@ namespace FastPoints.Writing
                 m_isKept = true;
                 if (!Directory.Exists(m_target) && Directory.Exists(old))
                     FileChanges.MoveFolder(old, m_target);
-                throw new PointCloudException(FileFailures.Writing(m_target, e).Code, m_target, -1, "is converted but for its name: "
-                    + "wanted to rename " + m_part + ", and the system said: " + e.Message + " Close what has files of it open, and "
-                    + "convert again, which goes on from here", e);
+                throw new PointCloudException(FileFailures.Writing(m_target, e).Code, m_target, -1,
+                    "is converted but for its name: wanted to rename " + m_part + ", and the system said: " + e.Message +
+                    " Close what has files of it open, and convert again, which goes on from here", e);
             }
             m_isComplete = true;
             // The lock was renamed with the folder.
@@ -285,6 +284,13 @@ namespace FastPoints.Writing
                 FileChanges.MoveFolder(m_target, old);
             }
             FileChanges.MoveFolder(m_part, m_target);
+        }
+
+        void MakeFolders()
+        {
+            Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
+            Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
+            Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
         }
 
         static IEnumerator<Work> Await(WriteTicket ticket)

@@ -95,8 +95,8 @@ namespace FastPoints.Base
             }
         }
 
-        /// <summary>Takes a folder's name from it, at once unless somebody has it open, and deletes it on a thread of the pool, where
-        /// thousands of files take their time.</summary>
+        /// <summary>Takes a folder's name from it, at once unless somebody has it open, and deletes it on a thread of the pool,
+        /// where thousands of files take their time.</summary>
         /// <param name="moved">Hears, on any thread, that the name is free, or why the folder keeps it.</param>
         public static void BeginDelete(string folder, Action<Exception> moved)
         {
@@ -106,7 +106,7 @@ namespace FastPoints.Base
             if (TryMove(folder, gone, () => false, out _))
             {
                 moved(null);
-                BeginDeleteRemains(gone);
+                BeginDeleting(() => DeleteGone(folder));
                 return;
             }
             BeginDeleting(() =>
@@ -114,8 +114,18 @@ namespace FastPoints.Base
                 bool isMoved = TryMove(folder, gone, null, out var failure);
                 moved(failure);
                 if (isMoved)
-                    DeleteRemains(gone);
+                    DeleteGone(folder);
             });
+        }
+
+        /// <summary>Deletes what had the folder's name, also what a process left that ended before it was through.</summary>
+        static void DeleteGone(string folder)
+        {
+            string parent = Path.GetDirectoryName(Path.GetFullPath(folder));
+            if (!Directory.Exists(parent))
+                return;
+            foreach (string gone in Directory.GetDirectories(parent, Path.GetFileName(folder) + DeletedSuffix + "*"))
+                DeleteRemains(gone);
         }
 
         static bool TryMove(string from, string to, Func<bool> isWanted, out Exception failure)
@@ -153,8 +163,8 @@ namespace FastPoints.Base
             Task.WaitAll(deletes);
         }
 
-        /// <summary>Makes a change, and tries again for <see cref="PatienceMs"/> where it is refused. It waits in between, so it is
-        /// not for the main thread of an editor.</summary>
+        /// <summary>Makes a change, and tries again for <see cref="PatienceMs"/> where it is refused. It waits in between, so it
+        /// is not for the main thread of an editor.</summary>
         /// <param name="change">It may be begun again after any of its steps.</param>
         /// <param name="isWanted">Whether to go on trying; null for as long as there is patience.</param>
         public static void Insist(Action change, Func<bool> isWanted = null)
@@ -166,7 +176,8 @@ namespace FastPoints.Base
                     change();
                     return;
                 }
-                catch (Exception e) when (MayPass(e) && watch.ElapsedMilliseconds < PatienceMs && (isWanted == null || isWanted()))
+                catch (Exception e) when (MayPass(e) && watch.ElapsedMilliseconds < PatienceMs &&
+                    (isWanted == null || isWanted()))
                 {
                     // Whoever has it open may be done with it soon.
                 }
