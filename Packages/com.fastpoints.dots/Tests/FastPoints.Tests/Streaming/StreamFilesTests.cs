@@ -91,6 +91,8 @@ namespace FastPoints.Tests.Streaming
             {
                 while (!StreamFiles.HasLeft)
                     StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+                // One that has nothing loaded yet.
+                Add();
                 for (int i = 0; i < 10; i++)
                 {
                     StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
@@ -103,7 +105,7 @@ namespace FastPoints.Tests.Streaming
             }
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             Assert.That(m_stream.TryTakeFailure(out _), Is.False);
-            Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct().Count(), Is.EqualTo(2));
+            Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct().Count(), Is.EqualTo(3));
         }
 
         [Test]
