@@ -61,16 +61,24 @@ public sealed class FilesInUseTests
         var done = new HashSet<string>();
         FileChanges.Before = (change, path, to) =>
         {
+            var held = new List<IDisposable>();
             foreach (var operation in s_operations)
                 if (operation.Change == change && operation.IsIt(path, to) && done.Add(operation.Name))
                 {
                     string read = change == FileChange.MoveFolder ? Path.Combine(path, StoreFormat.ManifestName)
                         : change == FileChange.Replace && File.Exists(to) ? to : path;
-                    var held = WindowsFiles.Hold(read);
-                    m_timers.Add(new Timer(_ => held.Dispose(), null, heldMs, Timeout.Infinite));
+                    held.Add(WindowsFiles.Hold(read));
                     m_refused[operation.Name] = m_refused.GetValueOrDefault(operation.Name) + 1;
                 }
-            WindowsRules.Check(change, path, to);
+            try
+            {
+                WindowsRules.Check(change, path, to);
+            }
+            finally
+            {
+                foreach (var reader in held)
+                    m_timers.Add(new Timer(_ => reader.Dispose(), null, heldMs, Timeout.Infinite));
+            }
         };
     }
 

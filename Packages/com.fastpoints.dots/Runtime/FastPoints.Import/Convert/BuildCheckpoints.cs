@@ -33,8 +33,9 @@ namespace FastPoints.Convert
         /// <summary>The fate of an earlier build of this target that was broken off; null if there was none.</summary>
         public string Note { get; private set; }
 
-        /// <summary>Whether there is nothing to go on from: the folder is to be cleared before anything is written.</summary>
-        public bool IsAnew { get; private set; }
+        /// <summary>Whether the folder has what nothing can go on from, and is to be cleared before anything is
+        /// written.</summary>
+        public bool MustClear { get; private set; }
 
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
         /// on disk.</summary>
@@ -70,7 +71,7 @@ namespace FastPoints.Convert
                     ? "a build of this target was broken off that had its points in memory: began again"
                     : "a build of this target was broken off that had other sources, settings or versions: began again";
             }
-            checkpoints.IsAnew = true;
+            checkpoints.MustClear = folder.HasLeftovers;
             build.AddFirstFiles();
             return checkpoints;
         }

@@ -118,7 +118,7 @@ namespace FastPoints.Convert
             m_scatter = new ScatterPoints(m_build);
             m_chunks = new ChunkSet(m_build);
             m_checkpoints = BuildCheckpoints.Resume(m_build, m_scatter, m_chunks);
-            if (m_checkpoints.IsAnew)
+            if (m_checkpoints.MustClear)
                 yield return Work.Of(m_build.Folder.Clear());
             m_generations = new BuildGenerations(m_build);
             if (m_build.Files == null || m_checkpoints.Journal.At != BuildJournal.Stage.Read)

@@ -122,10 +122,15 @@ namespace FastPoints.Base
         static void DeleteGone(string folder)
         {
             string parent = Path.GetDirectoryName(Path.GetFullPath(folder));
-            if (!Directory.Exists(parent))
-                return;
-            foreach (string gone in Directory.GetDirectories(parent, Path.GetFileName(folder) + DeletedSuffix + "*"))
-                DeleteRemains(gone);
+            try
+            {
+                foreach (string gone in Directory.GetDirectories(parent, Path.GetFileName(folder) + DeletedSuffix + "*"))
+                    DeleteRemains(gone);
+            }
+            catch (DirectoryNotFoundException)
+            {
+                // All that was there has gone.
+            }
         }
 
         static bool TryMove(string from, string to, Func<bool> isWanted, out Exception failure)
