@@ -160,6 +160,8 @@ public static class CommandLine
             error.WriteLine("fastpoints: " + failure.Message);
         }
         display?.Clear();
+        // What is left of other builds goes before the process does.
+        FileChanges.AwaitDeletes();
         int status = failure?.Status ?? ExitStatus.Done;
         if (json == null)
             return status;

@@ -24,5 +24,9 @@ sealed class ScratchFolder : IDisposable
         return this[name];
     }
 
-    public void Dispose() => Directory.Delete(Root, true);
+    public void Dispose()
+    {
+        FileChanges.AwaitDeletes();
+        Directory.Delete(Root, true);
+    }
 }

@@ -16,6 +16,8 @@ public sealed class AssetNamingTests
     [TestCase("con", "_con")]
     [TestCase("LPT1.north", "_LPT1.north")]
     [TestCase("NUL .x", "_NUL .x")]
+    [TestCase("conout$", "_conout$")]
+    [TestCase("COM\u00B2.x", "_COM\u00B2.x")]
     [TestCase("console", "console")]
     [TestCase("\uD83D\uDE00", "\uD83D\uDE00")]
     public void Safe_AnyName_IsOneForEverySystem(string name, string wanted) =>

@@ -71,6 +71,7 @@ public sealed class BuildSessionTests
             UpdateUntil(session, () => session.Progress.Current == stage || stage == null);
             session.Cancel();
             Assert.That(session.State, Is.EqualTo(BuildState.Cancelled));
+            FileChanges.AwaitDeletes();
             if (Directory.Exists(m_project.Paths.Clouds))
                 Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty, stage);
         }
@@ -86,6 +87,7 @@ public sealed class BuildSessionTests
         using var second = Begin();
         second.Cancel();
 
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty);
     }
 

@@ -105,6 +105,7 @@ public sealed class CloudCatalogTests
 
         CloudCatalog.Delete(target);
 
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetFileSystemEntries(m_paths.Clouds), Is.Empty);
     }
 

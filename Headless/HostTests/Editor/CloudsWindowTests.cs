@@ -79,6 +79,7 @@ public sealed class CloudsWindowTests : EditorFixture
         Press("Delete unused");
 
         Assert.That(EditorUtility.s_dialogs.Single(), Does.Contain("1 converted clouds"));
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName),
             Is.EquivalentTo(agrees ? new[] { "a.fastpoints" } : new[] { "a.fastpoints", "b.fastpoints" }));
     }

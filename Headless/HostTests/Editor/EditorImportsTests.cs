@@ -33,6 +33,22 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
+    public void Update_HandleIsReadWhenItsCloudIsDone_IsWrittenLater()
+    {
+        using var windows = WindowsRules.On();
+        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 3000), "Assets");
+        using (WindowsRules.ReadAt((change, _, to) => change == FileChange.Replace && to == HandlePath("scan.pointcloud"),
+            (_, to) => to))
+        {
+            m_project.UpdateToTheEnd();
+            Assert.That(asset.Points, Is.EqualTo(-1));
+        }
+        m_project.Imports.Update(DateTime.UtcNow.AddHours(1));
+        Assert.That(asset.Points, Is.EqualTo(3000));
+        Assert.That(m_logged, Is.Empty);
+    }
+
+    [Test]
     public void Take_TwoFilesOfOneName_AreTwoClouds()
     {
         Directory.CreateDirectory(m_project.Scratch["other"]);

@@ -54,9 +54,30 @@ public sealed class ImportQueueTests
         });
 
         Assert.That(m_ended, Is.EqualTo(new[] { "asset of one: Done", "asset of two: Done" }));
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds).Select(Path.GetFileName),
             Is.EquivalentTo(new[] { "one.fastpoints", "two.fastpoints" }));
         m_project.AssertIsWhole(m_project.Target("two"));
+    }
+
+    /// <summary>Windows deletes nothing that somebody reads, and a queue that is found again would be worked off again.</summary>
+    [Test]
+    public void Tick_ItsFileIsReadWhenAllIsDone_IsDeletedLaterAndNothingIsConvertedAgain()
+    {
+        using var windows = WindowsRules.On();
+        using var queue = Open();
+        queue.Add(m_project.Request());
+        using (WindowsRules.ReadAt((change, path, _) => change == FileChange.Delete && path == FilePath, (path, _) => path))
+        {
+            UpdateUntil(queue, () => queue.Requests.Count == 0);
+            for (int seconds = 0; seconds < 60; seconds++)
+                queue.Tick(1, DateTime.UtcNow.AddSeconds(seconds));
+            Assert.That(File.Exists(FilePath), Is.True);
+            Assert.That(queue.Problem, Does.Contain("used by another process"));
+        }
+        queue.Tick(1, DateTime.UtcNow.AddSeconds(70));
+        Assert.That((File.Exists(FilePath), queue.Problem), Is.EqualTo((false, (string)null)));
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of scan: Done" }));
     }
 
     [Test]
@@ -146,6 +167,7 @@ public sealed class ImportQueueTests
         Assert.That(queue.Requests.Single().Failure, Does.EndWith("no such file or folder"));
         queue.Cancel(gone);
         queue.Tick(1, DateTime.UtcNow);
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Has.Length.EqualTo(1));
     }
 

@@ -42,6 +42,7 @@ public sealed class ThumbnailTests : EditorFixture
             Is.GreaterThan(10), "they show the same");
         Assert.That(m_logged, Is.Empty);
         CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds),
             Is.EqualTo(new[] { Path.Combine(m_project.Paths.Clouds, ".gitignore") }), "it goes with the converted data");
     }

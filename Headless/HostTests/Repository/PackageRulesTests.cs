@@ -96,6 +96,31 @@ public sealed class PackageRulesTests
     public void Check_ThisPackage_FindsNothing() =>
         Assert.That(PackageCommand.Run(Checkout.Repository, null, null).Problems, Is.Empty);
 
+    [TestCase("File.Replace(a, b, null);", "File.Replace")]
+    [TestCase("System.IO.File.Move(a, b);", "System.IO.File.Move")]
+    [TestCase("File.Delete(a);", "File.Delete")]
+    [TestCase("File.Copy(a, b, true);", "File.Copy")]
+    [TestCase("Directory.Move(a, b);", "Directory.Move")]
+    [TestCase("Directory.Delete(a, true);", "Directory.Delete")]
+    [TestCase("new FileInfo(a).MoveTo(b);", ".MoveTo")]
+    [TestCase("using var s = new FileStream(a, FileMode.Open);", "new FileStream")]
+    [TestCase("FileUtil.DeleteFileOrDirectory(a);", "FileUtil.DeleteFileOrDirectory")]
+    public void Check_FilesAreChangedElsewhere_IsAProblem(string code, string found)
+    {
+        foreach (string folder in new[] { "Runtime/A/B.cs", "Editor/B.cs" })
+        {
+            Put(folder, "class B\n{\n    void C()\n    {\n        // " + code + "\n        " + code + "\n    }\n}");
+            Assert.That(Problems(), Is.EqualTo(new[]
+            {
+                folder + ":6: " + found + ": FileChanges does this, and tries again what Windows refuses",
+            }));
+            File.Delete(Path.Combine(Package, folder));
+        }
+        Put("Runtime/A/Base/FileChanges.cs", code);
+        Put("Tests/T/B.cs", code);
+        Assert.That(Problems(), Is.Empty);
+    }
+
     /// <summary>The line of the release's workflow makes of what is unreleased the tag's entry.</summary>
     [Test]
     public void Workflow_OfARelease_DatesTheChangelogOnceAllTestsHavePassed()

@@ -20,6 +20,12 @@ public static class FileRules
     private static readonly string[] s_notImported =
         { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader" };
 
+    private static readonly Regex s_direct = new Regex(
+        @"(?<![\w.])(System\.IO\.)?File\.(Replace|Move|Delete|Copy|Open\w*|Create\w*)\(|" +
+        @"\bDirectory\.(Move|Delete)\(|" +
+        @"\bnew (System\.IO\.)?FileStream\(|\bFileUtil\.(Delete|Replace|Move|Copy)\w+\(|" +
+        @"\.MoveTo\(|\b(FileInfo|DirectoryInfo)\([^)]*\)\.Delete\(");
+
     public static IEnumerable<string> Check(PackageFiles files)
     {
         foreach (string missing in s_required.Where(f => !files.Has(f)))
@@ -39,9 +45,20 @@ public static class FileRules
             if (!IsExpected(file, top, isHidden))
                 yield return $"{file}: nobody expects it here";
         }
+        foreach (string problem in files.All.Where(IsProduct).SelectMany(f => DirectChanges(f, files.Read(f))))
+            yield return problem;
         if (files.Top.Contains("Samples") && files.Top.Contains("Samples~"))
             yield return "Samples and Samples~ are both there";
     }
+
+    /// <summary>One class changes files, so that what Windows refuses is tried again everywhere.</summary>
+    private static bool IsProduct(string file) => (file.StartsWith("Runtime/", StringComparison.Ordinal) ||
+        file.StartsWith("Editor/", StringComparison.Ordinal)) && file.EndsWith(".cs", StringComparison.Ordinal) &&
+        !file.EndsWith("/Base/FileChanges.cs", StringComparison.Ordinal);
+
+    private static IEnumerable<string> DirectChanges(string file, string text) =>
+        text.Split('\n').SelectMany((line, i) => s_direct.Matches(line.Split("//")[0]).Select(m =>
+            $"{file}:{i + 1}: {m.Value.TrimEnd('(')}: FileChanges does this, and tries again what Windows refuses"));
 
     private static bool IsExpected(string file, string top, bool isHidden)
     {

@@ -146,7 +146,9 @@ sealed unsafe class OpenFile
         try
         {
 #if NET
+            WindowsFiles.CheckRead(m_path, true);
             m_handle = File.OpenHandle(m_path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            WindowsFiles.Opened(m_handle);
 #else
             m_handle = new FileStream(m_path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, 1);
 #endif
@@ -165,6 +167,10 @@ sealed unsafe class OpenFile
         if (!m_closing || m_readers > 0 || Status == FileStatus.Closed)
             return;
         Status = FileStatus.Closed;
+#if NET
+        if (m_handle != null)
+            WindowsFiles.Closing(m_handle);
+#endif
         m_handle?.Dispose();
         m_handle = null;
         lock (s_free)

@@ -42,7 +42,7 @@ namespace FastPoints.Editor
             if (m_left.Count == 0)
                 return;
             var clouds = m_left.FindAll(c => CloudFolder.IsCloud(c) && m_imports.Assets.Of(c).Count == 0 &&
-                Path.GetDirectoryName(c) == m_imports.Paths.Clouds);
+                string.Equals(Path.GetDirectoryName(c), m_imports.Paths.Clouds, StringComparison.OrdinalIgnoreCase));
             m_left.Clear();
             if (clouds.Count > 0 && EditorUtility.DisplayDialog("Delete converted data", "No asset has the converted data any " +
                 "more of:\n" + string.Join("\n", clouds.ConvertAll(Path.GetFileName)), "Delete data", "Keep"))

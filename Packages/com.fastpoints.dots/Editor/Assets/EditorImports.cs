@@ -25,6 +25,9 @@ namespace FastPoints.Editor
         int m_progress;
         readonly List<CloudDrop> m_drops = new List<CloudDrop>();
         readonly List<string> m_drawn = new List<string>();
+
+        /// <summary>Assets whose files could not be written, to be tried again.</summary>
+        readonly List<Action> m_refused = new List<Action>();
         bool m_isShowing;
         string m_problem;
 
@@ -98,6 +101,10 @@ namespace FastPoints.Editor
             if (nowUtc < m_nextReport)
                 return;
             m_nextReport = nowUtc + s_reportAfter;
+            var refused = m_refused.ToArray();
+            m_refused.Clear();
+            foreach (var again in refused)
+                again();
             if (Queue.Problem != m_problem && Queue.Problem != null)
                 Debug.LogWarning("FastPoints: " + Queue.Problem);
             m_problem = Queue.Problem;
@@ -206,7 +213,7 @@ namespace FastPoints.Editor
                 try
                 {
                     var request = RequestFor(asset, HandleOf(asset));
-                    File.Delete(DeclinedPath(request.Cloud));
+                    FileChanges.DeleteRemains(DeclinedPath(request.Cloud), () => false);
                     requests.Add(request);
                 }
                 catch (PointCloudException e)
@@ -404,13 +411,13 @@ namespace FastPoints.Editor
             // A copy of an asset has the same cloud.
             foreach (string user in new List<string>(Assets.Of(cloud)))
             {
-                Update(user, cloud, session);
+                Update(user, cloud, session, DateTime.UtcNow.AddMilliseconds(FileChanges.PatienceMs));
                 Refresh(user);
             }
             Thumbnails.Add(cloud);
         }
 
-        void Update(string asset, string cloud, BuildSession session)
+        void Update(string asset, string cloud, BuildSession session, DateTime untilUtc)
         {
             try
             {
@@ -426,7 +433,10 @@ namespace FastPoints.Editor
             }
             catch (PointCloudException e)
             {
-                Debug.LogError("FastPoints: " + e.Message);
+                if (e.InnerException != null && FileChanges.MayPass(e.InnerException) && DateTime.UtcNow < untilUtc)
+                    m_refused.Add(() => Update(asset, cloud, session, untilUtc));
+                else
+                    Debug.LogError("FastPoints: " + e.Message);
             }
         }
 

@@ -18,7 +18,8 @@ namespace FastPoints.Editor
         static readonly string[] s_devices =
         {
             "CON", "PRN", "AUX", "NUL", "CVS", "COM0", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8", "COM9",
-            "LPT0", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9",
+            "LPT0", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9", "CONIN$", "CONOUT$",
+            "COM\u00B9", "COM\u00B2", "COM\u00B3", "LPT\u00B9", "LPT\u00B2", "LPT\u00B3",
         };
 
         /// <summary>The nearest safe name: composed characters, none that a system forbids, no point, blank or tilde at an end,

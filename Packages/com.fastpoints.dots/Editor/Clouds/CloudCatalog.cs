@@ -6,6 +6,7 @@ using FastPoints.Files;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using FastPoints.Writing;
+using UnityEngine;
 
 namespace FastPoints.Editor
 {
@@ -51,7 +52,7 @@ namespace FastPoints.Editor
         public CatalogMatch Find(CloudHandle handle, out CatalogCloud cloud)
         {
             string path = m_paths.Absolute(handle.CloudPath);
-            cloud = m_clouds.Find(c => c.Path == path);
+            cloud = m_clouds.Find(c => string.Equals(c.Path, path, StringComparison.OrdinalIgnoreCase));
             if (cloud == null && CloudFolder.IsCloud(path))
                 cloud = Look(path, CloudFolder.Find(path), new Dictionary<string, Seen>());
             if (cloud != null && cloud.IsBuilding)
@@ -77,29 +78,22 @@ namespace FastPoints.Editor
             return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
         }
 
-        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete
-        /// one.</summary>
-        /// <exception cref="PointCloudException">It cannot be deleted: its files are open, or access is denied.</exception>
+        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one. It may
+        /// keep that while somebody has its files open; the rest is done on a thread of the pool.</summary>
         public static void Delete(string path)
         {
             CloudFolderWriter.DeleteUnfinished(path);
             if (!Directory.Exists(path))
                 return;
-            string gone = path + ".deleted";
-            try
+            StreamFiles.Leave(path);
+            FileChanges.BeginDelete(path, failure =>
             {
-                if (Directory.Exists(gone))
-                    Directory.Delete(gone, true);
-                StreamFiles.Leave(path);
-                Directory.Move(path, gone);
-                Directory.Delete(gone, true);
-                File.Delete(StampFile.PathOf(path));
-                File.Delete(CloudThumbnails.PathOf(path));
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                throw FileFailures.Writing(path, e);
-            }
+                StreamFiles.Return(path);
+                if (failure != null)
+                    Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
+            });
+            FileChanges.BeginDeleteRemains(StampFile.PathOf(path));
+            FileChanges.BeginDeleteRemains(CloudThumbnails.PathOf(path));
         }
 
         CatalogCloud Look(string path, string folder, Dictionary<string, Seen> seen)

@@ -70,20 +70,18 @@ namespace FastPoints.Editor
                     throw new PointCloudException(FailureCode.NotFound, m_from, -1, "wanted a finished cloud");
                 if (Directory.Exists(m_to) || File.Exists(m_to))
                     throw new PointCloudException(FailureCode.WriteFailed, m_to, -1, "already exists");
-                if (Directory.Exists(temporary))
-                    Directory.Delete(temporary, true);
+                FileChanges.DeleteFolder(temporary);
                 Directory.CreateDirectory(temporary);
                 var files = Directory.GetFiles(m_from, "*", SearchOption.AllDirectories);
                 CheckRoom(temporary, files);
                 var buffer = new byte[PieceBytes];
                 foreach (string file in files)
                     CopyFile(file, Path.Combine(temporary, Path.GetRelativePath(m_from, file)), buffer);
-                Directory.Move(temporary, m_to);
+                FileChanges.Insist(() => FileChanges.MoveFolder(temporary, m_to), () => !m_cancellation.IsCancellationRequested);
             }
             catch (Exception e)
             {
-                if (Directory.Exists(temporary))
-                    Directory.Delete(temporary, true);
+                FileChanges.DeleteRemains(temporary, () => !m_cancellation.IsCancellationRequested);
                 if (FileFailures.IsFileFailure(e))
                     throw FileFailures.Writing(m_to, e);
                 throw;
@@ -104,8 +102,8 @@ namespace FastPoints.Editor
         void CopyFile(string from, string to, byte[] buffer)
         {
             Directory.CreateDirectory(Path.GetDirectoryName(to));
-            using var source = new FileStream(from, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
-            using var target = new FileStream(to, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1);
+            using var source = FileChanges.OpenToRead(from, 1);
+            using var target = FileChanges.OpenToWrite(to, FileMode.CreateNew);
             for (int got = source.Read(buffer, 0, buffer.Length); got > 0; got = source.Read(buffer, 0, buffer.Length))
             {
                 m_cancellation.Token.ThrowIfCancellationRequested();

@@ -20,16 +20,13 @@ namespace FastPoints.Editor
             string temporary = path + TemporarySuffix;
             try
             {
-                using (var file = new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None))
+                using (var file = FileChanges.OpenToWrite(temporary, FileMode.Create))
                 {
                     byte[] bytes = new UTF8Encoding(false).GetBytes(text);
                     file.Write(bytes, 0, bytes.Length);
                     file.Flush(flushes);
                 }
-                if (File.Exists(path))
-                    File.Replace(temporary, path, null);
-                else
-                    File.Move(temporary, path);
+                FileChanges.Replace(temporary, path);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {

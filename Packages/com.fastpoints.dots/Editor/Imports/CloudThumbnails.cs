@@ -133,10 +133,7 @@ namespace FastPoints.Editor
             {
                 Directory.CreateDirectory(Path.GetDirectoryName(path));
                 Png.Write(temporary, image);
-                if (File.Exists(path))
-                    File.Replace(temporary, path, null);
-                else
-                    File.Move(temporary, path);
+                FileChanges.Insist(() => FileChanges.Replace(temporary, path));
                 return path;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))

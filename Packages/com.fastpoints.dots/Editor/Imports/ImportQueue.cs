@@ -106,13 +106,20 @@ namespace FastPoints.Editor
         /// <param name="budgetMs">Main-thread time to use, not counting jobs.</param>
         public void Tick(double budgetMs, DateTime nowUtc)
         {
-            if (!HasLock(nowUtc) || IsHeld)
+            if (!HasLock(nowUtc))
+                return;
+            if (m_isUnsaved && nowUtc >= m_nextLook)
+            {
+                m_nextLook = nowUtc + s_lookAgain;
+                Save();
+            }
+            if (IsHeld)
                 return;
             if (Session == null)
                 Begin();
             else if (Session.Tick(budgetMs))
                 End();
-            if (m_requests.Count == 0)
+            if (m_requests.Count == 0 && !m_isUnsaved)
                 GiveBack();
         }
 
@@ -163,7 +170,7 @@ namespace FastPoints.Editor
                 CloudFolderWriter.DeleteUnfinished(m_paths.Absolute(request.Cloud));
                 Save();
             }
-            if (m_requests.Count == 0)
+            if (m_requests.Count == 0 && !m_isUnsaved)
                 GiveBack();
         }
 
@@ -299,8 +306,7 @@ namespace FastPoints.Editor
             {
                 Problem = e.Message;
                 string aside = FilePath + ".bad";
-                File.Delete(aside);
-                File.Move(FilePath, aside);
+                FileChanges.Replace(FilePath, aside);
                 return new List<ImportRequest>();
             }
         }
@@ -314,7 +320,7 @@ namespace FastPoints.Editor
             try
             {
                 if (m_requests.Count == 0)
-                    File.Delete(FilePath);
+                    FileChanges.Delete(FilePath);
                 else
                     TextFile.Write(FilePath, ToJson());
                 if (m_isUnsaved)

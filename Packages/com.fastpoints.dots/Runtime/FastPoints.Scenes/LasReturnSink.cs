@@ -85,7 +85,11 @@ namespace FastPoints.Scenes
         {
             using var las = new LasReturnSink(path);
             yield return Work.Of(OrderedScan.Run(points, seed, order, las, progress));
-            las.Complete();
+            yield return Work.Of(PoolWork.Run(path, () =>
+            {
+                las.Complete();
+                return path;
+            }, _ => { }));
         }
     }
 }

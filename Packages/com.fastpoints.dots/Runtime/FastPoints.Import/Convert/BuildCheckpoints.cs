@@ -33,8 +33,12 @@ namespace FastPoints.Convert
         /// <summary>The fate of an earlier build of this target that was broken off; null if there was none.</summary>
         public string Note { get; private set; }
 
+        /// <summary>Whether the folder has what nothing can go on from, and is to be cleared before anything is
+        /// written.</summary>
+        public bool MustClear { get; private set; }
+
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
-        /// on disk. Otherwise the folder is emptied.</summary>
+        /// on disk.</summary>
         /// <param name="scatter">Knows afterwards what the build before this one has read.</param>
         /// <param name="chunks">What the journal tells of, from <see cref="BuildJournal.Stage.Split"/> on.</param>
         public static BuildCheckpoints Resume(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
@@ -67,7 +71,7 @@ namespace FastPoints.Convert
                     ? "a build of this target was broken off that had its points in memory: began again"
                     : "a build of this target was broken off that had other sources, settings or versions: began again";
             }
-            folder.Clear();
+            checkpoints.MustClear = folder.HasLeftovers;
             build.AddFirstFiles();
             return checkpoints;
         }
@@ -99,14 +103,14 @@ namespace FastPoints.Convert
             yield return Work.Of(End());
         }
 
-        /// <summary>Writes the last journal when all files of the cloud are complete.</summary>
-        public void Finish(int levelCount, long[] bytesOfPlane)
+        /// <summary>Work for a pump: writes the last journal when all files of the cloud are complete, also where points were in
+        /// memory: if the folder cannot be renamed, the next build has only that left to do.</summary>
+        public IEnumerator<Work> Finish(int levelCount, long[] bytesOfPlane)
         {
             Journal.LevelCount = levelCount;
             Journal.BytesOfPlane = bytesOfPlane;
             Journal.At = BuildJournal.Stage.Done;
-            if (m_build.Files != null)
-                m_folder.WriteText(BuildFiles.JournalName, Describe());
+            return m_folder.WriteText(BuildFiles.JournalName, Describe());
         }
 
         public void Dispose()
@@ -121,9 +125,9 @@ namespace FastPoints.Convert
         string Describe()
         {
             Journal.Attributes = m_scatter.Attributes;
-            Journal.PeakBytes = m_build.Files.PeakBytes;
+            Journal.PeakBytes = m_build.Files?.PeakBytes ?? 0;
             Journal.Records.Clear();
-            for (int file = 0; file < m_build.Files.FileCount; file++)
+            for (int file = 0; file < m_build.Files?.FileCount; file++)
                 Journal.Records.Add(m_build.Files.RecordsOf(file));
             Journal.Chunks.Clear();
             if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)

@@ -89,7 +89,7 @@ namespace FastPoints.Convert
                 foreach (int i in provisional)
                     tops[i].Dispose();
             }
-            m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
+            yield return Work.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
             // The generation before is what a reader may just be opening.
             m_build.Folder.DeleteGeneration(m_generation - 2);
         }

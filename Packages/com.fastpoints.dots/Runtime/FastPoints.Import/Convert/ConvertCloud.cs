@@ -44,8 +44,7 @@ namespace FastPoints.Convert
             yield return Work.Of(convert.Partition());
             // The pump looks at its budget: memory is allocated in steps.
             yield return default;
-            convert.Resume();
-            yield return default;
+            yield return Work.Of(convert.Resume());
             if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
             {
                 progress?.Begin(BuildStages.Read);
@@ -57,7 +56,7 @@ namespace FastPoints.Convert
             progress?.Begin(BuildStages.Finish);
             if (convert.m_octree?.Manifest.Points > 0)
                 yield return Work.Of(convert.MeasureShown());
-            done(convert.Finish());
+            yield return Work.Of(convert.Finish(done));
             progress?.End();
         }
 
@@ -114,14 +113,16 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Resumes the killed build if there is one of the same sources and settings with its points on disk.</summary>
-        void Resume()
+        IEnumerator<Work> Resume()
         {
             m_scatter = new ScatterPoints(m_build);
             m_chunks = new ChunkSet(m_build);
             m_checkpoints = BuildCheckpoints.Resume(m_build, m_scatter, m_chunks);
+            if (m_checkpoints.MustClear)
+                yield return Work.Of(m_build.Folder.Clear());
             m_generations = new BuildGenerations(m_build);
             if (m_build.Files == null || m_checkpoints.Journal.At != BuildJournal.Stage.Read)
-                return;
+                yield break;
             long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;
             long free = m_build.Folder.FreeBytes();
             if (free >= 0 && free < needed)
@@ -157,7 +158,7 @@ namespace FastPoints.Convert
             manifest.Shown = ranges.ToShown();
         }
 
-        ConvertResult Finish()
+        IEnumerator<Work> Finish(Action<ConvertResult> done)
         {
             var folder = m_build.Folder;
             var journal = m_checkpoints.Journal;
@@ -171,15 +172,15 @@ namespace FastPoints.Convert
             else
             {
                 manifest = m_octree.Manifest;
-                folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
-                m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane);
+                yield return Work.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
+                yield return Work.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }
-            folder.Complete();
+            yield return Work.Of(folder.Complete());
             var result = new ConvertResult
             {
                 Manifest = manifest,
                 LevelCount = journal.LevelCount,
-                BytesOnDisk = folder.BytesOnDisk(),
+                BytesOnDisk = folder.BytesOnDisk,
                 TemporaryBytesPeak = m_build.Files == null ? 0 : m_build.Files.PeakBytes,
                 PointsPerChunk = m_build.Plan.PointsPerChunk,
                 Note = m_checkpoints.Note,
@@ -190,7 +191,7 @@ namespace FastPoints.Convert
             var planes = manifest.CreateLayout().Planes;
             for (int p = 0; p < result.PlaneNames.Length; p++)
                 result.PlaneNames[p] = planes[p].Name;
-            return result;
+            done(result);
         }
     }
 }

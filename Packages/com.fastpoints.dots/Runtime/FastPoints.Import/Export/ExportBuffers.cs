@@ -135,16 +135,9 @@ namespace FastPoints.Export
                 buffer.Records.Dispose();
             }
             m_pointers.Dispose();
-            if (m_isWhole)
-                return;
-            try
-            {
-                File.Delete(m_path + WriteQueue.TemporarySuffix);
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                // The failure that led here is the one to report.
-            }
+            // The failure that led here is the one to report.
+            if (!m_isWhole)
+                FileChanges.DeleteRemains(m_path + WriteQueue.TemporarySuffix, () => false);
         }
 
         void Seal(long number, int points)

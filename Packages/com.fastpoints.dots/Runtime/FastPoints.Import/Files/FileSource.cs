@@ -135,7 +135,6 @@ namespace FastPoints.Files
             m_stream = null;
         }
 
-        FileStream Stream() => m_stream ??= new FileStream(Path, FileMode.Open, FileAccess.Read,
-            FileShare.ReadWrite | FileShare.Delete, StreamBufferBytes);
+        FileStream Stream() => m_stream ??= FileChanges.OpenToRead(Path, StreamBufferBytes);
     }
 }

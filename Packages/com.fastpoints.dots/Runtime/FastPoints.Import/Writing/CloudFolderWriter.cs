@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Text;
 using FastPoints.Base;
@@ -39,9 +40,10 @@ namespace FastPoints.Writing
             {
                 Directory.CreateDirectory(m_part);
                 m_lock = Lock();
-                HasLeftovers = Directory.GetFileSystemEntries(m_part).Length > 1;
-                if (!File.Exists(PathOf(BuildFiles.JournalName)))
-                    Clear();
+                using var entries = Directory.EnumerateFileSystemEntries(m_part).GetEnumerator();
+                // One is the lock.
+                HasLeftovers = entries.MoveNext() && entries.MoveNext();
+                MakeFolders();
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
@@ -57,18 +59,18 @@ namespace FastPoints.Writing
         /// <summary>Reads a text that a killed build left, or returns null if there is none.</summary>
         public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;
 
-        /// <summary>Writes a small file on the calling thread, replacing the one of that name.</summary>
-        public void WriteText(string name, string text)
+        /// <summary>Work for a pump: writes a small file behind everything queued, replacing the one of that name.</summary>
+        public IEnumerator<Work> WriteText(string name, string text)
         {
+            using var bytes = new NativeArray<byte>(new UTF8Encoding(false).GetBytes(text), Allocator.Persistent);
+            var ticket = Write(name, bytes);
             try
             {
-                byte[] bytes = new UTF8Encoding(false).GetBytes(text);
-                fixed (byte* first = bytes)
-                    WriteQueue.WriteFile(PathOf(name), first, bytes.Length);
+                yield return Work.Of(Await(ticket));
             }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            finally
             {
-                throw FileFailures.Writing(PathOf(name), e);
+                ticket.Wait();
             }
         }
 
@@ -81,12 +83,12 @@ namespace FastPoints.Writing
             {
                 if (bytes == 0)
                 {
-                    File.Delete(path);
+                    FileChanges.Delete(path);
                     return true;
                 }
                 if (!File.Exists(path))
                     return false;
-                using var file = new FileStream(path, FileMode.Open, FileAccess.Write);
+                using var file = FileChanges.OpenToWrite(path, FileMode.Open);
                 if (file.Length < bytes)
                     return false;
                 file.SetLength(bytes);
@@ -98,41 +100,25 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Deletes files in a folder of the build.</summary>
-        /// <param name="kept">Paths to keep.</param>
-        public void DeleteOthers(string folder, ICollection<string> kept)
+        /// <summary>Deletes files in a folder of the build, before anything that is queued later.</summary>
+        /// <param name="kept">Paths to keep, which nobody changes any more.</param>
+        public void DeleteOthers(string folder, ICollection<string> kept) => m_queue.Do(PathOf(folder), () =>
         {
-            try
-            {
-                foreach (string file in Directory.GetFiles(PathOf(folder)))
-                    if (!kept.Contains(PathOf(folder + "/" + Path.GetFileName(file))))
-                        File.Delete(file);
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                throw FileFailures.Writing(PathOf(folder), e);
-            }
-        }
+            foreach (string file in Directory.GetFiles(PathOf(folder)))
+                if (!kept.Contains(PathOf(folder + "/" + Path.GetFileName(file))))
+                    FileChanges.Delete(file);
+        });
 
-        /// <summary>Deletes everything in it: the build starts over.</summary>
-        public void Clear()
+        /// <summary>Work for a pump: deletes everything in it, so that the build starts over.</summary>
+        public IEnumerator<Work> Clear() => Await(m_queue.Do(m_part, () =>
         {
-            try
-            {
-                foreach (string folder in Directory.GetDirectories(m_part))
-                    Directory.Delete(folder, true);
-                foreach (string file in Directory.GetFiles(m_part))
-                    if (Path.GetFileName(file) != LockName)
-                        File.Delete(file);
-                Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
-                Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
-                Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                throw FileFailures.Writing(m_part, e);
-            }
-        }
+            foreach (string folder in Directory.GetDirectories(m_part))
+                FileChanges.DeleteFolder(folder);
+            foreach (string file in Directory.GetFiles(m_part))
+                if (Path.GetFileName(file) != LockName)
+                    FileChanges.Delete(file);
+            MakeFolders();
+        }));
 
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
@@ -158,19 +144,9 @@ namespace FastPoints.Writing
         /// <summary>Path of a file of the folder while it is in the making.</summary>
         public string PathOf(string name) => Path.Combine(m_part, name);
 
-        /// <summary>Deletes a file that the build no longer needs, for which nothing is queued.</summary>
-        public void Delete(string name)
-        {
-            string path = PathOf(name);
-            try
-            {
-                File.Delete(path);
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                throw FileFailures.Writing(path, e);
-            }
-        }
+        /// <summary>Deletes a file that the build no longer needs, behind everything queued. What somebody has open is deleted at
+        /// the end.</summary>
+        public void Delete(string name) => m_queue.Do(PathOf(name), () => FileChanges.DeleteRemains(PathOf(name), () => false));
 
         /// <summary>Deletes the files of one generation of the cloud in the making, if they exist.</summary>
         public void DeleteGeneration(long generation)
@@ -180,13 +156,7 @@ namespace FastPoints.Writing
         }
 
         /// <summary>Bytes of the cloud when it is complete.</summary>
-        public long BytesOnDisk()
-        {
-            long bytes = 0;
-            foreach (string file in Directory.GetFiles(m_target, "*", SearchOption.AllDirectories))
-                bytes += new FileInfo(file).Length;
-            return bytes;
-        }
+        public long BytesOnDisk { get; private set; }
 
         /// <summary>Free bytes on the target's disk; -1 if unknown.</summary>
         public long FreeBytes()
@@ -201,44 +171,25 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Gives the folder its final name. Everything must be written, cloud.json last of all.</summary>
+        /// <summary>Work for a pump: gives the folder its final name, once streams have let go of it. Everything must be written,
+        /// cloud.json last of all.</summary>
         /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
-        public void Complete()
+        public IEnumerator<Work> Complete()
         {
-            m_queue.End();
-            m_isLost |= !m_lock.IsHeld;
-            if (m_isLost)
-                throw TakenOver();
-            if (m_queue.Failure != null)
-                throw m_queue.Failure;
+            StreamFiles.Leave(m_part);
+            StreamFiles.Leave(m_target);
             try
             {
-                foreach (string folder in new[] { BuildFiles.RecordFolderName, BuildFiles.TopFolderName })
-                    if (Directory.Exists(PathOf(folder)))
-                        Directory.Delete(PathOf(folder), true);
-                foreach (string name in new[] { StoreFormat.UpperName, StoreFormat.HierarchyName })
-                    foreach (string file in Directory.GetFiles(m_part, name.Replace(".bin", "-*.bin")))
-                        File.Delete(file);
-                string old = null;
-                if (Directory.Exists(m_target))
-                {
-                    StreamFiles.Leave(m_target);
-                    old = m_target + ".old";
-                    if (Directory.Exists(old))
-                        Directory.Delete(old, true);
-                    Directory.Move(m_target, old);
-                }
-                Directory.Move(m_part, m_target);
-                m_isComplete = true;
-                // The lock was renamed with the folder.
-                File.Delete(Path.Combine(m_target, LockName));
-                File.Delete(Path.Combine(m_target, BuildFiles.JournalName));
-                if (old != null)
-                    Directory.Delete(old, true);
+                for (var watch = Stopwatch.StartNew();
+                    !StreamFiles.HasLeft && watch.ElapsedMilliseconds < FileChanges.PatienceMs;)
+                    yield return default;
+                yield return Work.Of(Await(m_queue.Do(m_target, Finish)));
             }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            finally
             {
-                throw FileFailures.Writing(m_target, e);
+                m_queue.End();
+                StreamFiles.Return(m_part);
+                StreamFiles.Return(m_target);
             }
         }
 
@@ -252,23 +203,23 @@ namespace FastPoints.Writing
                 return;
             m_isComplete = true;
             if (!m_isKept && !m_isLost && m_lock.IsHeld)
-                Delete(new DirectoryInfo(m_part));
-            m_lock.Dispose();
+                Delete(m_part, m_lock);
+            else
+                m_lock.Dispose();
         }
 
-        /// <summary>Deletes what a build that ended early left of a target, unless it is being built now.</summary>
+        /// <summary>Takes what a build that ended early left of a target out of the way, unless it is being built now, and
+        /// deletes it on a thread of the pool.</summary>
         public static void DeleteUnfinished(string target)
         {
-            var part = new DirectoryInfo(target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) +
-                StoreFormat.PartSuffix);
-            if (!part.Exists)
+            string part = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.PartSuffix;
+            if (!Directory.Exists(part))
                 return;
             try
             {
-                if (FolderLock.TryTake(Path.Combine(part.FullName, LockName), out var taken) != null)
+                if (FolderLock.TryTake(Path.Combine(part, LockName), out var taken) != null)
                     return;
-                Delete(part);
-                taken.Dispose();
+                Delete(part, taken);
             }
             catch (PointCloudException)
             {
@@ -276,16 +227,76 @@ namespace FastPoints.Writing
             }
         }
 
-        static void Delete(DirectoryInfo part)
+        /// <summary>The lock goes with the folder. One that cannot be moved is cleared by the next build of the target.</summary>
+        static void Delete(string part, FolderLock taken)
         {
+            StreamFiles.Leave(part);
+            FileChanges.BeginDelete(part, failure =>
+            {
+                StreamFiles.Return(part);
+                if (failure != null)
+                    taken.Dispose();
+            });
+        }
+
+        /// <summary>On the writing thread, which may wait.</summary>
+        void Finish()
+        {
+            m_isLost |= !m_lock.IsHeld;
+            if (m_isLost)
+                throw TakenOver();
+            string old = m_target + ".old";
             try
             {
-                part.Delete(true);
+                FileChanges.Insist(() => Rename(old), m_queue.IsPatient);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                // The rest has the temporary name, and the next build of this target clears it.
+                // All is there but the name: the next build of this target takes it up.
+                m_isKept = true;
+                if (!Directory.Exists(m_target) && Directory.Exists(old))
+                    FileChanges.MoveFolder(old, m_target);
+                throw new PointCloudException(FileFailures.Writing(m_target, e).Code, m_target, -1,
+                    "is converted but for its name: wanted to rename " + m_part + ", and the system said: " + e.Message +
+                    " Close what has files of it open, and convert again, which goes on from here", e);
             }
+            m_isComplete = true;
+            // The lock was renamed with the folder.
+            foreach (string name in new[] { LockName, BuildFiles.JournalName })
+                FileChanges.DeleteRemains(Path.Combine(m_target, name), m_queue.IsPatient);
+            foreach (string file in Directory.GetFiles(m_target, "*", SearchOption.AllDirectories))
+                BytesOnDisk += new FileInfo(file).Length;
+            if (Directory.Exists(old))
+                FileChanges.BeginDeleteRemains(old);
+        }
+
+        /// <summary>Any of its steps may be refused where somebody reads; it goes on with what is left to do.</summary>
+        void Rename(string old)
+        {
+            FileChanges.DeleteFolder(PathOf(BuildFiles.RecordFolderName));
+            FileChanges.DeleteFolder(PathOf(BuildFiles.TopFolderName));
+            foreach (string name in new[] { StoreFormat.UpperName, StoreFormat.HierarchyName })
+                foreach (string file in Directory.GetFiles(m_part, name.Replace(".bin", "-*.bin")))
+                    FileChanges.Delete(file);
+            if (Directory.Exists(m_target))
+            {
+                FileChanges.DeleteFolder(old);
+                FileChanges.MoveFolder(m_target, old);
+            }
+            FileChanges.MoveFolder(m_part, m_target);
+        }
+
+        void MakeFolders()
+        {
+            Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
+            Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
+            Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
+        }
+
+        static IEnumerator<Work> Await(WriteTicket ticket)
+        {
+            while (!ticket.IsDone(1))
+                yield return default;
         }
 
         void CheckReplaceable(string target)

@@ -128,7 +128,7 @@ namespace FastPoints.Writing
             try
             {
                 if (StoreFile.ReadText(m_path) == m_owner)
-                    File.Delete(m_path);
+                    FileChanges.Delete(m_path);
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
@@ -154,7 +154,7 @@ namespace FastPoints.Writing
         {
             try
             {
-                using (var file = new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.None))
+                using (var file = FileChanges.OpenToWrite(path, FileMode.CreateNew))
                 using (var writer = new StreamWriter(file))
                     writer.Write(owner);
                 return true;
@@ -175,19 +175,19 @@ namespace FastPoints.Writing
             {
                 // A crash in the middle of this left it.
                 if (DateTime.UtcNow - File.GetLastWriteTimeUtc(guard) > RenewAfter)
-                    File.Delete(guard);
+                    FileChanges.Delete(guard);
                 return false;
             }
             try
             {
                 if (!IsGone(path, StoreFile.ReadText(path), machine))
                     return false;
-                File.Delete(path);
+                FileChanges.Delete(path);
                 return TryCreate(path, owner);
             }
             finally
             {
-                File.Delete(guard);
+                FileChanges.Delete(guard);
             }
         }
 

@@ -61,8 +61,7 @@ namespace FastPoints.Writing
             }
             catch
             {
-                if (File.Exists(temporary))
-                    File.Delete(temporary);
+                FileChanges.DeleteRemains(temporary, () => false);
                 throw;
             }
         }
@@ -90,7 +89,7 @@ namespace FastPoints.Writing
         {
             try
             {
-                return new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None, 1);
+                return FileChanges.OpenToWrite(temporary, FileMode.Create);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -102,8 +101,8 @@ namespace FastPoints.Writing
         {
             try
             {
-                File.Delete(m_path);
-                File.Move(temporary, m_path);
+                FileChanges.Insist(() => FileChanges.Replace(temporary, m_path),
+                    () => !m_cancellation.IsCancellationRequested);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {

@@ -31,6 +31,8 @@ namespace FastPoints.Writing
             Records,
             /// <summary>A flush to disk of what was written to such a file so far.</summary>
             Sync,
+            /// <summary>Something else that takes its turn.</summary>
+            Act,
         }
 
         struct Order
@@ -42,6 +44,7 @@ namespace FastPoints.Writing
             public long Offset;
             public RecordPages Pages;
             public int StrideBytes;
+            public Action Act;
             public WriteTicket Ticket;
         }
 
@@ -49,7 +52,7 @@ namespace FastPoints.Writing
         readonly Thread m_thread;
         readonly Func<Exception> m_check;
         readonly TimeSpan m_checkAfter;
-        bool m_isEnding;
+        volatile bool m_isEnding;
 
         /// <param name="check">Called on the thread before each file and while it waits for one; returns why nothing may be
         /// written any more, or null.</param>
@@ -96,6 +99,19 @@ namespace FastPoints.Writing
             Ticket = new WriteTicket(),
         });
 
+        /// <summary>Queues something else that is to be done with files.</summary>
+        /// <param name="path">For messages.</param>
+        public WriteTicket Do(string path, Action act) => Enqueue(new Order
+        {
+            Kind = OrderKind.Act,
+            Path = path,
+            Act = act,
+            Ticket = new WriteTicket(),
+        });
+
+        /// <summary>Whether what the system refuses is to be tried again: nobody waits for the end.</summary>
+        public bool IsPatient() => !m_isEnding;
+
         /// <summary>Waits for everything queued. May be called twice.</summary>
         public void End()
         {
@@ -105,18 +121,6 @@ namespace FastPoints.Writing
                 Monitor.PulseAll(m_orders);
             }
             m_thread.Join();
-        }
-
-        /// <summary>Writes a file on the calling thread.</summary>
-        public static void WriteFile(string path, byte* bytes, long count)
-        {
-            string temporary = path + TemporarySuffix;
-            using (var file = Open(temporary, FileMode.Create, 0))
-            {
-                Write(file, bytes, count);
-                file.Flush(true);
-            }
-            Rename(temporary, path);
         }
 
         void WriteOrders()
@@ -139,7 +143,7 @@ namespace FastPoints.Writing
                 try
                 {
                     if (Failure == null)
-                        Carry(order);
+                        FileChanges.Insist(() => Carry(order), IsPatient);
                 }
                 catch (Exception e)
                 {
@@ -171,29 +175,31 @@ namespace FastPoints.Writing
             return order.Ticket;
         }
 
+        /// <summary>May be begun again after any of its steps.</summary>
         static void Carry(in Order order)
         {
             var bytes = (byte*)order.Bytes;
             string temporary = order.Path + TemporarySuffix;
             switch (order.Kind)
             {
-                case OrderKind.Whole:
-                    WriteFile(order.Path, bytes, order.Count);
+                case OrderKind.Act:
+                    order.Act();
                     break;
                 case OrderKind.Piece:
                     using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))
                         Write(file, bytes, order.Count);
                     break;
+                case OrderKind.Whole:
                 case OrderKind.Seal:
-                    using (var file = Open(temporary, FileMode.OpenOrCreate, 0))
+                    using (var file = Open(temporary, order.Kind == OrderKind.Whole ? FileMode.Create : FileMode.OpenOrCreate, 0))
                     {
                         Write(file, bytes, order.Count);
                         file.Flush(true);
                     }
-                    Rename(temporary, order.Path);
+                    FileChanges.Replace(temporary, order.Path);
                     break;
                 case OrderKind.Sync:
-                    using (var file = new FileStream(order.Path, FileMode.Open, FileAccess.Write))
+                    using (var file = Open(order.Path, FileMode.Open, 0))
                         file.Flush(true);
                     break;
                 default:
@@ -206,8 +212,7 @@ namespace FastPoints.Writing
 
         static FileStream Open(string path, FileMode mode, long offset)
         {
-            // A buffer of one byte makes writes go straight through.
-            var file = new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
+            var file = FileChanges.OpenToWrite(path, mode);
             file.Position = offset;
             return file;
         }
@@ -220,15 +225,6 @@ namespace FastPoints.Writing
                 file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
                 done += piece;
             }
-        }
-
-        /// <summary>Replaces the existing file, if any.</summary>
-        static void Rename(string from, string to)
-        {
-            if (File.Exists(to))
-                File.Replace(from, to, null);
-            else
-                File.Move(from, to);
         }
     }
 }

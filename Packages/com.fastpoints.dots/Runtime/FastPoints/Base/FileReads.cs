@@ -1,4 +1,5 @@
 using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Base
 {
@@ -9,11 +10,14 @@ namespace FastPoints.Base
         /// Linux: it would be read on after another has its name, and keep its place on the disk after it was deleted. Main
         /// thread.</summary>
         /// <param name="commands">They stay where they are until the read has ended, as does the memory that they name.</param>
-        public static ReadHandle Once(string path, ReadCommand* commands, int count)
+        public static ReadHandle Once(string path, ReadCommand* commands, int count) => Once(path, commands, count, out _);
+
+        /// <param name="closed">Ends when nothing has the file open any more.</param>
+        public static ReadHandle Once(string path, ReadCommand* commands, int count, out JobHandle closed)
         {
             var file = AsyncReadManager.OpenFileAsync(path);
             var read = AsyncReadManager.Read(file, new ReadCommandArray { ReadCommands = commands, CommandCount = count });
-            file.Close(read.JobHandle);
+            closed = file.Close(read.JobHandle);
             return read;
         }
     }

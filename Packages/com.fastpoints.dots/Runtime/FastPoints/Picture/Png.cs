@@ -25,14 +25,11 @@ namespace FastPoints.Picture
             try
             {
                 File.WriteAllBytes(partial, Encode(image));
-                if (File.Exists(path))
-                    File.Delete(path);
-                File.Move(partial, path);
+                FileChanges.Replace(partial, path);
             }
             catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException)
             {
-                if (File.Exists(partial))
-                    File.Delete(partial);
+                FileChanges.DeleteRemains(partial, () => false);
                 var code = failure is UnauthorizedAccessException ? FailureCode.AccessDenied
                     : failure is DirectoryNotFoundException ? FailureCode.NotFound : FailureCode.WriteFailed;
                 throw new PointCloudException(code, path, -1, "the picture cannot be written: " + failure.Message, failure);

@@ -92,7 +92,7 @@ namespace FastPoints.Store
         {
             try
             {
-                using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 4096);
+                using var file = FileChanges.OpenToRead(path, 4096);
                 return read(file);
             }
             catch (Exception e) when (e is FileNotFoundException || e is DirectoryNotFoundException)

@@ -400,6 +400,7 @@ namespace FastPoints.Tests.Convert
             for (int i = 0; i < 60 && work.MoveNext(); i++)
                 work.Current.Complete();
             work.Dispose();
+            FileChanges.AwaitDeletes();
             Assert.That(Directory.GetFileSystemEntries(Folder.Path), Is.Empty);
         }
 

@@ -322,6 +322,7 @@ namespace FastPoints.Tests.Convert
             for (int i = 0; i < 20 && work.MoveNext(); i++)
                 work.Current.Complete();
             work.Dispose();
+            FileChanges.AwaitDeletes();
             Assert.That(Directory.GetFileSystemEntries(Folder.Path), Is.Empty);
         }
 

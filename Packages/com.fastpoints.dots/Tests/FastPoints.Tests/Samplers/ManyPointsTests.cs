@@ -110,6 +110,7 @@ namespace FastPoints.Tests.Samplers
                     r => { }, null);
                 Failures.Of(() => WorkPump.RunToEnd(work), FailureCode.DiskFull, "too little room");
             }
+            FileChanges.AwaitDeletes();
             Assert.That(Directory.GetFileSystemEntries(folder.Path), Is.Empty);
         }
     }

@@ -87,8 +87,25 @@ namespace FastPoints.Tests.Streaming
             StreamFiles.Leave(m_cloud.Path + Path.DirectorySeparatorChar);
             Assert.That(Of(m_cloud), Is.Zero);
             Assert.That(Of(other), Is.EqualTo(kept));
+            try
+            {
+                while (!StreamFiles.HasLeft)
+                    StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+                // One that has nothing loaded yet.
+                Add();
+                for (int i = 0; i < 10; i++)
+                {
+                    StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
+                    Assert.That(Of(m_cloud), Is.Zero, "nothing is read of it");
+                }
+            }
+            finally
+            {
+                StreamFiles.Return(m_cloud.Path);
+            }
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             Assert.That(m_stream.TryTakeFailure(out _), Is.False);
+            Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct().Count(), Is.EqualTo(3));
         }
 
         [Test]

@@ -82,7 +82,7 @@ namespace FastPoints.Files
             writer.m_header.PointsOffset = (uint)pointsOffset;
             try
             {
-                writer.m_stream = new FileStream(writer.m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1);
+                writer.m_stream = FileChanges.OpenToWrite(writer.m_temporaryPath, FileMode.Create);
                 var header = writer.m_header.ToBytes();
                 writer.m_stream.Write(header, 0, header.Length);
                 foreach (var vlr in vlrs)
@@ -124,7 +124,7 @@ namespace FastPoints.Files
             Write(records, count);
         }
 
-        /// <summary>Writes the header, and gives the file its name.</summary>
+        /// <summary>Writes the header, and gives the file its name; not for the main thread of an editor.</summary>
         /// <exception cref="PointCloudException">The disk is full or failed.</exception>
         public void Complete()
         {
@@ -137,10 +137,7 @@ namespace FastPoints.Files
                 m_stream.Flush(true);
                 m_stream.Dispose();
                 m_stream = null;
-                if (File.Exists(m_path))
-                    File.Replace(m_temporaryPath, m_path, null);
-                else
-                    File.Move(m_temporaryPath, m_path);
+                FileChanges.Insist(() => FileChanges.Replace(m_temporaryPath, m_path));
                 m_isComplete = true;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -157,14 +154,8 @@ namespace FastPoints.Files
             m_isGivenUp = true;
             m_stream?.Dispose();
             m_stream = null;
-            try
-            {
-                File.Delete(m_temporaryPath);
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                // The failure that led here is the one to report; a file that cannot be deleted could not be made either.
-            }
+            // The failure that led here is the one to report; a file that cannot be deleted could not be made either.
+            FileChanges.DeleteRemains(m_temporaryPath, () => false);
         }
 
         void Write(byte[] records, int count)

@@ -94,6 +94,7 @@ namespace FastPoints.Streaming
                     break;
                 var page = m_state.Clouds[missing.Cloud].Pages + missing.Page;
                 if (page->Status != HierarchyPageStatus.Absent || !m_state.IsTime(page->RetryFrame) ||
+                    StreamFiles.IsLeft(m_state.Clouds[missing.Cloud].Source) ||
                     !m_state.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
@@ -152,6 +153,8 @@ namespace FastPoints.Streaming
                 if (!TryFindIdle(out var fetch))
                     return true;
                 var cloud = m_state.Clouds[first.Cloud];
+                if (StreamFiles.IsLeft(cloud.Source))
+                    continue;
                 if (cloud.Source.MakesNodes)
                 {
                     if (!TryMake(fetch, cloud, first, firstRank, ref stats))

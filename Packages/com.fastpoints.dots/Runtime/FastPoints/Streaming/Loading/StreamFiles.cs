@@ -19,7 +19,15 @@ namespace FastPoints.Streaming
 
         static readonly List<StreamFiles> s_all = new List<StreamFiles>();
 
+        /// <summary>Folders that are not to be read now: another array with each change, which any thread may make.</summary>
+        static string[] s_left = Array.Empty<string>();
+
+        static JobHandle s_closing;
+
         readonly List<Kept> m_kept = new List<Kept>(64);
+
+        /// <summary>Reads of files that are not kept open.</summary>
+        JobHandle m_loose;
 
         struct Kept
         {
@@ -43,15 +51,18 @@ namespace FastPoints.Streaming
         {
             // A build renames and deletes its files while they are shown.
             if (!cloud.Source.KeepsFilesOpen)
-                return FileReads.Once(path, commands, count);
+            {
+                var loose = FileReads.Once(path, commands, count, out var closed);
+                m_loose = Both(m_loose, closed);
+                return loose;
+            }
             int at = IndexOf(cloud, path);
             if (at < 0)
                 at = Open(cloud, path);
             var kept = m_kept[at];
             var read = AsyncReadManager.Read(kept.Handle,
                 new ReadCommandArray { ReadCommands = commands, CommandCount = count });
-            kept.Reads = kept.Reads.IsCompleted ? read.JobHandle
-                : JobHandle.CombineDependencies(kept.Reads, read.JobHandle);
+            kept.Reads = Both(kept.Reads, read.JobHandle);
             kept.UsedFrame = frame;
             m_kept[at] = kept;
             return read;
@@ -82,15 +93,50 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        /// <summary>Closes all files of a folder that is about to be replaced or deleted, in all streams. It waits for reads that
-        /// are under way.</summary>
+        /// <summary>Lets go of a folder that is about to be renamed or deleted, in all streams: its files are closed, and none is
+        /// read until <see cref="Return"/>.</summary>
         public static void Leave(string folder)
         {
-            string below = Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
+            string below = Below(folder);
+            lock (s_all)
+                s_left = new List<string>(s_left) { below }.ToArray();
             foreach (var files in s_all)
                 for (int i = files.m_kept.Count - 1; i >= 0; i--)
-                    if (Path.GetFullPath(files.m_kept[i].Path).StartsWith(below, StringComparison.OrdinalIgnoreCase))
-                        files.Close(i).Complete();
+                    if (IsBelow(files.m_kept[i].Path, below))
+                        s_closing = Both(s_closing, files.Close(i));
+        }
+
+        /// <summary>Whether reads that were under way in folders that were left have ended, and their files are closed.</summary>
+        public static bool HasLeft
+        {
+            get
+            {
+                bool hasLeft = WorkPump.HasEnded(s_closing);
+                foreach (var files in s_all)
+                    hasLeft &= WorkPump.HasEnded(files.m_loose);
+                return hasLeft;
+            }
+        }
+
+        /// <summary>The folder may be read again. On any thread.</summary>
+        public static void Return(string folder)
+        {
+            lock (s_all)
+            {
+                var left = new List<string>(s_left);
+                left.Remove(Below(folder));
+                s_left = left.ToArray();
+            }
+        }
+
+        /// <summary>Whether the source's files are not to be read now.</summary>
+        public static bool IsLeft(NodeSource source)
+        {
+            // This is asked often, and only while a folder is renamed does it cost anything.
+            foreach (string left in s_left)
+                if (IsBelow(Below(source.Path), left))
+                    return true;
+            return false;
         }
 
         public void Dispose()
@@ -129,5 +175,13 @@ namespace FastPoints.Streaming
             m_kept.RemoveAt(m_kept.Count - 1);
             return gone.Handle.Close(gone.Reads);
         }
+
+        static JobHandle Both(JobHandle a, JobHandle b) => a.IsCompleted ? b : JobHandle.CombineDependencies(a, b);
+
+        static string Below(string folder) =>
+            Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
+
+        static bool IsBelow(string path, string below) =>
+            Path.GetFullPath(path).StartsWith(below, StringComparison.OrdinalIgnoreCase);
     }
 }
