@@ -180,7 +180,7 @@ namespace FastPoints.Tests.Entities
         {
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.EptBinary, 20_000);
-            Add(new PointCloudFile { Path = cloud.Path });
+            Add(new PointCloudPaths { Path = cloud.Path });
             m_group.Stream.Settings.Selection.PointBudget = long.MaxValue;
             m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
             m_group.Stream.Settings.Selection.SmallestNodePx = 0;
