@@ -24,7 +24,9 @@ public sealed class ConvertStep
         using var stopping = run.Cancellation.Register(() =>
         {
             settings.KeepUnfinished = !run.IsDiscarding;
-            stop.Cancel();
+            // All that is left then is a name, which the folder may have by the time that this is heard.
+            if (run.IsDiscarding || run.Progress.Current != BuildStages.Finish)
+                stop.Cancel();
         });
         try
         {

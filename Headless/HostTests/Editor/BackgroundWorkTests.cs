@@ -100,6 +100,41 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
+    public void BatchConvert_FilesThatAreRefusedForAMoment_AreWrittenLater()
+    {
+        FastPointsSettings.instance.ConvertAtOnce = false;
+        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        var refused = new HashSet<string>();
+        FileChanges.Before = (_, from, to) =>
+        {
+            string name = Path.GetFileName(to ?? from);
+            if ((name == "imports.json" || name == "scan.pointcloud") && refused.Add(name))
+                throw new IOException("somebody reads it");
+        };
+        try
+        {
+            BatchConvert.All();
+        }
+        finally
+        {
+            FileChanges.Before = null;
+        }
+        Assert.That(refused, Has.Count.EqualTo(2));
+        Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(1000));
+    }
+
+    /// <summary>Quitting and reloads end deletions.</summary>
+    [Test]
+    public void Imports_ThatBegin_DeleteWhatWasLeftOfDeletedClouds()
+    {
+        Directory.CreateDirectory("PointClouds/far.fastpoints.deleted2/chunks");
+        Directory.CreateDirectory("PointClouds/near.fastpoints");
+        using (new EditorImports(m_project.Paths, FastPointsSettings.instance))
+            FileChanges.AwaitDeletes();
+        Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName), Is.EqualTo(new[] { "near.fastpoints" }));
+    }
+
+    [Test]
     public void BatchConvert_AnotherEditorHasTheFolder_SaysWho()
     {
         m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");

@@ -133,6 +133,7 @@ public sealed class CloudCatalogTests
             Throws.TypeOf<PointCloudException>().With.Message.Contains("already exists"));
         Assert.That(() => new CloudCopy(from + "-none", m_scratch["x"]).Work.GetAwaiter().GetResult(),
             Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories(m_paths.Clouds), Has.Length.EqualTo(2));
         Assert.That(CliCall.Of("verify", to, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
     }

@@ -123,6 +123,7 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(Progress.Cancel(0), Is.True);
         Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
         m_project.UpdateToTheEnd();
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories(m_project.Paths.Clouds), Is.Empty);
         Assert.That(Directory.GetFiles(m_project.Paths.Clouds).Select(Path.GetFileName),
             Is.SubsetOf(new[] { "scan.preview.png", "scan.cancelled", ".gitignore" }));

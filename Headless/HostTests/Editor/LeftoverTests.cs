@@ -48,6 +48,7 @@ public sealed class LeftoverTests : EditorFixture
         m_project.Imports.Update(DateTime.UtcNow);
 
         Assert.That(EditorUtility.s_dialogs.Single(), Does.Contain("one.fastpoints\ntwo.fastpoints"));
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories("PointClouds").Length, Is.EqualTo(agrees ? 0 : 2));
         Assert.That(Directory.GetFiles("PointClouds", "*.png").Length, Is.EqualTo(agrees ? 0 : 2));
     }
@@ -112,6 +113,7 @@ public sealed class LeftoverTests : EditorFixture
             Is.EqualTo((3000L, 3000L)));
         Assert.That(HandleFile.Read("Assets/one 1.pointcloud").CloudId,
             Is.EqualTo(HandleFile.Read("Assets/one.pointcloud").CloudId).And.Not.Zero);
+        FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories("PointClouds"), Has.Length.EqualTo(1));
     }
 

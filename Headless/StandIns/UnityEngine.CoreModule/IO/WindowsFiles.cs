@@ -22,6 +22,9 @@ static class WindowsFiles
     // Descriptors that share reading alone.
     static readonly HashSet<int> s_strict = new HashSet<int>();
 
+    // Files that were opened to write at any time: asking the system takes a millisecond.
+    static readonly HashSet<string> s_written = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+
     enum Share
     {
         Reading,
@@ -56,7 +59,8 @@ static class WindowsFiles
     /// <summary>Before a file is opened to read.</summary>
     internal static void CheckRead(string path, bool isStrict)
     {
-        if (!IsOn || IsName(path, LongestFile) && !IsPending(path) && !(isStrict && AnyOpen(path, false, out _, true)))
+        if (!IsOn || IsName(path, LongestFile) && !IsPending(path) &&
+            !(isStrict && WasWritten(path) && AnyOpen(path, false, out _, true)))
             return;
         throw Refusal(path, SharingViolation);
     }
@@ -69,6 +73,8 @@ static class WindowsFiles
         CheckNew(path, LongestFile);
         if (AnyOpen(path, false, out var share) && share == Share.Reading)
             throw Refusal(path, SharingViolation);
+        lock (s_written)
+            s_written.Add(Path.GetFullPath(path));
     }
 
     internal static void CheckDelete(string path)
@@ -103,6 +109,12 @@ static class WindowsFiles
     {
         if (IsOn && AnyOpen(path, true, out var share))
             throw Refusal(path, share == Share.Reading ? SharingViolation : NotEmpty);
+    }
+
+    static bool WasWritten(string path)
+    {
+        lock (s_written)
+            return s_written.Contains(Path.GetFullPath(path));
     }
 
     static void CheckNew(string path, int longest)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Threading;
 using FastPoints.Base;
@@ -36,14 +37,18 @@ namespace FastPoints.Editor
                     requests.Add(request);
             }
             imports.Queue.Add(requests);
-            while (imports.Queue.IsAtWork)
+            for (var stopped = Stopwatch.StartNew(); imports.Queue.IsAtWork || imports.HasRefused;)
             {
                 imports.Update(DateTime.UtcNow);
-                if (imports.Queue.Session == null && imports.Queue.Problem != null)
+                if (imports.Queue.Session != null || imports.Queue.Problem == null)
+                    stopped.Restart();
+                // What is refused for a moment, as by a virus scanner, is tried again.
+                else if (stopped.ElapsedMilliseconds > FileChanges.PatienceMs)
                     throw new InvalidOperationException("FastPoints: " + imports.Queue.Problem);
                 // Workers need the core more than this loop does.
                 Thread.Sleep(1);
             }
+            FileChanges.AwaitDeletes();
             foreach (var request in requests)
                 if (request.State == ImportState.Failed)
                     failed.Add(request.Failure);

@@ -35,6 +35,8 @@ namespace FastPoints.Editor
         {
             Paths = paths;
             m_settings = settings;
+            // A reload of scripts, or quitting, ends deletions.
+            FileChanges.BeginDeleteGone(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
             Queue = new ImportQueue(paths, settings.ForConversion);
             Queue.Ended += End;
             Thumbnails.Drawn += m_drawn.Add;
@@ -76,6 +78,9 @@ namespace FastPoints.Editor
 
         /// <summary>The largest file in bytes that may be copied into the project.</summary>
         public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
+
+        /// <summary>Whether handles wait to be written that the system refused.</summary>
+        internal bool HasRefused => m_refused.Count > 0;
 
         /// <summary>Called once an update of the editor.</summary>
         public void Update(DateTime nowUtc)

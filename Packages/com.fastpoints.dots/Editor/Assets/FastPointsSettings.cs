@@ -77,6 +77,9 @@ namespace FastPoints.Editor
         /// <summary>What the file says; kept when scripts are loaded anew, as Unity keeps private fields.</summary>
         string m_saved;
 
+        /// <summary>What could not be saved, and was said.</summary>
+        string m_refused;
+
         void OnEnable()
         {
             if (string.IsNullOrEmpty(m_saved))
@@ -95,16 +98,17 @@ namespace FastPoints.Editor
         {
             Apply();
             string now = Text();
-            if (now == m_saved && File.Exists(FileName))
+            if (now == m_saved && File.Exists(FileName) || now == m_refused)
                 return;
             try
             {
                 LockedFile.Open(FileName);
                 Save(true);
-                m_saved = now;
+                (m_saved, m_refused) = (now, null);
             }
             catch (PointCloudException e)
             {
+                m_refused = now;
                 Debug.LogError("FastPoints: the settings hold until the editor is closed, and are saved with the next change. " +
                     e.Message);
             }

@@ -92,8 +92,8 @@ namespace FastPoints.Editor
                 if (failure != null)
                     Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
             });
-            FileChanges.BeginDeleteRemains(StampFile.PathOf(path));
-            FileChanges.BeginDeleteRemains(CloudThumbnails.PathOf(path));
+            FileChanges.DeleteRemains(StampFile.PathOf(path), () => false);
+            FileChanges.DeleteRemains(CloudThumbnails.PathOf(path), () => false);
         }
 
         CatalogCloud Look(string path, string folder, Dictionary<string, Seen> seen)

@@ -100,13 +100,15 @@ namespace FastPoints.Rendering
         /// (single-pass instanced: each block is two instances), or one eye after the other if the style draws
         /// through a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.</summary>
         /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
-        public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right)
+        /// <param name="pipelineMultiplies">Whether the pipeline has a multiplier of instances of its own, which plain draws then
+        /// do without. The Built-in pipeline has none: 2 would stay and double all that comes later.</param>
+        public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right, bool pipelineMultiplies)
         {
             if (List.Draws.Length == 0)
                 return;
             // In instanced single-pass rendering the engine multiplies the instances of plain draws.
             bool isMultiplied = !SystemInfo.supportsMultiview;
-            if (isMultiplied)
+            if (isMultiplied && pipelineMultiplies)
                 commands.SetInstanceMultiplier(1);
             bool isAtOnce = isMultiplied && SystemInfo.supportsRenderTargetArrayIndexFromVertexShader &&
                 !left.Style.IsLayered && !IsComputed(left);
@@ -125,7 +127,7 @@ namespace FastPoints.Rendering
                 RecordSlice(commands, left, TargetEye.Left);
                 RecordSlice(commands, right, TargetEye.Right);
             }
-            if (isMultiplied)
+            if (isMultiplied && pipelineMultiplies)
                 commands.SetInstanceMultiplier(2);
         }
 

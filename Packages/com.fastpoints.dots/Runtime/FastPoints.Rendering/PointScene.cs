@@ -133,7 +133,10 @@ namespace FastPoints.Rendering
             CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, eye), camera.pixelHeight);
 
         /// <summary>Records the clouds as a camera sees them, into its target.</summary>
-        public void Record(CommandBuffer commands, Camera camera, in CameraTarget target)
+        public void Record(CommandBuffer commands, Camera camera, in CameraTarget target) =>
+            Record(commands, camera, target, true);
+
+        void Record(CommandBuffer commands, Camera camera, in CameraTarget target, bool pipelineMultiplies)
         {
             var renderer = Prepare(camera, target, out var view);
             if (!target.HasBothEyes)
@@ -145,7 +148,7 @@ namespace FastPoints.Rendering
             right.Style = Style;
             var offset = target.RightEye.PlaceWorld - target.Eye.PlaceWorld;
             right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
-            renderer.RecordBothEyes(commands, view, right);
+            renderer.RecordBothEyes(commands, view, right, pipelineMultiplies);
         }
 
         /// <summary>The same where the engine sets the target: what comes before it, and what draws into it.</summary>
@@ -154,7 +157,7 @@ namespace FastPoints.Rendering
             // The engine sets both slices of a headset's target, and what is drawn eye by eye wants one.
             if (target.HasBothEyes)
             {
-                Record(into, camera, target);
+                Record(into, camera, target, false);
                 return;
             }
             var renderer = Prepare(camera, target, out var view);

@@ -152,7 +152,7 @@ namespace FastPoints.UnityTests
                     return;
                 string folder = Imports.Paths.Absolute(Imports.HandleOf(asset).CloudPath);
                 if (folder.StartsWith(Imports.Paths.Clouds, StringComparison.Ordinal) && Directory.Exists(folder))
-                    Directory.Delete(folder, true);
+                    CloudCatalog.Delete(folder);
             }
             catch (PointCloudException)
             {

@@ -34,6 +34,8 @@ sealed unsafe partial class CommandReplay
             if (before != null)
                 Do(before);
             Do(buffer);
+            if (cameraTarget != null && m_instanceMultiplier != 1)
+                throw new InvalidOperationException("the instance multiplier stays for all that the engine draws later");
         }
         finally
         {

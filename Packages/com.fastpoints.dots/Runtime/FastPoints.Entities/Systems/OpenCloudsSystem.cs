@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using FastPoints.Base;
 using FastPoints.Feeds;
 using FastPoints.Streaming;
@@ -78,10 +79,28 @@ namespace FastPoints.Entities
                 if (paths.Length == 0 || paths[0] == 0 || !isOpened && !isNew && !file.LooksAgain)
                     continue;
                 live.Error = null;
-                live.Opened = new OpenedCloud(file, paths);
+                if (!TryOpen(live, file, paths))
+                    continue;
                 if (file.LooksAgain)
                     Looked(entity, file);
                 Move(entity, file, live.Opened);
+            }
+        }
+
+        /// <summary>On Windows, older run times refuse paths with quotes and the like.</summary>
+        bool TryOpen(LiveCloud live, in PointCloudFile file, ReadOnlySpan<byte> paths)
+        {
+            try
+            {
+                live.Opened = new OpenedCloud(file, paths);
+                return true;
+            }
+            catch (Exception e) when (e is ArgumentException || e is NotSupportedException || e is PathTooLongException)
+            {
+                string path = PointCloudPaths.Of(paths).Path;
+                live.Error = path + ": " + e.Message;
+                Group.Stream.Report(new StreamFailure(path, -1, "cannot be opened: " + e.Message));
+                return false;
             }
         }
 
@@ -184,7 +203,8 @@ namespace FastPoints.Entities
             if (live.Source != null || live.Succession != null && !live.Succession.IsCurrent)
                 return;
             var facts = live.Opened.Newest;
-            live.Opened.TakeInto(live, file);
+            var taken = live.Opened.Take(file);
+            live.Give(taken.Source, taken.Look, taken.Stage);
             if (live.Succession == null)
                 Place(entity, facts, file, live.Opened.Shift);
         }

@@ -3,6 +3,7 @@ using FastPoints.Base;
 using FastPoints.Feeds;
 using FastPoints.Picture;
 using FastPoints.Rendering;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 
 namespace FastPoints.Entities
@@ -72,7 +73,7 @@ namespace FastPoints.Entities
 
         /// <summary>Makes a source of the newest state, with the planes that its colours need and no more.</summary>
         /// <exception cref="PointCloudException">The state cannot be streamed.</exception>
-        public void TakeInto(LiveCloud live, in PointCloudFile file)
+        public (NodeSource Source, PointCloudLook Look, CloudStage Stage) Take(in PointCloudFile file)
         {
             var facts = m_feed.Newest;
             var mode = facts.Ranges.Resolve(file.Color);
@@ -80,7 +81,7 @@ namespace FastPoints.Entities
             var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).Along(file.Up),
                 taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
             var look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
-            live.Give(taken, look, facts.Stage);
+            return (taken, look, facts.Stage);
         }
 
         /// <summary>Waits for headers being read and for slices that are running.</summary>

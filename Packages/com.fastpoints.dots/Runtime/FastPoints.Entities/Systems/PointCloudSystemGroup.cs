@@ -157,6 +157,8 @@ namespace FastPoints.Entities
         protected override void OnDestroy()
         {
             s_all.Remove(this);
+            if (ShownWorld == World)
+                ShownWorld = null;
             Live.Dispose();
             Scene?.Dispose();
             Scene = null;

@@ -267,7 +267,7 @@ namespace FastPoints.Writing
             foreach (string file in Directory.GetFiles(m_target, "*", SearchOption.AllDirectories))
                 BytesOnDisk += new FileInfo(file).Length;
             if (Directory.Exists(old))
-                FileChanges.BeginDeleteRemains(old);
+                FileChanges.BeginDelete(old, _ => { });
         }
 
         /// <summary>Any of its steps may be refused where somebody reads; it goes on with what is left to do.</summary>

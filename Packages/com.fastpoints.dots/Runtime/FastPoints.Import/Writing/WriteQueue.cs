@@ -53,6 +53,7 @@ namespace FastPoints.Writing
         readonly Func<Exception> m_check;
         readonly TimeSpan m_checkAfter;
         volatile bool m_isEnding;
+        volatile bool m_isHurried;
 
         /// <param name="check">Called on the thread before each file and while it waits for one; returns why nothing may be
         /// written any more, or null.</param>
@@ -88,7 +89,7 @@ namespace FastPoints.Writing
             Pages = pages,
             StrideBytes = strideBytes,
             Offset = offset,
-            Ticket = new WriteTicket(),
+            Ticket = new WriteTicket(this),
         });
 
         /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
@@ -96,7 +97,7 @@ namespace FastPoints.Writing
         {
             Kind = OrderKind.Sync,
             Path = path,
-            Ticket = new WriteTicket(),
+            Ticket = new WriteTicket(this),
         });
 
         /// <summary>Queues something else that is to be done with files.</summary>
@@ -106,11 +107,14 @@ namespace FastPoints.Writing
             Kind = OrderKind.Act,
             Path = path,
             Act = act,
-            Ticket = new WriteTicket(),
+            Ticket = new WriteTicket(this),
         });
 
         /// <summary>Whether what the system refuses is to be tried again: nobody waits for the end.</summary>
-        public bool IsPatient() => !m_isEnding;
+        public bool IsPatient() => !m_isEnding && !m_isHurried;
+
+        /// <summary>Somebody waits for an order: an editor stands still meanwhile.</summary>
+        internal void Hurry() => m_isHurried = true;
 
         /// <summary>Waits for everything queued. May be called twice.</summary>
         public void End()
@@ -162,7 +166,7 @@ namespace FastPoints.Writing
             Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
             Count = bytes.Length,
             Offset = offset,
-            Ticket = new WriteTicket(),
+            Ticket = new WriteTicket(this),
         });
 
         WriteTicket Enqueue(Order order)

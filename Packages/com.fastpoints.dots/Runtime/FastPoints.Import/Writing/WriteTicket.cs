@@ -7,8 +7,11 @@ namespace FastPoints.Writing
     internal sealed class WriteTicket
     {
         readonly object m_lock = new object();
+        readonly WriteQueue m_queue;
         bool m_isDone;
         Exception m_failure;
+
+        public WriteTicket(WriteQueue queue) => m_queue = queue;
 
         /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
         /// <exception cref="Base.PointCloudException">It could not be written.</exception>
@@ -25,12 +28,16 @@ namespace FastPoints.Writing
         }
 
         /// <summary>Waits until the bytes are no longer needed, written or not. It throws nothing, so that it suits
-        /// clean-up.</summary>
+        /// clean-up: what the system refuses is not tried again meanwhile.</summary>
         public void Wait()
         {
             lock (m_lock)
+            {
+                if (!m_isDone)
+                    m_queue.Hurry();
                 while (!m_isDone)
                     Monitor.Wait(m_lock);
+            }
         }
 
         internal void Finish(Exception failure)

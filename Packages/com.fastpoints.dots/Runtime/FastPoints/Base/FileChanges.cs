@@ -106,7 +106,7 @@ namespace FastPoints.Base
             if (TryMove(folder, gone, () => false, out _))
             {
                 moved(null);
-                BeginDeleting(() => DeleteGone(folder));
+                BeginDeleting(() => DeleteGone(Path.GetDirectoryName(Path.GetFullPath(folder)), Path.GetFileName(folder)));
                 return;
             }
             BeginDeleting(() =>
@@ -114,22 +114,24 @@ namespace FastPoints.Base
                 bool isMoved = TryMove(folder, gone, null, out var failure);
                 moved(failure);
                 if (isMoved)
-                    DeleteGone(folder);
+                    DeleteGone(Path.GetDirectoryName(Path.GetFullPath(folder)), Path.GetFileName(folder));
             });
         }
 
-        /// <summary>Deletes what had the folder's name, also what a process left that ended before it was through.</summary>
-        static void DeleteGone(string folder)
+        /// <summary>Deletes, on a thread of the pool, what processes left that ended before they were through.</summary>
+        /// <param name="names">Of the folders as they were, with wildcards.</param>
+        public static void BeginDeleteGone(string parent, string names) => BeginDeleting(() => DeleteGone(parent, names));
+
+        static void DeleteGone(string parent, string names)
         {
-            string parent = Path.GetDirectoryName(Path.GetFullPath(folder));
             try
             {
-                foreach (string gone in Directory.GetDirectories(parent, Path.GetFileName(folder) + DeletedSuffix + "*"))
+                foreach (string gone in Directory.GetDirectories(parent, names + DeletedSuffix + "*"))
                     DeleteRemains(gone);
             }
-            catch (DirectoryNotFoundException)
+            catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                // All that was there has gone.
+                // All that was there has gone, or the next to look deletes it.
             }
         }
 

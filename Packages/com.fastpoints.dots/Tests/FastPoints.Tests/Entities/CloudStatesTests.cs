@@ -193,6 +193,29 @@ namespace FastPoints.Tests.Entities
             Assert.That(m_group.WantsFrame, Is.False);
         }
 
+        /// <summary>As Mono does on Windows, where quotes are pasted with a path.</summary>
+        [Test]
+        public void File_WithAPathThatTheSystemRefuses_IsAnErrorAndOthersAreShown()
+        {
+            var before = PointCloudPaths.PathOfAsset;
+            PointCloudPaths.PathOfAsset = _ => throw new ArgumentException("Illegal characters in path.");
+            try
+            {
+                Add(new PointCloudPaths { Path = "quoted", ProjectPath = PointCloudPaths.OfAsset + "7" });
+                var refused = m_cloud;
+                using var cloud = new StreamedTestCloud(20_000, 8000);
+                Add(new PointCloudPaths { Path = cloud.Path });
+                Frames(() => m_group.Stats.DrawnPoints > 0);
+                Assert.That(m_group.ErrorOf(refused), Does.Contain("Illegal characters"));
+                Assert.That(Error, Is.Null);
+                m_world.Dispose();
+            }
+            finally
+            {
+                PointCloudPaths.PathOfAsset = before;
+            }
+        }
+
         [Test]
         public void LooksAgain_CloudThatWasNotThere_IsShownWhenItIs()
         {

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
+using FastPoints.Base;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Support
@@ -49,7 +50,11 @@ namespace FastPoints.Tests.Support
             Path += " moved";
         }
 
-        public void Dispose() => Directory.Delete(Path, true);
+        public void Dispose()
+        {
+            FileChanges.AwaitDeletes();
+            Directory.Delete(Path, true);
+        }
     }
 
     /// <summary>Tests of which each has a folder of its own.</summary>

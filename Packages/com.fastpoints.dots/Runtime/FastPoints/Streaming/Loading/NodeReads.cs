@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
@@ -269,7 +270,11 @@ namespace FastPoints.Streaming
                 string path = fetch.IsTable ? source.TableOf(fetch.Page).Path : source.PathOf(fetch.Page);
                 m_state.Files.Close(fetch.Cloud, path);
                 Drop(fetch, page);
-                CountFailure(page, path, -1, "cannot be read: the read ended as " + status);
+                // A build's folder that has its last name by now, or is gone: the feed hears of it within a second.
+                if (!source.KeepsFilesOpen && !Directory.Exists(Path.GetDirectoryName(path)))
+                    page->RetryFrame = m_state.Selector.Frame + (uint)m_state.Settings.FramesToRetry;
+                else
+                    CountFailure(page, path, -1, "cannot be read: the read ended as " + status);
                 return;
             }
             if (fetch.IsTable)
