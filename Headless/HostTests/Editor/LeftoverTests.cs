@@ -174,6 +174,23 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName), Is.EqualTo(new[] { "one.fastpoints" }));
     }
 
+    /// <summary>Of an older source here no conversion makes what the handle says.</summary>
+    [Test]
+    public void Pull_OfACloudThatAnotherConvertedAgain_AsksIfItCanBeMadeHere([Values] bool isHere)
+    {
+        m_project.Pull("one");
+        if (!isHere)
+            m_project.Scratch.Demo("one.las", 1000);
+        EditorUtility.s_agrees = true;
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(isHere ? 1 : 0));
+        m_project.UpdateToTheEnd();
+        Look();
+        m_project.Imports.Catalog.Refresh();
+        Assert.That(m_project.Imports.Catalog.Clouds.Single().Manifest.Points, Is.EqualTo(isHere ? 3000 : 1000));
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(isHere ? 1 : 0));
+    }
+
     [TestCase("the data")]
     [TestCase("the conversion")]
     public void Data_ThatTheUserDoesNotWant_AreNotAskedAbout(string what)

@@ -31,8 +31,8 @@ namespace FastPoints.Editor
             public string Missing;
             public bool IsConverted;
 
-            /// <summary>Whether it can be converted and is not, nor waits for it; of several assets with one cloud, the first
-            /// one's.</summary>
+            /// <summary>Whether it can be converted and is not, or an older one is, and does not wait for it; of several assets
+            /// with one cloud, the first one's.</summary>
             public bool IsWanted;
             public bool IsLost;
         }
@@ -100,10 +100,12 @@ namespace FastPoints.Editor
                     row = Of(cloud);
                 else
                     row.State = handle.IsOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
-                        : "not converted";
+                        : match == CatalogMatch.Another ? "another cloud's data" : "not converted";
                 row.Missing = CloudRelocation.FindMissing(handle, paths);
-                row.IsWanted = match == CatalogMatch.None && row.Missing == null && handle.Sources.Count > 0 &&
-                    (convertsOctrees || !handle.IsOctree);
+                // Of changed sources no conversion makes the cloud that the handle says: this would ask for ever.
+                row.IsWanted = row.Missing == null && handle.Sources.Count > 0 && (convertsOctrees || !handle.IsOctree) &&
+                    (match == CatalogMatch.None || match == CatalogMatch.Another && handle.Stamp != null &&
+                    handle.Stamp.Compare(handle.Sources.ConvertAll(paths.Absolute)) == SourceChange.None);
             }
             catch (PointCloudException e)
             {
