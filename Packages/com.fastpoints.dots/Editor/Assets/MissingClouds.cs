@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using FastPoints.Base;
 using UnityEditor;
 using UnityEngine;
@@ -18,6 +19,7 @@ namespace FastPoints.Editor
 
         readonly EditorImports m_imports;
         PoolWork<CloudList> m_looking;
+        CancellationTokenSource m_cancel;
         bool m_hasWarned;
 
         public MissingClouds(EditorImports imports) => m_imports = imports;
@@ -51,27 +53,38 @@ namespace FastPoints.Editor
         /// data.</summary>
         public void Update()
         {
+            // A question would be in the way of who plays.
+            if (EditorApplication.isPlayingOrWillChangePlaymode)
+                return;
             if (m_looking == null)
             {
                 if (!IsLooking || m_imports.IsTaking || Application.isBatchMode)
                     return;
                 SessionState.SetString(Looked, "yes");
-                m_looking = CloudList.Begin(m_imports);
+                m_cancel = new CancellationTokenSource();
+                m_looking = CloudList.Begin(m_imports, false, m_cancel.Token);
             }
             else if (m_looking.IsDone)
             {
                 var looked = m_looking;
                 m_looking = null;
-                Ask(looked.Take());
+                try
+                {
+                    Ask(looked.Take());
+                }
+                catch (PointCloudException e)
+                {
+                    Debug.LogError("FastPoints: " + e.Message);
+                }
             }
         }
 
-        /// <summary>Scripts are reloaded: it looks again afterwards.</summary>
+        /// <summary>Scripts are reloaded: it looks again afterwards, and waits for nothing.</summary>
         public void Dispose()
         {
             if (m_looking == null)
                 return;
-            m_looking.TakeIfSound();
+            m_cancel.Cancel();
             m_looking = null;
             SessionState.EraseString(Looked);
         }
