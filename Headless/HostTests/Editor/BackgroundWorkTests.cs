@@ -143,6 +143,35 @@ public sealed class BackgroundWorkTests : EditorFixture
             Assert.That(BatchConvert.All, Throws.InvalidOperationException.With.Message.Contains("imports into"));
     }
 
+    /// <summary>Its Assets are those of the project, which only the main editor imports; its updates would ask a second
+    /// time.</summary>
+    [Test]
+    public void CloneOfMultiplayerPlayMode_LeavesAllToTheMainEditor()
+    {
+        var (heard, arguments) = (EditorApplication.update, PointCloudImports.s_arguments);
+        try
+        {
+            foreach (bool isClone in new[] { true, false })
+            {
+                PointCloudImports.s_arguments = new[] { "Unity", isClone ? "--virtual-project-clone" : "-projectPath" };
+                EditorApplication.update = null;
+                PointCloudImports.Listen();
+                string name = isClone ? "clone.las" : "main.las";
+                m_project.Scratch.Demo("project/Assets/" + name, 1000);
+                AssetDatabase.Refresh();
+                m_project.Imports.MakePlace(m_project.Paths.Clouds);
+                Assert.That(EditorApplication.update == null, Is.EqualTo(isClone));
+                Assert.That(AssetDatabase.GetImporterOverride("Assets/" + name), isClone ? Is.Null : Is.Not.Null);
+                Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(isClone ? 0 : 1));
+                Assert.That(Directory.Exists("PointClouds"), Is.Not.EqualTo(isClone));
+            }
+        }
+        finally
+        {
+            (EditorApplication.update, PointCloudImports.s_arguments) = (heard, arguments);
+        }
+    }
+
     [Test]
     public void BatchMode_ThatBegins_HearsNoUpdates()
     {

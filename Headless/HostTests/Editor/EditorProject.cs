@@ -51,6 +51,24 @@ sealed class EditorProject : IDisposable
         }, () => Imports.Queue.Requests.Count == 0);
     }
 
+    /// <summary>As after a pull: another of the team has converted a changed source again, and the data here are the old
+    /// ones.</summary>
+    public void Pull(string name)
+    {
+        string data = Paths.Absolute("PointClouds/" + name + ".fastpoints"), asset = "Assets/" + name + ".pointcloud";
+        Imports.Take(Scratch.Demo(name + ".las", 1000), "Assets");
+        UpdateToTheEnd();
+        Directory.Move(data, Scratch["old"]);
+        Scratch.Demo(name + ".las", 3000);
+        Imports.Convert(asset);
+        UpdateToTheEnd();
+        ImportProject.Updates(() => Imports.Update(DateTime.UtcNow),
+            () => !Imports.Thumbnails.IsDrawing && !Imports.Missing.IsLooking);
+        Directory.Delete(data, true);
+        Directory.Move(Scratch["old"], data);
+        AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
+    }
+
     /// <summary>An editor that does not play and is not touched: a frame comes only where one was asked for.</summary>
     public static void Frames(World world, Func<bool> isDone)
     {

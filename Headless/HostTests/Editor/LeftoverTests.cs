@@ -11,8 +11,8 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [TearDown]
-    public void Rest() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees, Application.isBatchMode) =
-        (true, false, false);
+    public void Rest() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees, Application.isBatchMode,
+        EditorApplication.isPlaying) = (true, false, false, false);
 
     [Test]
     public void Place_ThatIsMade_IsNotForGitUnlessTheSettingsSaySo([Values] bool ignores)
@@ -174,6 +174,61 @@ public sealed class LeftoverTests : EditorFixture
         m_project.Imports.Convert("Assets/one.pointcloud");
         m_project.UpdateToTheEnd();
         Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName), Is.EqualTo(new[] { "one.fastpoints" }));
+    }
+
+    /// <summary>Of an older source here no conversion makes what the handle says.</summary>
+    [Test]
+    public void Pull_OfACloudThatAnotherConvertedAgain_AsksIfItCanBeMadeHere([Values] bool isHere)
+    {
+        m_project.Pull("one");
+        if (!isHere)
+            m_project.Scratch.Demo("one.las", 1000);
+        EditorUtility.s_agrees = true;
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(isHere ? 1 : 0));
+        m_project.UpdateToTheEnd();
+        Look();
+        m_project.Imports.Catalog.Refresh();
+        Assert.That(m_project.Imports.Catalog.Clouds.Single().Manifest.Points, Is.EqualTo(isHere ? 3000 : 1000));
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(isHere ? 1 : 0));
+    }
+
+    [Test]
+    public void Look_InPlayMode_WaitsForItsEnd()
+    {
+        Clone("one");
+        EditorApplication.isPlaying = true;
+        Assert.That(SpinWait.SpinUntil(() =>
+        {
+            m_project.Imports.Update(DateTime.UtcNow);
+            return !m_project.Imports.Missing.IsLooking;
+        }, 500), Is.False);
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        EditorApplication.isPlaying = false;
+        Look();
+        Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Look_ThatFails_IsToldAndNotTriedAgain()
+    {
+        Clone("one");
+        string source = CloudHandle.FromJson(File.ReadAllText("Assets/one.pointcloud"), "").Sources[0];
+        File.WriteAllText("Assets/one.pointcloud", File.ReadAllText("Assets/one.pointcloud").Replace(source, "a\\u0000b"));
+        m_logged.Clear();
+        Look();
+        Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: " + m_project.Paths.Clouds));
+    }
+
+    [Test]
+    public void Look_AddsUpNoSizes_AndEndsWhenItIsCancelled()
+    {
+        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.UpdateToTheEnd();
+        CloudList Collect(bool isCancelled) => CloudList.Collect(m_project.Paths, m_project.Imports.Assets.All, new string[0],
+            false, false, new CancellationToken(isCancelled));
+        Assert.That((Collect(false).Rows.Single().State, Collect(false).Rows.Single().Bytes), Is.EqualTo(("converted", 0L)));
+        Assert.That(() => Collect(true), Throws.InstanceOf<OperationCanceledException>());
     }
 
     [TestCase("the data")]

@@ -116,6 +116,19 @@ public sealed class PlayerCloudTests : EditorFixture
         Assert.That(Directory.Exists("PointClouds/b.fastpoints"), Is.False, "the player does not have it");
     }
 
+    /// <summary>A build server may keep its data, and another of the team convert again.</summary>
+    [Test]
+    public void Build_OldDataOfACloud_AreMadeAgainOrEndTheBuild([Values] bool isBatch)
+    {
+        m_project.Pull("a");
+        Application.isBatchMode = isBatch;
+        if (isBatch)
+            Assert.That(File.ReadAllText(Build().FolderOfPlayerPath.Single().Value + "/cloud.json"), Does.Contain("3000"));
+        else
+            Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.StartsWith("Assets/a.pointcloud: ")
+                .And.Message.Contains("converted again").And.Message.Contains("FastPoints > Clouds"));
+    }
+
     [TestCase(BuildTarget.Android)]
     [TestCase(BuildTarget.WebGL)]
     public void Build_ForWhatCannotOpenThem_FailsWithOneLine(BuildTarget target)
@@ -153,7 +166,9 @@ public sealed class PlayerCloudTests : EditorFixture
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
-        AssetDatabase.Assets["Assets/Resources/b.pointcloud"] = m_project.Asset("Assets/b.pointcloud");
+        Directory.CreateDirectory("Assets/Resources");
+        File.Copy("Assets/b.pointcloud", "Assets/Resources/b.pointcloud");
+        AssetDatabase.Refresh();
 
         Assert.That(Build().FolderOfPlayerPath.Keys,
             Is.EquivalentTo(new[] { "PointClouds/a.fastpoints", "PointClouds/b.fastpoints" }));

@@ -24,6 +24,9 @@ public sealed class EditorApplication
         set => SceneLoop.IsPlaying = value;
     }
 
+    /// <summary>Also while it begins and ends, which takes no time here.</summary>
+    public static bool isPlayingOrWillChangePlaymode => isPlaying;
+
     /// <summary>No frame comes while it is true, as a test says.</summary>
     public static bool isPaused { get; internal set; }
 

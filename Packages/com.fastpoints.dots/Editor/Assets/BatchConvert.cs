@@ -1,10 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
 using System.Threading;
 using FastPoints.Base;
-using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
@@ -25,15 +23,15 @@ namespace FastPoints.Editor
         internal static void Convert(EditorImports imports, IEnumerable<string> assets)
         {
             int count = 0;
+            imports.Catalog.Refresh();
             var failed = new List<string>();
             var requests = new List<ImportRequest>();
             foreach (string asset in assets)
             {
-                if (!imports.Assets.All.TryGetValue(asset, out string cloud))
+                if (!imports.Assets.All.ContainsKey(asset))
                     continue;
                 count++;
-                if (!File.Exists(Path.Combine(cloud, StoreFormat.ManifestName)) &&
-                    TryRequest(imports, asset, failed) is { } request)
+                if (TryRequest(imports, asset, failed) is { } request)
                     requests.Add(request);
             }
             imports.Queue.Add(requests);
@@ -57,13 +55,14 @@ namespace FastPoints.Editor
                     " point clouds were not converted:\n" + string.Join("\n", failed));
         }
 
-        /// <returns>Null for what is shown as it is, and for a handle that cannot be read.</returns>
+        /// <returns>Null for what is converted, or shown as it is, and for a handle that cannot be read.</returns>
         static ImportRequest TryRequest(EditorImports imports, string asset, List<string> failed)
         {
             try
             {
                 var handle = imports.HandleOf(asset);
-                return imports.IsConverted(handle) ? imports.RequestFor(asset, handle) : null;
+                return imports.IsConverted(handle) && imports.Catalog.Find(handle, out _) != CatalogMatch.InPlace
+                    ? imports.RequestFor(asset, handle) : null;
             }
             catch (PointCloudException e)
             {

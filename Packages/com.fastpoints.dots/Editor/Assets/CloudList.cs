@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Store;
@@ -31,8 +32,8 @@ namespace FastPoints.Editor
             public string Missing;
             public bool IsConverted;
 
-            /// <summary>Whether it can be converted and is not, nor waits for it; of several assets with one cloud, the first
-            /// one's.</summary>
+            /// <summary>Whether it can be converted and is not, or an older one is, and does not wait for it; of several assets
+            /// with one cloud, the first one's.</summary>
             public bool IsWanted;
             public bool IsLost;
         }
@@ -49,21 +50,25 @@ namespace FastPoints.Editor
         public List<Row> Lost { get; private set; }
 
         /// <summary>Collects what there is now, on a thread of the pool.</summary>
-        public static PoolWork<CloudList> Begin(EditorImports imports)
+        public static PoolWork<CloudList> Begin(EditorImports imports, bool measures = true,
+            CancellationToken cancelled = default)
         {
             var (paths, promised) = (imports.Paths, new List<string>(imports.Queue.Promised));
             var assets = new Dictionary<string, string>();
             foreach (var pair in imports.Assets.All)
                 assets.Add(pair.Key, pair.Value);
             bool convertsOctrees = FastPointsSettings.instance.ConvertOctrees;
-            return PoolWork.Begin(paths.Clouds, () => Collect(paths, assets, promised, convertsOctrees));
+            return PoolWork.Begin(paths.Clouds, () => Collect(paths, assets, promised, convertsOctrees, measures,
+                cancelled));
         }
 
         /// <summary>Any thread.</summary>
         /// <param name="assets">Paths, each with the absolute path of its cloud.</param>
         /// <param name="promised">Folders that are being made, or will be.</param>
+        /// <param name="measures">Whether the sizes are wanted: they take a look at each file of each cloud.</param>
         public static CloudList Collect(ProjectPaths paths, IReadOnlyDictionary<string, string> assets,
-            ICollection<string> promised, bool convertsOctrees = false)
+            ICollection<string> promised, bool convertsOctrees = false, bool measures = true,
+            CancellationToken cancelled = default)
         {
             var list = new CloudList();
             var catalog = new CloudCatalog(paths);
@@ -71,8 +76,10 @@ namespace FastPoints.Editor
             var used = new HashSet<string>(promised, StringComparer.OrdinalIgnoreCase);
             foreach (var pair in assets)
             {
+                cancelled.ThrowIfCancellationRequested();
                 bool isFirst = used.Add(pair.Value);
                 var row = Describe(pair.Key, pair.Value, catalog, paths, convertsOctrees);
+                row.Bytes = measures ? BytesOf(CloudFolder.Find(pair.Value)) : 0;
                 row.IsWanted &= isFirst;
                 row.IsLost = isFirst && row.Missing != null && !row.IsConverted;
                 list.Rows.Add(row);
@@ -82,7 +89,11 @@ namespace FastPoints.Editor
             if (paths.Clouds.StartsWith(paths.Project + Path.DirectorySeparatorChar, StringComparison.Ordinal))
                 foreach (var cloud in catalog.Clouds)
                     if (!used.Contains(cloud.Path))
-                        list.Unused.Add(Of(cloud));
+                    {
+                        var row = Of(cloud);
+                        row.Bytes = measures ? BytesOf(CloudFolder.Find(cloud.Path)) : 0;
+                        list.Unused.Add(row);
+                    }
             return list;
         }
 
@@ -100,10 +111,12 @@ namespace FastPoints.Editor
                     row = Of(cloud);
                 else
                     row.State = handle.IsOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
-                        : "not converted";
+                        : match == CatalogMatch.Another ? "another cloud's data" : "not converted";
                 row.Missing = CloudRelocation.FindMissing(handle, paths);
-                row.IsWanted = match == CatalogMatch.None && row.Missing == null && handle.Sources.Count > 0 &&
-                    (convertsOctrees || !handle.IsOctree);
+                // Of changed sources no conversion makes the cloud that the handle says: this would ask for ever.
+                row.IsWanted = row.Missing == null && handle.Sources.Count > 0 && (convertsOctrees || !handle.IsOctree) &&
+                    (match == CatalogMatch.None || match == CatalogMatch.Another && handle.Stamp != null &&
+                    handle.Stamp.Compare(handle.Sources.ConvertAll(paths.Absolute)) == SourceChange.None);
             }
             catch (PointCloudException e)
             {
@@ -118,7 +131,6 @@ namespace FastPoints.Editor
         {
             Cloud = cloud.Path,
             Points = cloud.Manifest?.Points ?? -1,
-            Bytes = BytesOf(CloudFolder.Find(cloud.Path)),
             State = cloud.Problem ?? (cloud.IsBuilding ? "not finished" : "converted"),
             IsConverted = cloud.Manifest != null && !cloud.IsBuilding,
         };

@@ -312,7 +312,7 @@ namespace FastPoints.Editor
         /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
         internal void MakePlace(string place)
         {
-            if (Directory.Exists(place))
+            if (Directory.Exists(place) || !PointCloudImports.IsMainEditor)
                 return;
             try
             {

@@ -1,15 +1,15 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using FastPoints.Base;
-using FastPoints.Store;
 using UnityEditor;
 using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Clouds whose sources are here and whose data are not, as after a clone, since converted data are not for version
-    /// control. The user is asked once for all whether they are to be converted, and not again about those that are
-    /// declined.</summary>
+    /// <summary>Clouds whose sources are here and whose data are not, or are older, as after a clone or a pull, since converted
+    /// data are not for version control. The user is asked once for all whether they are to be converted, and not again about
+    /// those that are declined.</summary>
     internal sealed class MissingClouds : IDisposable
     {
         const string Looked = "FastPoints.MissingClouds";
@@ -19,6 +19,7 @@ namespace FastPoints.Editor
 
         readonly EditorImports m_imports;
         PoolWork<CloudList> m_looking;
+        CancellationTokenSource m_cancel;
         bool m_hasWarned;
 
         public MissingClouds(EditorImports imports) => m_imports = imports;
@@ -30,35 +31,60 @@ namespace FastPoints.Editor
         public void Take(string[] imported)
         {
             if (Array.Exists(imported, asset => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase) &&
-                m_imports.Assets.All.TryGetValue(asset, out string cloud) && !CloudFolder.IsCloud(cloud)))
+                m_imports.Assets.All.ContainsKey(asset) && HasOtherData(asset)))
                 SessionState.EraseString(Looked);
+        }
+
+        /// <summary>Whether the data that a handle says are not in their place, as far as is known.</summary>
+        bool HasOtherData(string asset)
+        {
+            try
+            {
+                return m_imports.Catalog.Find(m_imports.HandleOf(asset), out _) is CatalogMatch.None or CatalogMatch.Another;
+            }
+            catch (PointCloudException)
+            {
+                // Its importer has said so.
+                return false;
+            }
         }
 
         /// <summary>Called once an update of the editor. Looks at all assets once a session, and when some came without
         /// data.</summary>
         public void Update()
         {
+            // A question would be in the way of who plays.
+            if (EditorApplication.isPlayingOrWillChangePlaymode)
+                return;
             if (m_looking == null)
             {
                 if (!IsLooking || m_imports.IsTaking || Application.isBatchMode)
                     return;
                 SessionState.SetString(Looked, "yes");
-                m_looking = CloudList.Begin(m_imports);
+                m_cancel = new CancellationTokenSource();
+                m_looking = CloudList.Begin(m_imports, false, m_cancel.Token);
             }
             else if (m_looking.IsDone)
             {
                 var looked = m_looking;
                 m_looking = null;
-                Ask(looked.Take());
+                try
+                {
+                    Ask(looked.Take());
+                }
+                catch (PointCloudException e)
+                {
+                    Debug.LogError("FastPoints: " + e.Message);
+                }
             }
         }
 
-        /// <summary>Scripts are reloaded: it looks again afterwards.</summary>
+        /// <summary>Scripts are reloaded: it looks again afterwards, and waits for nothing.</summary>
         public void Dispose()
         {
             if (m_looking == null)
                 return;
-            m_looking.TakeIfSound();
+            m_cancel.Cancel();
             m_looking = null;
             SessionState.EraseString(Looked);
         }
@@ -77,7 +103,8 @@ namespace FastPoints.Editor
             string others = list.Lost.Count == 0 ? "" : "\n\nThe sources of " + list.Lost.Count + " other point clouds are not " +
                 "here: FastPoints > Clouds names and locates them.";
             if (EditorUtility.DisplayDialog("Point clouds without data", wanted.Count + " point clouds have their sources " +
-                "here, but no converted data, as after a clone. Convert them now? FastPoints > Clouds does it later." + others,
+                "here, but no converted data or older ones, as after a pull. Convert them now? FastPoints > Clouds does it " +
+                "later." + others,
                 "Convert", "Not now"))
                 m_imports.Convert(wanted.ConvertAll(r => r.Asset));
             else

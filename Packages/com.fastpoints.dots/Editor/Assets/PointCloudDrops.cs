@@ -20,7 +20,7 @@ namespace FastPoints.Editor
 
         static PointCloudDrops()
         {
-            if (AssetDatabase.IsAssetImportWorkerProcess())
+            if (!PointCloudImports.IsMainEditor)
                 return;
 #if UNITY_6000_3_OR_NEWER
             DragAndDrop.ProjectBrowserDropHandlerV2 onProject = (_, path, perform) => OnProject(path, perform);

@@ -13,6 +13,9 @@ namespace FastPoints.Editor
     {
         static EditorImports s_current;
 
+        /// <summary>Of the editor's command line; a test says others.</summary>
+        internal static string[] s_arguments = Environment.GetCommandLineArgs();
+
         static PointCloudImports()
         {
             // Import workers load scripts as well, but the only queue is the editor's.
@@ -26,10 +29,15 @@ namespace FastPoints.Editor
             Listen();
         }
 
+        /// <summary>Whether this editor is the project's own, which alone imports, asks and writes: no import worker, and no
+        /// clone of Multiplayer Play Mode, which has its Assets and can only read.</summary>
+        internal static bool IsMainEditor => !AssetDatabase.IsAssetImportWorkerProcess() &&
+            Array.IndexOf(s_arguments, "--virtual-project-clone") < 0;
+
         internal static void Listen()
         {
             // Who waits for a batch does not wait for conversions: BatchConvert does.
-            if (!Application.isBatchMode)
+            if (!Application.isBatchMode && IsMainEditor)
                 EditorApplication.update += Update;
         }
 

@@ -32,7 +32,7 @@ namespace FastPoints.Editor
         static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,
             string[] movedFromAssetPaths)
         {
-            if (AssetDatabase.IsAssetImportWorkerProcess())
+            if (!PointCloudImports.IsMainEditor)
                 return;
             PointCloudImports.Current.Leftovers.Take(deletedAssets);
             PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);

@@ -35,7 +35,7 @@ namespace FastPoints.Editor
                     var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
                     string folder = paths.Absolute(asset.ProjectPath ?? "");
                     if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
-                        clouds.Add(path, folder, asset.PlayerPath);
+                        clouds.Add(path, folder, asset.PlayerPath, PointCloudImports.Current.HandleOf(path).CloudId);
                     else
                         clouds.AddSource(path, asset.Paths.FullSources()[0], asset.PlayerSource, asset.Points);
                 }

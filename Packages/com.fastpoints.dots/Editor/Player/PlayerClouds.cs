@@ -36,22 +36,23 @@ namespace FastPoints.Editor
 
         /// <summary>Adds a cloud, only once if several assets refer to it.</summary>
         /// <param name="asset">Whose cloud it is, for messages.</param>
+        /// <param name="cloudId">What the asset says; 0 if nothing.</param>
         /// <exception cref="PointCloudException">It is not converted, is still in the making, or another cloud has its
         /// place.</exception>
-        public void Add(string asset, string folder, string playerPath)
+        public void Add(string asset, string folder, string playerPath, ulong cloudId = 0)
         {
-            if (IsKnown(asset, folder, playerPath))
-                return;
+            bool isKnown = IsKnown(asset, folder, playerPath);
             string manifestPath = Path.Combine(folder, StoreFormat.ManifestName);
             if (!File.Exists(manifestPath))
                 throw new PointCloudException(FailureCode.NotFound, asset, -1, "is not converted: wanted a cloud in " + folder +
                     (CloudFolder.IsCloud(folder) ? ", got one in the making" : ""));
-            var entry = new Entry
-            {
-                Folder = folder,
-                PlayerPath = playerPath,
-                Points = CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath).Points,
-            };
+            var manifest = CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath);
+            if (cloudId != 0 && manifest.CloudId != cloudId)
+                throw new PointCloudException(FailureCode.NotFound, asset, -1,
+                    "was converted again elsewhere: got another cloud in " + folder);
+            if (isKnown)
+                return;
+            var entry = new Entry { Folder = folder, PlayerPath = playerPath, Points = manifest.Points };
             entry.Bytes = BytesOf(folder);
             m_entries.Add(entry);
         }
