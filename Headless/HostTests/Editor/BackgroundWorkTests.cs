@@ -105,10 +105,10 @@ public sealed class BackgroundWorkTests : EditorFixture
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         var refused = new HashSet<string>();
-        FileChanges.Before = (_, from, to) =>
+        FileChanges.Before = (change, _, to) =>
         {
-            string name = Path.GetFileName(to ?? from);
-            if ((name == "imports.json" || name == "scan.pointcloud") && refused.Add(name))
+            string name = Path.GetFileName(to);
+            if (change == FileChange.Replace && (name == "imports.json" || name == "scan.pointcloud") && refused.Add(name))
                 throw new IOException("somebody reads it");
         };
         try
