@@ -105,8 +105,10 @@ public sealed class BackgroundWorkTests : EditorFixture
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         var refused = new HashSet<string>();
-        FileChanges.Before = (change, _, to) =>
+        var before = FileChanges.Before;
+        FileChanges.Before = (change, from, to) =>
         {
+            before?.Invoke(change, from, to);
             string name = Path.GetFileName(to);
             if (change == FileChange.Replace && (name == "imports.json" || name == "scan.pointcloud") && refused.Add(name))
                 throw new IOException("somebody reads it");
@@ -117,7 +119,7 @@ public sealed class BackgroundWorkTests : EditorFixture
         }
         finally
         {
-            FileChanges.Before = null;
+            FileChanges.Before = before;
         }
         Assert.That(refused, Has.Count.EqualTo(2));
         Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(1000));

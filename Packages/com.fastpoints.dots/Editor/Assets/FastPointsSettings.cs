@@ -98,7 +98,10 @@ namespace FastPoints.Editor
         {
             Apply();
             string now = Text();
-            if (now == m_saved && File.Exists(FileName) || now == m_refused)
+            if (now == m_saved && File.Exists(FileName))
+                return;
+            // Each Undo and each step of a slider would ask version control again, and say so again.
+            if (now == m_refused && File.Exists(FileName) && (File.GetAttributes(FileName) & FileAttributes.ReadOnly) != 0)
                 return;
             try
             {

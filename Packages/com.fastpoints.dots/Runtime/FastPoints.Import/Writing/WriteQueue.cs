@@ -52,6 +52,7 @@ namespace FastPoints.Writing
         readonly Thread m_thread;
         readonly Func<Exception> m_check;
         readonly TimeSpan m_checkAfter;
+        readonly Action m_hurry;
         volatile bool m_isEnding;
         volatile bool m_isHurried;
 
@@ -62,6 +63,8 @@ namespace FastPoints.Writing
         {
             m_check = check;
             m_checkAfter = checkAfter;
+            // An editor stands still while it waits.
+            m_hurry = () => m_isHurried = true;
             m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
             m_thread.Start();
         }
@@ -89,7 +92,7 @@ namespace FastPoints.Writing
             Pages = pages,
             StrideBytes = strideBytes,
             Offset = offset,
-            Ticket = new WriteTicket(this),
+            Ticket = new WriteTicket(m_hurry),
         });
 
         /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
@@ -97,7 +100,7 @@ namespace FastPoints.Writing
         {
             Kind = OrderKind.Sync,
             Path = path,
-            Ticket = new WriteTicket(this),
+            Ticket = new WriteTicket(m_hurry),
         });
 
         /// <summary>Queues something else that is to be done with files.</summary>
@@ -107,14 +110,12 @@ namespace FastPoints.Writing
             Kind = OrderKind.Act,
             Path = path,
             Act = act,
-            Ticket = new WriteTicket(this),
+            Ticket = new WriteTicket(m_hurry),
         });
 
         /// <summary>Whether what the system refuses is to be tried again: nobody waits for the end.</summary>
         public bool IsPatient() => !m_isEnding && !m_isHurried;
 
-        /// <summary>Somebody waits for an order: an editor stands still meanwhile.</summary>
-        internal void Hurry() => m_isHurried = true;
 
         /// <summary>Waits for everything queued. May be called twice.</summary>
         public void End()
@@ -166,7 +167,7 @@ namespace FastPoints.Writing
             Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
             Count = bytes.Length,
             Offset = offset,
-            Ticket = new WriteTicket(this),
+            Ticket = new WriteTicket(m_hurry),
         });
 
         WriteTicket Enqueue(Order order)

@@ -7,11 +7,12 @@ namespace FastPoints.Writing
     internal sealed class WriteTicket
     {
         readonly object m_lock = new object();
-        readonly WriteQueue m_queue;
+        readonly Action m_hurry;
         bool m_isDone;
         Exception m_failure;
 
-        public WriteTicket(WriteQueue queue) => m_queue = queue;
+        /// <param name="hurry">Called where somebody waits for what is not done yet.</param>
+        public WriteTicket(Action hurry) => m_hurry = hurry;
 
         /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
         /// <exception cref="Base.PointCloudException">It could not be written.</exception>
@@ -34,7 +35,7 @@ namespace FastPoints.Writing
             lock (m_lock)
             {
                 if (!m_isDone)
-                    m_queue.Hurry();
+                    m_hurry();
                 while (!m_isDone)
                     Monitor.Wait(m_lock);
             }
