@@ -16,3 +16,4 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("FastPoints.Cli")]
 [assembly: InternalsVisibleTo("HostTests")]
 [assembly: InternalsVisibleTo("MonoTests")]
+[assembly: InternalsVisibleTo("PageTests")]
