@@ -1,6 +1,6 @@
 using System;
 using System.Runtime.CompilerServices;
-using FastPoints.Base;
+using FastPoints.Core;
 using StandIns.Io;
 
 namespace FastPoints.HostTests;

@@ -3,10 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Security.Cryptography;
-using FastPoints.Base;
-using FastPoints.Convert;
-using FastPoints.Files;
-using FastPoints.Samplers;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Nodes;
+using FastPoints.Reading;
 using FastPoints.Scenes;
 using FastPoints.Tests;
 

@@ -1,5 +1,5 @@
+using FastPoints.Build;
 using FastPoints.Cli.Preview;
-using FastPoints.Writing;
 
 namespace FastPoints.Cli.Convert;
 

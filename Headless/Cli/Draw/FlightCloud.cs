@@ -1,4 +1,6 @@
-using FastPoints.SourceFeeds;
+using FastPoints.Import;
+using FastPoints.Octrees;
+using FastPoints.Sampling;
 
 namespace FastPoints.Cli.Draw;
 
@@ -81,7 +83,7 @@ public static class FlightCloud
             ranges = new DisplayRanges();
             using (var selection = new NodeSelection(folder))
             {
-                selection.Choose(null, 0, 0, PointsToPlanWith);
+                selection.Choose(null, PointsToPlanWith);
                 using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
                 WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
                 WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);

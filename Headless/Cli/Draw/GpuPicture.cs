@@ -1,4 +1,4 @@
-using FastPoints.Gpu;
+using FastPoints.Drawing;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;

@@ -1,4 +1,4 @@
-using FastPoints.Gpu;
+using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Draw;
 

@@ -24,7 +24,7 @@ sealed class StoredReport
         run.Out.Flush();
         var options = look.Options;
         if (options.PointSizePx < 1)
-            options.SizeInWorld ??= FastPoints.Gpu.PointSize.Adaptive();
+            options.SizeInWorld ??= FastPoints.Drawing.PointSize.Adaptive();
         run.Progress.Group = "picture";
         report.Add("picture", StreamedPictureStep.Run([path], options, budget, run), folder, look.IsPlain, run);
         run.Progress.Group = "gpu";

@@ -114,7 +114,7 @@ sealed class ViewCloud
         }
         using var folder = CloudFolder.Open(path);
         using var selection = new NodeSelection(folder);
-        selection.Choose(null, 0, 0, most);
+        selection.Choose(null, most);
         var schema = LoadNodes.SchemaFor(folder, folder.Manifest.Attributes.Select(a => a.Name).ToArray());
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
         run.Pump(LoadNodes.Run(folder, selection, batch, null));

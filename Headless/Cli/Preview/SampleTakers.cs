@@ -19,7 +19,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
     public TakenSample Ours() => Timed((reader, opened) =>
     {
         var taken = new TakenSample(reader.Info.Transform);
-        bool refines = PreviewCloud.Refines(reader);
+        bool refines = PreviewSampling.Refines(reader);
         int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
         using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))

@@ -226,7 +226,7 @@ public sealed class MainJob : Verb
             run.Progress.Group = "picture";
             // As a game draws it, which the card's picture is compared with.
             if (picture.PointSizePx < 1)
-                picture.SizeInWorld ??= FastPoints.Gpu.PointSize.Adaptive();
+                picture.SizeInWorld ??= FastPoints.Drawing.PointSize.Adaptive();
             var drawn = StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
             OutputFile.Write(picturePath, Png.Encode(drawn.ToImage(look.IsPlain)));
             run.Out.WriteLine("  picture  " + drawn.Describe());

@@ -1,4 +1,4 @@
-using FastPoints.Gpu;
+using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Verbs;
 
@@ -65,7 +65,7 @@ public sealed class PictureVerb : Verb
 
         // As a game draws them, on the processor as on a card.
         if (options.PointSizePx < 1 && clouds.Any(CloudFolder.IsCloud))
-            options.SizeInWorld ??= FastPoints.Gpu.PointSize.Adaptive();
+            options.SizeInWorld ??= FastPoints.Drawing.PointSize.Adaptive();
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
             : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
             ? DrawStep.RunStored(clouds[0], options, budget, run)

@@ -1,8 +1,8 @@
-using FastPoints.Base;
 using FastPoints.Benchmarks;
-using FastPoints.Convert;
-using FastPoints.Files;
-using FastPoints.Samplers;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Nodes;
 using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Benchmarks;

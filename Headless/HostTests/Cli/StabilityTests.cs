@@ -1,5 +1,5 @@
 using FastPoints.Cli.Stability;
-using FastPoints.Samplers;
+using FastPoints.Nodes;
 
 namespace FastPoints.HostTests.Cli;
 

@@ -1,4 +1,4 @@
-using FastPoints.Samplers;
+using FastPoints.Nodes;
 using UnityEditor.AssetImporters;
 using UnityEditor.Build;
 

@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using FastPoints.Feeds;
+using FastPoints.Drawing;
 using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;

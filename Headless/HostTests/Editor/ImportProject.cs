@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using FastPoints.Convert;
+using FastPoints.Build;
 
 namespace FastPoints.HostTests.Editor;
 

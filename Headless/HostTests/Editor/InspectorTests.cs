@@ -1,5 +1,5 @@
 using System.Reflection;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Rendering;
 
 namespace FastPoints.HostTests.Editor;
@@ -21,7 +21,7 @@ public sealed class InspectorTests
 
     /// <summary>What a user meets in an inspector or the Project window.</summary>
     static IEnumerable<Type> Shown => new[] { typeof(PointCloudSystemGroup), typeof(PointCloudCamera), typeof(ScenePicking),
-            typeof(FastPoints.SourceFeeds.PointFileReaders) }
+            typeof(FastPoints.Import.PointFileReaders) }
         .SelectMany(t => t.Assembly.GetTypes()).Where(t => !t.IsAbstract && (t.IsPublic
             ? typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)
             : typeof(UnityEditor.AssetImporters.ScriptedImporter).IsAssignableFrom(t)));

@@ -1,4 +1,3 @@
-using FastPoints.Convert;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;

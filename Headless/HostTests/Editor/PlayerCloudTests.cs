@@ -201,7 +201,7 @@ public sealed class PlayerCloudTests : EditorFixture
         var kept = XDocument.Load(link).Root.Element("assembly");
         Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
             .GetType((string)kept.Element("type").Attribute("fullname")),
-            Is.EqualTo(typeof(FastPoints.SourceFeeds.PointFileReaders)));
+            Is.EqualTo(typeof(FastPoints.Import.PointFileReaders)));
         File.Delete(source);
         Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
     }
@@ -226,6 +226,6 @@ public sealed class PlayerCloudTests : EditorFixture
         clouds.Add("Assets/again.pointcloud", a, "PointClouds/a.fastpoints");
         Assert.That(clouds.Entries, Has.Count.EqualTo(1));
         Assert.That(() => clouds.Add("Assets/b.pointcloud", b, "pointclouds/A.fastpoints"),
-            Throws.TypeOf<FastPoints.Base.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
+            Throws.TypeOf<FastPoints.Core.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
     }
 }

@@ -49,7 +49,7 @@ public sealed class SceneEditorTests
 
     /// <summary>As Undo does it: without a property, or a word.</summary>
     [TestCase("m_color", ColorMode.Elevation)]
-    [TestCase("m_gradient", FastPoints.Picture.Gradient.Gray)]
+    [TestCase("m_gradient", FastPoints.Drawing.Gradient.Gray)]
     [TestCase("m_hiddenClasses", new[] { 2, 7 })]
     [TestCase("m_path", "elsewhere.fastpoints")]
     public void Update_FieldThatWasBroughtBack_OpensTheCloudAnewOnce(string field, object value)

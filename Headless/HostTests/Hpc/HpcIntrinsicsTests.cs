@@ -1,6 +1,5 @@
 using FastPoints.RepoTools.Hpc;
 using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 
 namespace FastPoints.HostTests.Hpc;
 

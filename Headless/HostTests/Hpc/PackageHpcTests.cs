@@ -18,7 +18,7 @@ public sealed class PackageHpcTests(string generation)
     }
 
     /// <summary>Jobs that call managed code, each with its reason in its summary.</summary>
-    private static readonly string[] s_managedJobs = { "FastPoints.Files.DecompressJob" };
+    private static readonly string[] s_managedJobs = { "FastPoints.Reading.DecompressJob" };
 
     /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>
     [Test]

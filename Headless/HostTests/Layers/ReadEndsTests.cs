@@ -1,5 +1,5 @@
-using FastPoints.Convert;
-using FastPoints.Files;
+using FastPoints.Build;
+using FastPoints.Import;
 using FastPoints.Scenes;
 using FastPoints.Store;
 using StandIns.Io;

@@ -20,20 +20,22 @@ public sealed class RoomOrderTests
         Assert.That(builds.Package.SelectMany(RoomOrder.CheckIl), Is.Empty);
     }
 
-    [TestCase("FastPoints", "Points/A.cs", "using FastPoints.Base;\nnamespace FastPoints.Points { }")]
+    [TestCase("FastPoints", "Store/A.cs", "using FastPoints.Core;\nnamespace FastPoints.Store { }")]
     [TestCase("FastPoints.Import", "Nodes/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Nodes { }")]
-    [TestCase("FastPoints", "Base/A.cs", "// after FastPoints.Points\nnamespace FastPoints.Base { }")]
+    [TestCase("FastPoints", "Core/A.cs", "// after FastPoints.Store\nnamespace FastPoints.Core { }")]
     [TestCase("FastPoints", "AssemblyInfo.cs", "")]
+    [TestCase("FastPoints.Import", "A.cs", "using FastPoints.Octrees;\nnamespace FastPoints.Import { }")]
     public void CheckSource_OwnAndEarlierRooms_NoProblem(string assembly, string path, string text) =>
         Assert.That(RoomOrder.CheckSource(assembly, path, text), Is.Empty);
 
-    [TestCase("FastPoints", "Base/A.cs", "using FastPoints.Points;\nnamespace FastPoints.Base { }", "uses FastPoints.Points")]
-    [TestCase("FastPoints", "Picture/A.cs", "namespace FastPoints.Picture { class A : FastPoints.Files.B { } }",
-        "uses FastPoints.Files")]
-    [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Files { }", "comes after Files")]
-    [TestCase("FastPoints", "Base/A.cs", "namespace FastPoints.Points { }", "wanted FastPoints.Base")]
+    [TestCase("FastPoints", "Core/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Core { }", "uses FastPoints.Store")]
+    [TestCase("FastPoints", "Picking/A.cs", "namespace FastPoints.Picking { class A : FastPoints.Reading.B { } }",
+        "uses FastPoints.Reading")]
+    [TestCase("FastPoints.Import", "Reading/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Reading { }",
+        "comes after Reading")]
+    [TestCase("FastPoints", "Core/A.cs", "namespace FastPoints.Store { }", "wanted FastPoints.Core")]
     [TestCase("FastPoints", "Attic/A.cs", "namespace FastPoints.Attic { }", "no room Attic")]
-    [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "is in no room")]
+    [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "has no room FastPoints")]
     public void CheckSource_PlantedFault_IsReported(string assembly, string path, string text, string reported) =>
         Assert.That(RoomOrder.CheckSource(assembly, path, text), Has.Some.Contains(reported));
 
@@ -43,19 +45,20 @@ public sealed class RoomOrderTests
         using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(
             new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);
         ModuleDefinition module = planted.MainModule;
-        var late = new TypeDefinition("FastPoints.Picture", "Late", TypeAttributes.Public, module.TypeSystem.Object);
-        var early = new TypeDefinition("FastPoints.Base", "Early", TypeAttributes.Public, module.TypeSystem.Object);
+        var late = new TypeDefinition("FastPoints.Picking", "Late", TypeAttributes.Public, module.TypeSystem.Object);
+        var early = new TypeDefinition("FastPoints.Core", "Early", TypeAttributes.Public, module.TypeSystem.Object);
         early.Fields.Add(new FieldDefinition("Lates", FieldAttributes.Public, new ArrayType(late)));
         module.Types.Add(late);
         module.Types.Add(early);
 
         Assert.That(RoomOrder.CheckIl(module),
-            Has.Some.Contains("FastPoints.Base.Early.Lates (Base) names FastPoints.Picture.Late"));
+            Has.Some.Contains("FastPoints.Core.Early.Lates (Core) names FastPoints.Picking.Late"));
     }
 
     [Test]
     public void Files_OfARoom_NameOneAnotherInNoCircle(
-        [Values("FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities")] string assembly)
+        [Values("FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities")]
+        string assembly)
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 
@@ -63,19 +66,19 @@ public sealed class RoomOrderTests
             Path.Combine(Checkout.Repository.PackageRoot, "Runtime", assembly)), Is.Empty);
     }
 
-    [TestCase("Base/A.cs", "Base/B.cs", "Base/C.cs", "",
-        "Base/A.cs, Base/B.cs, Base/C.cs name one another: B.cs in FastPoints.Base.A.B")]
-    [TestCase("Base/A.cs", "Base/B.cs", "Base/A.cs", "", "Base/A.cs, Base/B.cs name one another")]
-    [TestCase("Base/A.cs", "Base/B.cs", "Base/A.cs", "Base/A.cs, Base/B.cs", null)]
-    [TestCase("Base/A.cs", "Base/B.cs", "Points/C.cs", "", null)]
-    [TestCase("Base/A.cs", "Base/A.cs", "Base/A.cs", "", null)]
-    [TestCase("Base/A.cs", "Base/A.cs", "Base/A.cs", "Base/A.cs, Base/B.cs", "Base/A.cs, Base/B.cs need no exception")]
+    [TestCase("Core/A.cs", "Core/B.cs", "Core/C.cs", "",
+        "Core/A.cs, Core/B.cs, Core/C.cs name one another: B.cs in FastPoints.Core.A.B")]
+    [TestCase("Core/A.cs", "Core/B.cs", "Core/A.cs", "", "Core/A.cs, Core/B.cs name one another")]
+    [TestCase("Core/A.cs", "Core/B.cs", "Core/A.cs", "Core/A.cs, Core/B.cs", null)]
+    [TestCase("Core/A.cs", "Core/B.cs", "Store/C.cs", "", null)]
+    [TestCase("Core/A.cs", "Core/A.cs", "Core/A.cs", "", null)]
+    [TestCase("Core/A.cs", "Core/A.cs", "Core/A.cs", "Core/A.cs, Core/B.cs", "Core/A.cs, Core/B.cs need no exception")]
     public void FileCycles_OfThreeTypesInACircle(string a, string b, string c, string kept, string reported)
     {
         using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(
             new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);
         ModuleDefinition module = planted.MainModule;
-        TypeDefinition[] types = new[] { "A", "B", "C" }.Select(n => new TypeDefinition("FastPoints.Base", n,
+        TypeDefinition[] types = new[] { "A", "B", "C" }.Select(n => new TypeDefinition("FastPoints.Core", n,
             TypeAttributes.Public, module.TypeSystem.Object)).ToArray();
         for (int i = 0; i < types.Length; i++)
         {
@@ -85,9 +88,9 @@ public sealed class RoomOrderTests
         }
         var files = new Dictionary<string, string>
         {
-            ["FastPoints.Base.A"] = a,
-            ["FastPoints.Base.B"] = b,
-            ["FastPoints.Base.C"] = c,
+            ["FastPoints.Core.A"] = a,
+            ["FastPoints.Core.B"] = b,
+            ["FastPoints.Core.C"] = c,
         };
 
         IEnumerable<string> problems = FileCycles.Check(module, files, kept.Length > 0 ? new[] { kept } : Array.Empty<string>());

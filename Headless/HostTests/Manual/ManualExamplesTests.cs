@@ -1,5 +1,4 @@
 using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace FastPoints.HostTests.Manual;
@@ -38,16 +37,16 @@ public sealed class ManualExamplesTests
         .Select(e => (e.Line, Lines: e.Code.Count(c => c == '\n')))
         .Where(e => e.Lines < LeastLines || e.Lines > MostLines), Is.Empty);
 
-    [TestCase("using FastPoints.Files;\nPointReaders.Opens(\"a\");\n", "'Opens'", TestName = "a member that is not there")]
+    [TestCase("using FastPoints.Import;\nPointReaders.Opens(\"a\");\n", "'Opens'", TestName = "a member that is not there")]
     [TestCase("PointReaders.Open(\"a\");\n", "'PointReaders' does not exist", TestName = "a namespace that is not named")]
-    [TestCase("using FastPoints.Base;\nnew WorkSteps(null).Dispose();\n", "inaccessible", TestName = "what is internal")]
+    [TestCase("using FastPoints.Core;\nnew WorkSteps(null).Dispose();\n", "inaccessible", TestName = "what is internal")]
     [TestCase("pump.Tick(4);\n", "'pump' does not exist", TestName = "a variable from nowhere")]
     [TestCase("class A\n{\n    int B() => \"c\";\n}\n", "'string' to 'int'", TestName = "a type")]
     public void Problems_PlantedExample_IsFound(string code, string problem) =>
         Assert.That(Problems(new ManualPage("a.md", "Text.\n\n```csharp\n" + code + "```\n")), Has.Some.Contains(problem));
 
-    [TestCase("using FastPoints.Files;\n\nusing var reader = PointReaders.Open(\"a\");\n", TestName = "statements")]
-    [TestCase("class A\n{\n    FastPoints.Base.WorkPump m_pump = null;\n}\n", TestName = "a type of its own")]
+    [TestCase("using FastPoints.Import;\n\nusing var reader = PointReaders.Open(\"a\");\n", TestName = "statements")]
+    [TestCase("class A\n{\n    FastPoints.Core.WorkPump m_pump = null;\n}\n", TestName = "a type of its own")]
     public void Problems_GoodExample_AreNone(string code) =>
         Assert.That(Problems(new ManualPage("a.md", "```csharp\n" + code + "```\n")), Is.Empty);
 

@@ -26,7 +26,7 @@ public sealed class ManualSettingsTests
     public void Table_OfProjectSettings_IsWhatThePageShows()
     {
         string source =
-            File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Assets/FastPointsSettingsPage.cs"));
+            File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Import/Assets/FastPointsSettingsPage.cs"));
         var shown = Regex.Matches(source,
             @"(EditorGUILayout\.|CloudFields)\w*\(new GUIContent\(""(?<label>[^""]+)"",\s+(""[^""]+""[\s+]*)+\), " +
             @"settings\.(?<field>\w+)(, (?<low>\d+), (?<high>\d+))?\)")

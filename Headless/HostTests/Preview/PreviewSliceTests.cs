@@ -1,5 +1,5 @@
-using FastPoints.Draw;
-using FastPoints.Preview;
+using FastPoints.Picture;
+using FastPoints.Sampling;
 using FastPoints.Tests.Support;
 using StandIns.Scheduling;
 

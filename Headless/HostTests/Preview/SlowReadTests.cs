@@ -1,4 +1,4 @@
-using FastPoints.Preview;
+using FastPoints.Sampling;
 using StandIns.Io;
 
 namespace FastPoints.HostTests.Preview;

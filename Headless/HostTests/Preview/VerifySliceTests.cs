@@ -1,7 +1,7 @@
-using FastPoints.Convert;
-using FastPoints.Samplers;
+using FastPoints.Build;
+using FastPoints.Export;
+using FastPoints.Nodes;
 using FastPoints.Scenes;
-using FastPoints.Verify;
 using NUnit.Framework;
 using StandIns.Scheduling;
 using Unity.Collections;

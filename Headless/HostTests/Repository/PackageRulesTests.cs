@@ -116,7 +116,7 @@ public sealed class PackageRulesTests
             }));
             File.Delete(Path.Combine(Package, folder));
         }
-        Put("Runtime/A/Base/FileChanges.cs", code);
+        Put("Runtime/A/Core/FileChanges.cs", code);
         Put("Tests/T/B.cs", code);
         Assert.That(Problems(), Is.Empty);
     }

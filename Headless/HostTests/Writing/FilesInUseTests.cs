@@ -1,4 +1,4 @@
-using FastPoints.Convert;
+using FastPoints.Build;
 using StandIns.Io;
 
 namespace FastPoints.HostTests.Writing;

@@ -16,6 +16,7 @@ public static class AssemblyReferences
     {
         ["FastPoints"] = s_dots,
         ["FastPoints.Import"] = s_view,
+        ["FastPoints.Picture"] = s_shared,
         ["FastPoints.Rendering"] = s_view,
         ["FastPoints.Rendering.BuiltIn"] = s_drawing,
         ["FastPoints.Rendering.Urp"] = s_drawing
@@ -24,11 +25,12 @@ public static class AssemblyReferences
             .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
         ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
         ["FastPoints.Editor"] = s_shared
-            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes",
+            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes",
                 "Unity.Entities", "Unity.Entities.Hybrid" })
             .ToArray(),
         ["FastPoints.Tests"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Evaluation" })
+            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities" })
+            .Concat(new[] { "FastPoints.Benchmarks", "FastPoints.Evaluation" })
             .Concat(s_testRunner).ToArray(),
         ["FastPoints.Scenes"] = s_shared,
         ["FastPoints.Samples"] = s_shared.Concat(s_entities)
@@ -39,15 +41,15 @@ public static class AssemblyReferences
             "FastPoints.Samples", "Unity.Collections", "Unity.Entities", "Unity.Mathematics",
         },
         ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)
-            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks" })
+            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks" })
             .Concat(new[] { "Unity.Entities", "Unity.Scenes" })
             .ToArray(),
         ["FastPoints.UnityTests.Performance"] = s_testRunner
             .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" })
             .ToArray(),
-        ["FastPoints.Evaluation"] = s_shared,
+        ["FastPoints.Evaluation"] = s_shared.Append("FastPoints.Picture").ToArray(),
         ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Entities", "FastPoints.Evaluation", "FastPoints.Scenes" }).ToArray(),
+            .Concat(new[] { "FastPoints.Entities", "FastPoints.Evaluation", "FastPoints.Picture", "FastPoints.Scenes" }).ToArray(),
         ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
             .Concat(s_testRunner).ToArray(),
     };

@@ -13,8 +13,8 @@ public static class FileCycles
     private static readonly (string Files, string Why)[] s_kept =
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
-        ("Files/Tiles/TiledRead.cs, Files/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
-        ("Preview/PrefixSampler.cs, Preview/PreviewSampler.cs, Preview/RunSampler.cs", "the base chooses the kind that fits"),
+        ("Reading/Tiles/TiledRead.cs, Reading/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
+        ("Sampling/PrefixSampler.cs, Sampling/PreviewSampler.cs, Sampling/RunSampler.cs", "the base chooses the kind that fits"),
     };
 
     /// <summary>The circles of an assembly that are not kept, and what is kept without need.</summary>

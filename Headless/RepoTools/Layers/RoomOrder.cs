@@ -1,17 +1,18 @@
 namespace FastPoints.RepoTools.Layers;
 
 /// <summary>The rooms of the runtime assemblies in the order of the data. A file uses its own room and earlier ones; the rooms of
-/// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name.</summary>
+/// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name; files beside
+/// the rooms are the last room, with the assembly's own name.</summary>
 public static class RoomOrder
 {
     private static readonly (string Assembly, string[] Rooms)[] s_order =
     {
-        ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture", "Feeds" }),
+        ("FastPoints", new[] { "Core", "Store", "Streaming", "Drawing", "Picking" }),
         ("FastPoints.Import", new[]
         {
-            "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing",
-            "Draw", "SourceFeeds", "Verify", "Export", "Convert",
+            "Reading", "Las", "Laz", "Ply", "E57", "Text", "Sampling", "Nodes", "Octrees", "Build", "Export", "Import",
         }),
+        ("FastPoints.Picture", new[] { "Picture" }),
     };
 
     public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);
@@ -45,13 +46,9 @@ public static class RoomOrder
     public static IEnumerable<string> CheckSource(string assembly, string path, string text)
     {
         string shown = $"{assembly}/{path}";
-        if (!path.Contains('/'))
-        {
-            if (path != "AssemblyInfo.cs")
-                yield return $"{shown} is in no room";
+        if (path == "AssemblyInfo.cs")
             yield break;
-        }
-        string room = path[..path.IndexOf('/')];
+        string room = path.Contains('/') ? path[..path.IndexOf('/')] : assembly[(assembly.LastIndexOf('.') + 1)..];
         int own = IndexOf(assembly, room);
         if (own < 0)
         {

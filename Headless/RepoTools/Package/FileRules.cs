@@ -54,7 +54,7 @@ public static class FileRules
     /// <summary>One class changes files, so that what Windows refuses is tried again everywhere.</summary>
     private static bool IsProduct(string file) => (file.StartsWith("Runtime/", StringComparison.Ordinal) ||
         file.StartsWith("Editor/", StringComparison.Ordinal)) && file.EndsWith(".cs", StringComparison.Ordinal) &&
-        !file.EndsWith("/Base/FileChanges.cs", StringComparison.Ordinal);
+        !file.EndsWith("/Core/FileChanges.cs", StringComparison.Ordinal);
 
     private static IEnumerable<string> DirectChanges(string file, string text) =>
         text.Split('\n').SelectMany((line, i) => s_direct.Matches(line.Split("//")[0]).Select(m =>

@@ -4,9 +4,9 @@ namespace FastPoints.RepoTools.Threads;
 /// it is yielded, run to its end, or put on a stack by who steps it; and not from the stack.</summary>
 internal static class NestedWork
 {
-    private const string Step = "FastPoints.Base.Work";
-    private const string Stack = "FastPoints.Base.WorkSteps";
-    private const string Pump = "FastPoints.Base.WorkPump";
+    private const string Step = "FastPoints.Core.Work";
+    private const string Stack = "FastPoints.Core.WorkSteps";
+    private const string Pump = "FastPoints.Core.WorkPump";
 
     /// <summary>Whether what a method gives as the first argument is work that is done on this thread.</summary>
     internal static bool IsDone(MethodDefinition method, MethodReference called) =>

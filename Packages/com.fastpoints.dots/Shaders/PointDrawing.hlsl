@@ -1,4 +1,4 @@
-// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Gpu.DrawList. Functions return
+// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Drawing.DrawList. Functions return
 // at their end only: Direct3D's compiler takes what they return for uninitialized otherwise, and Unity shows its warnings.
 #ifndef FASTPOINTS_POINT_DRAWING_INCLUDED
 #define FASTPOINTS_POINT_DRAWING_INCLUDED
@@ -9,7 +9,7 @@
 #include "PointValues.hlsl"
 #include "Generated/GpuNode.hlsl"
 
-// FastPoints.Gpu.ColorSource.
+// FastPoints.Drawing.ColorSource.
 #define FASTPOINTS_COLOR_CHANNELS 0u
 #define FASTPOINTS_COLOR_ATTRIBUTE 1u
 #define FASTPOINTS_COLOR_WRAPPED 2u

@@ -1,4 +1,4 @@
-// What a draw reads beside the points: all lists of FastPoints.Gpu.DrawList, in one buffer, since some devices give vertex
+// What a draw reads beside the points: all lists of FastPoints.Drawing.DrawList, in one buffer, since some devices give vertex
 // shaders no more than four. Palettes are first.
 #ifndef FASTPOINTS_POINT_LISTS_INCLUDED
 #define FASTPOINTS_POINT_LISTS_INCLUDED

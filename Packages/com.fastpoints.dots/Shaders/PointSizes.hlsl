@@ -1,4 +1,4 @@
-// How large a point is: see FastPoints.Gpu.PointSize and SizeTree, of which these are the twins.
+// How large a point is: see FastPoints.Drawing.PointSize and SizeTree, of which these are the twins.
 #ifndef FASTPOINTS_POINT_SIZES_INCLUDED
 #define FASTPOINTS_POINT_SIZES_INCLUDED
 

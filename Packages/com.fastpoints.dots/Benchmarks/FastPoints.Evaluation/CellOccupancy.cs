@@ -1,6 +1,6 @@
 using System;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -1,6 +1,4 @@
-using FastPoints.Base;
-using FastPoints.Points;
-using FastPoints.Verify;
+using FastPoints.Core;
 using Unity.Mathematics;
 
 namespace FastPoints.Evaluation

@@ -1,11 +1,10 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Draw;
-using FastPoints.Files;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Preview;
+using FastPoints.Reading;
+using FastPoints.Sampling;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -77,7 +76,7 @@ namespace FastPoints.Evaluation
         {
             if (!m_reader.BlocksAreKnown)
             {
-                progress?.Begin(PreviewCloud.FindBlocksStage);
+                progress?.Begin(PreviewSampling.FindBlocksStage);
                 yield return Work.Of(m_reader.FindBlocks());
             }
             progress?.Begin("reference sample");

@@ -1,6 +1,6 @@
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;

@@ -1,9 +1,8 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Preview;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Sampling;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -1,11 +1,10 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Draw;
-using FastPoints.Files;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Preview;
+using FastPoints.Reading;
+using FastPoints.Sampling;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

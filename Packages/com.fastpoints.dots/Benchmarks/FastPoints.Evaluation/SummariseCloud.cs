@@ -1,10 +1,9 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Verify;
+using FastPoints.Core;
+using FastPoints.Picture;
+using FastPoints.Reading;
+using FastPoints.Sampling;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -62,7 +61,7 @@ namespace FastPoints.Evaluation
         {
             if (!m_reader.BlocksAreKnown)
             {
-                progress?.Begin(PreviewCloud.FindBlocksStage);
+                progress?.Begin(PreviewSampling.FindBlocksStage);
                 yield return Work.Of(m_reader.FindBlocks());
             }
             progress?.Begin("scan");

@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Store;
 using UnityEditor;
@@ -79,7 +79,7 @@ namespace FastPoints.Editor
     internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
         const string Kept = "<linker>\n" + "  <assembly fullname=\"FastPoints.Import\">\n" +
-            "    <type fullname=\"FastPoints.SourceFeeds.PointFileReaders\" preserve=\"all\" />\n" +
+            "    <type fullname=\"FastPoints.Import.PointFileReaders\" preserve=\"all\" />\n" +
             "  </assembly>\n" +
             "</linker>\n";
 

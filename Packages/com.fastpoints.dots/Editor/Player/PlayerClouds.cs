@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Store;
 
 namespace FastPoints.Editor

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Points;
+using FastPoints.Core;
 
 namespace FastPoints.Editor
 {

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Core;
 using FastPoints.Picking;
-using FastPoints.Points;
 using Unity.Mathematics;
 
 namespace FastPoints.Editor

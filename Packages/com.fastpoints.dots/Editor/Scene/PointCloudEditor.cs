@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Entities;

@@ -1,11 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Export;
-using FastPoints.Files;
-using FastPoints.Store;
+using FastPoints.Reading;
 using FastPoints.Streaming;
 using Unity.Entities;
 using Unity.Mathematics;

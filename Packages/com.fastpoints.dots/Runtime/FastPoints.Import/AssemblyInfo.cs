@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 
 // The public types are for users; the package, its tests and its command line share the rest.
 [assembly: InternalsVisibleTo("FastPoints.Scenes")]
+[assembly: InternalsVisibleTo("FastPoints.Picture")]
 [assembly: InternalsVisibleTo("FastPoints.Editor")]
 [assembly: InternalsVisibleTo("FastPoints.Evaluation")]
 [assembly: InternalsVisibleTo("FastPoints.Benchmarks")]

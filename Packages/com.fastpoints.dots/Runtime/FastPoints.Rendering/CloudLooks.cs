@@ -1,7 +1,6 @@
 using System;
-using FastPoints.Gpu;
-using FastPoints.Picture;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 

@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Gpu;
+using FastPoints.Drawing;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using UnityEngine;
@@ -12,7 +12,7 @@ namespace FastPoints.Rendering
     internal sealed class ListBuffer : IDisposable
     {
         readonly GrowingBuffer m_buffer = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
-        NativeArray<uint> m_colors = Picture.Palettes.CreateAll(Allocator.Persistent);
+        NativeArray<uint> m_colors = Palettes.CreateAll(Allocator.Persistent);
         int m_endByte, m_nodesAt, m_cloudsAt, m_nodeOfInstanceAt, m_sizeNodesAt, m_clipBoxesAt;
 
         public void Write(CommandBuffer commands, DrawList list)

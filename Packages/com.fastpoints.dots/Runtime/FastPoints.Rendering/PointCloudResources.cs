@@ -1,4 +1,4 @@
-using FastPoints.Base;
+using FastPoints.Core;
 using UnityEngine;
 
 namespace FastPoints.Rendering

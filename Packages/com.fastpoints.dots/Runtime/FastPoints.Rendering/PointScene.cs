@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Gpu;
+using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Collections;
 using UnityEngine;

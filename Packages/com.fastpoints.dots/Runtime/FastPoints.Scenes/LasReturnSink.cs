@@ -1,8 +1,7 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Las;
 using Unity.Collections;
 using Unity.Jobs;
 

@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
+using FastPoints.Core;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;

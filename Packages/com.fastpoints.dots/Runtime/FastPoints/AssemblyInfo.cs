@@ -8,6 +8,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("FastPoints.Rendering.Hdrp")]
 [assembly: InternalsVisibleTo("FastPoints.Entities")]
 [assembly: InternalsVisibleTo("FastPoints.Scenes")]
+[assembly: InternalsVisibleTo("FastPoints.Picture")]
 [assembly: InternalsVisibleTo("FastPoints.Editor")]
 [assembly: InternalsVisibleTo("FastPoints.Evaluation")]
 [assembly: InternalsVisibleTo("FastPoints.Benchmarks")]

@@ -1,8 +1,8 @@
 using System;
+using FastPoints.Drawing;
 using FastPoints.Entities;
-using FastPoints.Picture;
 using UnityEngine;
-using Gradient = FastPoints.Picture.Gradient;
+using Gradient = FastPoints.Drawing.Gradient;
 
 namespace FastPoints.Samples.AttributeColours
 {

@@ -1,10 +1,11 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Convert;
+using FastPoints.Build;
+using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Files;
+using FastPoints.Import;
+using FastPoints.Reading;
 using FastPoints.Scenes;
 using FastPoints.Store;
 using UnityEngine;

@@ -1,4 +1,4 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.GpuClipBox: 64 bytes.
+// Written by RepoTools hlsl from FastPoints.Drawing.GpuClipBox: 64 bytes.
 #ifndef FASTPOINTS_GPU_CLIP_BOX_INCLUDED
 #define FASTPOINTS_GPU_CLIP_BOX_INCLUDED
 

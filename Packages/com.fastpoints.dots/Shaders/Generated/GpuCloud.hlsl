@@ -1,4 +1,4 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.GpuCloud: 112 bytes.
+// Written by RepoTools hlsl from FastPoints.Drawing.GpuCloud: 112 bytes.
 #ifndef FASTPOINTS_GPU_CLOUD_INCLUDED
 #define FASTPOINTS_GPU_CLOUD_INCLUDED
 

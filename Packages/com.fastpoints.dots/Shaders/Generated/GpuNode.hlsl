@@ -1,4 +1,4 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.GpuNode: 96 bytes.
+// Written by RepoTools hlsl from FastPoints.Drawing.GpuNode: 96 bytes.
 #ifndef FASTPOINTS_GPU_NODE_INCLUDED
 #define FASTPOINTS_GPU_NODE_INCLUDED
 

@@ -1,4 +1,4 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.GpuSizeNode: 8 bytes.
+// Written by RepoTools hlsl from FastPoints.Drawing.GpuSizeNode: 8 bytes.
 #ifndef FASTPOINTS_GPU_SIZE_NODE_INCLUDED
 #define FASTPOINTS_GPU_SIZE_NODE_INCLUDED
 

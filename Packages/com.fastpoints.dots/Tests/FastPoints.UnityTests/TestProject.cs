@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
 using FastPoints.Benchmarks;
+using FastPoints.Core;
 using FastPoints.Editor;
 using FastPoints.Entities;
 using NUnit.Framework;

@@ -1,15 +1,13 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Gpu;
-using FastPoints.Picture;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Entities;
 using Unity.Mathematics;
 using Unity.Transforms;
 using UnityEngine;
-using Gradient = FastPoints.Picture.Gradient;
+using Gradient = FastPoints.Drawing.Gradient;
 
 namespace FastPoints.Entities
 {

@@ -1,5 +1,4 @@
-using FastPoints.Base;
-using FastPoints.Points;
+using FastPoints.Core;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEngine;

@@ -1,10 +1,9 @@
-using FastPoints.Base;
-using FastPoints.Gpu;
-using FastPoints.Picture;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
-using Gradient = FastPoints.Picture.Gradient;
+using Gradient = FastPoints.Drawing.Gradient;
 
 namespace FastPoints.Entities
 {

@@ -1,4 +1,4 @@
-using FastPoints.Base;
+using FastPoints.Core;
 using Unity.Transforms;
 using UnityEngine;
 

@@ -1,5 +1,5 @@
-using FastPoints.Base;
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Rendering;
 using Unity.Mathematics;
 using UnityEngine;

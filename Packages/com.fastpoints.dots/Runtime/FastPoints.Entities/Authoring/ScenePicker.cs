@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Gpu;
+using FastPoints.Drawing;
 using FastPoints.Picking;
 using FastPoints.Store;
 using FastPoints.Streaming;

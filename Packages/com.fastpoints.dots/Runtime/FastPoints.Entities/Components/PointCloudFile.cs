@@ -1,6 +1,5 @@
-using FastPoints.Gpu;
-using FastPoints.Picture;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using Unity.Entities;
 using Unity.Mathematics;
 

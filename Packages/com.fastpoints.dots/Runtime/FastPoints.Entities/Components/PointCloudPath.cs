@@ -1,5 +1,6 @@
 using System;
 using System.Text;
+using FastPoints.Drawing;
 using Unity.Entities;
 using UnityEngine;
 

@@ -1,4 +1,3 @@
-using FastPoints.Streaming;
 using Unity.Entities;
 
 namespace FastPoints.Entities

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Feeds;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;

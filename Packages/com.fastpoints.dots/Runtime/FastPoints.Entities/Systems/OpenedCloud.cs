@@ -1,7 +1,6 @@
 using System;
-using FastPoints.Base;
-using FastPoints.Feeds;
-using FastPoints.Picture;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
 using Unity.Mathematics;

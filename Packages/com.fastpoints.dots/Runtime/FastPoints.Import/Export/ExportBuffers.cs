@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Writing;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Laz;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;

@@ -1,9 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Reading;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

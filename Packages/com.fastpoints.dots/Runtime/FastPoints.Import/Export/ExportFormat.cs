@@ -1,6 +1,7 @@
 using System.Collections.Generic;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Laz;
+using FastPoints.Reading;
 
 namespace FastPoints.Export
 {

@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Laz;
+using FastPoints.Reading;
 using Unity.Mathematics;
 
 namespace FastPoints.Export

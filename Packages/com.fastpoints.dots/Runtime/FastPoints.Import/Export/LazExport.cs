@@ -1,6 +1,8 @@
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Files;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Laz;
+using FastPoints.Reading;
 
 namespace FastPoints.Export
 {

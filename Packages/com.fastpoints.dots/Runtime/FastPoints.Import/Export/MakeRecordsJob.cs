@@ -1,5 +1,5 @@
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Reading;
 using FastPoints.Streaming;
 using Unity.Burst;
 using Unity.Collections;

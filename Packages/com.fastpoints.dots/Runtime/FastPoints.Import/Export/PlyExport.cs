@@ -1,8 +1,8 @@
 using System;
 using System.Text;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Ply;
+using FastPoints.Reading;
 
 namespace FastPoints.Export
 {

@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;

@@ -1,5 +1,5 @@
-using FastPoints.Gpu;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;

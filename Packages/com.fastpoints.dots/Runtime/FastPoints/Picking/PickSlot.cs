@@ -1,6 +1,6 @@
 using System;
-using FastPoints.Base;
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Mathematics;
 
 namespace FastPoints.Picking

@@ -1,8 +1,7 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Gpu;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Jobs;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 

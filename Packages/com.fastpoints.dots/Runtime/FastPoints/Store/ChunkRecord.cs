@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
-using FastPoints.Base;
-using FastPoints.Points;
+using FastPoints.Core;
 
 namespace FastPoints.Store
 {

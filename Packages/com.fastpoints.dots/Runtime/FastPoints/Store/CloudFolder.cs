@@ -1,8 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

@@ -1,5 +1,5 @@
 using System.Runtime.InteropServices;
-using FastPoints.Base;
+using FastPoints.Core;
 
 namespace FastPoints.Store
 {

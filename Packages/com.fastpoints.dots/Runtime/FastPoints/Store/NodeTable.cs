@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

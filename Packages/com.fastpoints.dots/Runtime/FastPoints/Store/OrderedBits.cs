@@ -1,5 +1,5 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Points;
+using FastPoints.Core;
 
 namespace FastPoints.Store
 {

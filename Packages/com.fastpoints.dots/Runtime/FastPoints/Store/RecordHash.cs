@@ -1,5 +1,5 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Burst.Intrinsics;
 
 namespace FastPoints.Store

@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using FastPoints.Base;
+using FastPoints.Core;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

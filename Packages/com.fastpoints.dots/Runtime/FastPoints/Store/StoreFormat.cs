@@ -1,6 +1,6 @@
 using System;
 using System.Globalization;
-using FastPoints.Base;
+using FastPoints.Core;
 
 namespace FastPoints.Store
 {

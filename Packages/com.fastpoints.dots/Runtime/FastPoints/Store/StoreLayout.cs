@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Collections;
 
 namespace FastPoints.Store

@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Base;
+using FastPoints.Core;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;

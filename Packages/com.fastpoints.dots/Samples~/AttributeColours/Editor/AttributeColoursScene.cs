@@ -1,5 +1,5 @@
+using FastPoints.Drawing;
 using FastPoints.Editor;
-using FastPoints.Picture;
 using UnityEditor;
 using UnityEngine;
 

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Tests.Support;

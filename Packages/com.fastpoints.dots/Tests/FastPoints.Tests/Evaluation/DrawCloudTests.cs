@@ -1,10 +1,9 @@
 using System;
 using System.Linq;
-using FastPoints.Base;
-using FastPoints.Draw;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
-using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -1,7 +1,6 @@
 using System;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Evaluation;
-using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -1,9 +1,8 @@
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Evaluation;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

@@ -1,5 +1,5 @@
-using FastPoints.Base;
-using FastPoints.Draw;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Store;

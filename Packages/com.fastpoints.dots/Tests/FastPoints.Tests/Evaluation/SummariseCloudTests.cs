@@ -1,9 +1,7 @@
 using System;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Evaluation;
-using FastPoints.Points;
 using FastPoints.Tests.Support;
-using FastPoints.Verify;
 using NUnit.Framework;
 using Unity.Mathematics;
 

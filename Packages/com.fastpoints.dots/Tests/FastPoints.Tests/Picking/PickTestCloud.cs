@@ -1,9 +1,8 @@
 using System;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Picking;
-using FastPoints.Points;
 using FastPoints.Streaming;
-using FastPoints.Tests.Samplers;
+using FastPoints.Tests.Nodes;
 using FastPoints.Tests.Streaming;
 using Unity.Mathematics;
 

@@ -1,8 +1,8 @@
 using System;
 using System.IO;
 using System.Linq;
-using FastPoints.Base;
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picking;
 using FastPoints.Store;
 using FastPoints.Streaming;

@@ -1,6 +1,6 @@
-using FastPoints.Base;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;

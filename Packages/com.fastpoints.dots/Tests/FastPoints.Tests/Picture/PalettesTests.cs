@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Picture;
+using FastPoints.Drawing;
 using NUnit.Framework;
 using Unity.Collections;
 

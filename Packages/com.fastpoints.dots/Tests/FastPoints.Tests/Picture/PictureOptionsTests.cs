@@ -1,6 +1,6 @@
-using FastPoints.Gpu;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Points;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture

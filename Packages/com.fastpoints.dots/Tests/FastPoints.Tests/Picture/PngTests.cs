@@ -1,6 +1,7 @@
 using System;
 using System.IO;
-using FastPoints.Base;
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Picture;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

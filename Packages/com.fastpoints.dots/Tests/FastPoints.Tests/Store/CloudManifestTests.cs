@@ -1,5 +1,4 @@
-using FastPoints.Base;
-using FastPoints.Points;
+using FastPoints.Core;
 using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using FastPoints.Points;
+using FastPoints.Core;
 using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Mathematics;

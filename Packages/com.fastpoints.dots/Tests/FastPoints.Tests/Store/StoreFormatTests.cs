@@ -1,4 +1,4 @@
-using FastPoints.Points;
+using FastPoints.Core;
 using FastPoints.Store;
 using NUnit.Framework;
 

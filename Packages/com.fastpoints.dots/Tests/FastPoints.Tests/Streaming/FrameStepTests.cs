@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Points;
+using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using FastPoints.Tests.Support;

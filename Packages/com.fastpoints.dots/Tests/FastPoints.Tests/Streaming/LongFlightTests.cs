@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using FastPoints.Drawing;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Streaming;

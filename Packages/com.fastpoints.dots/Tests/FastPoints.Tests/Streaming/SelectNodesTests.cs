@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Benchmarks;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Collections;

@@ -1,10 +1,10 @@
 using System.Collections.Generic;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Import;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using FastPoints.Tests.Files;
+using FastPoints.Tests.Octrees;
+using FastPoints.Tests.Reading;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 

@@ -1,4 +1,4 @@
-using FastPoints.Points;
+using FastPoints.Core;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Mathematics;

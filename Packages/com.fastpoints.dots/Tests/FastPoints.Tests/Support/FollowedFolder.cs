@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
-using FastPoints.Files;
-using FastPoints.Tests.Files;
+using FastPoints.Octrees;
+using FastPoints.Tests.Las;
+using FastPoints.Tests.Ply;
 
 namespace FastPoints.Tests.Support
 {

@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Tests.Files;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Tests.Octrees;
+using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Mathematics;
 

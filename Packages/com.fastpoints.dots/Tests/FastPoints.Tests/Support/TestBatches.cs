@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Collections;
 using Unity.Mathematics;
 

@@ -1,5 +1,5 @@
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Mathematics;
 

@@ -1,10 +1,9 @@
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Convert;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Samplers;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Nodes;
 
 namespace FastPoints.Benchmarks
 {

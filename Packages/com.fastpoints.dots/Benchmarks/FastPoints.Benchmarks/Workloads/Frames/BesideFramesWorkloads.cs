@@ -3,15 +3,14 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using FastPoints.Base;
-using FastPoints.Convert;
-using FastPoints.Draw;
+using FastPoints.Build;
+using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Samplers;
-using FastPoints.SourceFeeds;
-using FastPoints.Verify;
+using FastPoints.Import;
+using FastPoints.Nodes;
+using FastPoints.Octrees;
+using FastPoints.Picture;
+using FastPoints.Reading;
 using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks

@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
-using FastPoints.Files;
+using FastPoints.E57;
 using Unity.Collections;
 using Unity.Mathematics;
 

@@ -2,9 +2,11 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Files;
+using FastPoints.Import;
+using FastPoints.Las;
+using FastPoints.Octrees;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

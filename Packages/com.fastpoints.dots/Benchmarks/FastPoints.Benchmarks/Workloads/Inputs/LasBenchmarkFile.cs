@@ -1,7 +1,7 @@
 using System;
 using System.IO;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Las;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
-using FastPoints.Base;
+using FastPoints.Core;
 
 namespace FastPoints.Benchmarks
 {

@@ -1,9 +1,9 @@
 using System;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Convert;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Las;
 using FastPoints.Store;
 using Unity.Mathematics;
 

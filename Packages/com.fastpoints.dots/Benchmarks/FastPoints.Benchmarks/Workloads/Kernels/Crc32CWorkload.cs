@@ -1,4 +1,4 @@
-using FastPoints.Files;
+using FastPoints.E57;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

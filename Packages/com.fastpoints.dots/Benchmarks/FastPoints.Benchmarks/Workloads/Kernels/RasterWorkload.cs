@@ -1,6 +1,7 @@
+using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
-using FastPoints.Points;
 using Unity.Collections;
 using Unity.Mathematics;
 

@@ -1,7 +1,7 @@
 using System;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Reading;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 

@@ -1,6 +1,7 @@
 using System;
-using FastPoints.Base;
-using FastPoints.Files;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Jobs;
 

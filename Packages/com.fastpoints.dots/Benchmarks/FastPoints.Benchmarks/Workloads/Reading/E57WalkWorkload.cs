@@ -1,5 +1,5 @@
-using FastPoints.Base;
-using FastPoints.Files;
+using FastPoints.Core;
+using FastPoints.E57;
 
 namespace FastPoints.Benchmarks
 {

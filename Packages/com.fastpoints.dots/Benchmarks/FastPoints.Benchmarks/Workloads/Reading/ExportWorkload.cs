@@ -1,8 +1,8 @@
 using System;
 using System.IO;
-using FastPoints.Base;
+using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Files;
+using FastPoints.Import;
 
 namespace FastPoints.Benchmarks
 {

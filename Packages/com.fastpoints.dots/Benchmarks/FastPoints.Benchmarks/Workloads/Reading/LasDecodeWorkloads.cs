@@ -1,7 +1,8 @@
 using System;
 using System.Runtime.InteropServices;
-using FastPoints.Files;
-using FastPoints.Points;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Jobs;
 

@@ -1,7 +1,7 @@
 using System;
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Files;
+using FastPoints.Core;
+using FastPoints.Import;
 
 namespace FastPoints.Benchmarks
 {

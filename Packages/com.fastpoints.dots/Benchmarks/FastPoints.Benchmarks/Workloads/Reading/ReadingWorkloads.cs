@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Points;
+using FastPoints.Core;
 
 namespace FastPoints.Benchmarks
 {

@@ -1,9 +1,8 @@
 using System;
 using System.Threading;
+using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Partition;
-using FastPoints.Records;
-using FastPoints.SourceFeeds;
+using FastPoints.Import;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;

@@ -1,6 +1,5 @@
 using System.Globalization;
-using FastPoints.Partition;
-using FastPoints.Records;
+using FastPoints.Core;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using Camera = FastPoints.Picture.Camera;

@@ -1,6 +1,6 @@
 using System;
 using FastPoints.Scenes;
-using FastPoints.Streaming;
+using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;

@@ -1,3 +1,4 @@
+using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
+using FastPoints.Core;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Store;
 using Unity.Collections;
 
 namespace FastPoints.Streaming

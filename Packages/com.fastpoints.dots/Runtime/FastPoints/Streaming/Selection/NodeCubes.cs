@@ -1,3 +1,4 @@
+using FastPoints.Store;
 using Unity.Mathematics;
 
 namespace FastPoints.Streaming

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Store;
 using Unity.Collections;
 using Unity.Jobs;
 

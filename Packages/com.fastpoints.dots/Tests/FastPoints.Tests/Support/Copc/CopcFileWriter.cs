@@ -2,7 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Files;
+using FastPoints.Las;
+using FastPoints.Octrees;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
+using FastPoints.Tests.Ply;
 
-namespace FastPoints.Tests.Files
+namespace FastPoints.Tests.Support
 {
     /// <summary>Writes E57 files for tests, after ASTM E2807-11 and with none of the reader's code: pages with CRC-32C,
     /// bit-packed bytestreams in data packets, index and ignored packets, the XML section behind the binary ones.</summary>

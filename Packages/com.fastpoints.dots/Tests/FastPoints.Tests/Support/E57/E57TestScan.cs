@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 
-namespace FastPoints.Tests.Files
+namespace FastPoints.Tests.Support
 {
     /// <summary>A scan to write: fields with their values, and how they are cut into packets.</summary>
     sealed class E57TestScan

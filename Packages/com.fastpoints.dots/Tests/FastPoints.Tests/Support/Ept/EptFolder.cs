@@ -4,7 +4,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
-using FastPoints.Files;
+using FastPoints.Las;
+using FastPoints.Octrees;
 
 namespace FastPoints.Tests.Support
 {

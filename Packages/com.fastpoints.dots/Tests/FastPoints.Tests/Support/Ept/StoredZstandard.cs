@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using FastPoints.Files;
+using FastPoints.Reading;
 
 namespace FastPoints.Tests.Support
 {

@@ -2,10 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Tests.Files;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Las;
+using FastPoints.Laz;
+using FastPoints.Reading;
+using FastPoints.Tests.Reading;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Files;
+using FastPoints.Las;
+using FastPoints.Laz;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

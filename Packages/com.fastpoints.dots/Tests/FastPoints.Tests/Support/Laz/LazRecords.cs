@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Files;
+using FastPoints.Las;
 
 namespace FastPoints.Tests.Support
 {

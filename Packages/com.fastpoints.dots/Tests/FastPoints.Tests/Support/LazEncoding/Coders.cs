@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>The range coder that <see cref="FastPoints.Files.RangeCode"/> decodes: 32-bit base and length, carries taken back
+    /// <summary>The range coder that <see cref="FastPoints.Laz.RangeCode"/> decodes: 32-bit base and length, carries taken back
     /// into the bytes already written.</summary>
     public sealed class RangeEncoder
     {
@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>The encoder's side of <see cref="FastPoints.Files.SymbolModel"/>.</summary>
+    /// <summary>The encoder's side of <see cref="FastPoints.Laz.SymbolModel"/>.</summary>
     public sealed class SymbolEncoder
     {
         const int LengthBits = 15;
@@ -129,7 +129,7 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>The encoder's side of <see cref="FastPoints.Files.BitModel"/>.</summary>
+    /// <summary>The encoder's side of <see cref="FastPoints.Laz.BitModel"/>.</summary>
     public sealed class BitEncoder
     {
         const int LengthBits = 13;
@@ -170,7 +170,7 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>The encoder's side of <see cref="FastPoints.Files.IntegerModel"/>.</summary>
+    /// <summary>The encoder's side of <see cref="FastPoints.Laz.IntegerModel"/>.</summary>
     public sealed class IntegerEncoder
     {
         const int ModelledBits = 8;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Files;
+using FastPoints.Laz;
 using static FastPoints.Tests.Support.RecordFields;
 
 namespace FastPoints.Tests.Support

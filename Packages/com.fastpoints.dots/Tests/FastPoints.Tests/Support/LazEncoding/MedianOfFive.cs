@@ -1,6 +1,6 @@
 namespace FastPoints.Tests.Support
 {
-    /// <summary>What <see cref="FastPoints.Files.Median5"/> computes, in plain steps: sorted values, of which the largest or the
+    /// <summary>What <see cref="FastPoints.Laz.Median5"/> computes, in plain steps: sorted values, of which the largest or the
     /// smallest leaves for the new one.</summary>
     public sealed class MedianOfFive
     {

@@ -5,7 +5,7 @@ using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using System.Text;
-using FastPoints.Points;
+using FastPoints.Core;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

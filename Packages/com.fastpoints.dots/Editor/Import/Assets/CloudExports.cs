@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Export;
+using FastPoints.Import;
+using FastPoints.Reading;
+using FastPoints.Store;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Writes points of clouds to files, one file after another, a few milliseconds an update, each with a line in the
+    /// Progress window. What is cancelled, or broken off by a reload of scripts, leaves nothing.</summary>
+    internal sealed class CloudExports : IDisposable
+    {
+        sealed class Export
+        {
+            public string Path;
+            public PoolWork<PointReader> Opening;
+            public ExportSettings Settings;
+            public PointReader Reader;
+            public WorkPump Pump;
+            public ExportResult Result;
+            public readonly StageProgress Stages = new StageProgress();
+            public int Progress;
+        }
+
+        readonly List<Export> m_exports = new List<Export>();
+
+        public bool IsExporting => m_exports.Count > 0;
+
+        /// <summary>Paths that are being written.</summary>
+        public IEnumerable<string> Promised => m_exports.ConvertAll(export => export.Path);
+
+        /// <param name="sources">A converted cloud, or files that make one cloud.</param>
+        /// <param name="path">Ends in .las, .laz or .ply.</param>
+        public void Begin(IReadOnlyList<string> sources, string path, ExportSettings settings)
+        {
+            var export = new Export { Path = path, Settings = settings };
+            export.Opening = PoolWork.Begin(path, () => Open(sources), reader => reader.DisposeUnread());
+            export.Progress = Progress.Start("Export " + Path.GetFileName(path), path, Progress.Options.Managed);
+            Progress.RegisterCancelCallback(export.Progress, () =>
+            {
+                // Unity itself ends what was cancelled in its window.
+                m_exports.Remove(export);
+                Free(export);
+                return true;
+            });
+            m_exports.Add(export);
+        }
+
+        /// <summary>Called once an update of the editor.</summary>
+        public void Update(double budgetMs)
+        {
+            if (m_exports.Count == 0)
+                return;
+            var export = m_exports[0];
+            try
+            {
+                if (!Step(export, budgetMs))
+                {
+                    Progress.Report(export.Progress, (float)export.Stages.Share, export.Stages.Current ?? export.Path);
+                    return;
+                }
+                Debug.Log("FastPoints: " + Describe(export));
+                End(export, Progress.Status.Succeeded);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+                End(export, Progress.Status.Failed);
+            }
+        }
+
+        /// <summary>Breaks off all.</summary>
+        public void Dispose()
+        {
+            while (m_exports.Count > 0)
+                End(m_exports[0], Progress.Status.Canceled);
+        }
+
+        static PointReader Open(IReadOnlyList<string> sources) =>
+            sources.Count == 1 && CloudFolder.IsCloud(sources[0]) ? StoredReader.Open(sources[0]) : PointReaders.Open(sources);
+
+        /// <returns>Whether the file is there.</returns>
+        static bool Step(Export export, double budgetMs)
+        {
+            if (export.Pump == null)
+            {
+                if (!export.Opening.IsDone)
+                    return false;
+                export.Reader = export.Opening.Take();
+                export.Pump = new WorkPump(ExportCloud.Run(export.Reader, export.Path, export.Settings, r => export.Result = r,
+                    export.Stages));
+            }
+            return export.Pump.Tick(budgetMs);
+        }
+
+        static string Describe(Export export)
+        {
+            var result = export.Result;
+            string moved = result.PositionError > 0
+                ? "; coordinates were rounded by at most " + NumberText.Of(result.PositionError) : "";
+            string leftOut = result.PointsLeftOut > 0
+                ? "; " + NumberText.Of(result.PointsLeftOut) + " points without a place were left out" : "";
+            return export.Path + ": " + NumberText.Of(result.Points) + " points" + moved + leftOut +
+                (result.Warnings.Count > 0 ? "\n" + string.Join("\n", result.Warnings) : "");
+        }
+
+        void End(Export export, Progress.Status status)
+        {
+            m_exports.Remove(export);
+            Free(export);
+            Progress.Finish(export.Progress, status);
+        }
+
+        static void Free(Export export)
+        {
+            export.Pump?.Cancel();
+            export.Opening.Dispose();
+            export.Reader?.Dispose();
+        }
+    }
+}

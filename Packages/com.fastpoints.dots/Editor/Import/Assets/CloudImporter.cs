@@ -1,0 +1,75 @@
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Entities;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The common base of the importers of handles and of point cloud files. They read only headers of the asset's own
+    /// file and use no settings, so that they run in import workers and their results may come from a cache.</summary>
+    [HelpPage("editor")]
+    internal abstract class CloudImporter : ScriptedImporter
+    {
+        /// <summary>Raised when the imported asset changes.</summary>
+        protected const int Version = 5;
+
+        [Tooltip("The axis of the file that points up.")]
+        public UpAxis UpAxis = UpAxis.Z;
+
+        // Not [Min]: Unity's drawer of that makes a float of it, and a US survey foot has more digits.
+        [Tooltip("Metres of a unit of the file: 0.001 for millimetres. 0 or less: as the file says, else metres.")]
+        public double MetresPerUnit;
+
+        /// <summary>Reads the asset's file.</summary>
+        /// <param name="guid">The asset's GUID.</param>
+        /// <exception cref="PointCloudException">The file is not what its name says.</exception>
+        protected abstract CloudHandle Describe(AssetImportContext context, string guid);
+
+        public override void OnImportAsset(AssetImportContext ctx)
+        {
+            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            asset.name = Path.GetFileNameWithoutExtension(ctx.assetPath);
+            try
+            {
+                string guid = AssetDatabase.AssetPathToGUID(ctx.assetPath);
+                Fill(asset, Describe(ctx, guid), guid, ctx.assetPath);
+            }
+            catch (PointCloudException e)
+            {
+                // The asset still exists, so that references to it stay valid.
+                ctx.LogImportError(e.Message);
+            }
+            ctx.AddObjectToAsset("cloud", asset);
+            ctx.SetMainObject(asset);
+        }
+
+        void Fill(PointCloudAsset asset, CloudHandle handle, string guid, string assetPath)
+        {
+            asset.ProjectPath = handle.CloudPath;
+            asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
+            asset.ProjectSources = handle.Sources.ConvertAll(s => s == assetPath ? PointCloudPaths.OfAsset + guid : s).ToArray();
+            asset.PlayerSource = handle.IsOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
+            var origin = OriginOf(handle);
+            asset.HasOrigin = origin.HasValue;
+            asset.Origin = origin ?? default;
+            asset.Up = UpAxis;
+            asset.UnitMetres = MetresPerUnit;
+            asset.Points = handle.Points;
+            // Unity's text files cannot store infinity.
+            var bounds = handle.BoundsGeo.IsEmpty ? new BoundsGeo(1, -1) : handle.BoundsGeo;
+            asset.BoundsMin = bounds.Min;
+            asset.BoundsMax = bounds.Max;
+            asset.Crs = handle.Crs ?? "";
+            asset.MetresPerUnit = handle.MetresPerUnit;
+        }
+
+        /// <summary>Where the cloud was first shown; another up axis has another floor.</summary>
+        double3? OriginOf(CloudHandle handle) => handle.OriginUp == UpAxis ? handle.Origin
+            : handle.BoundsGeo.IsEmpty || !handle.BoundsGeo.IsFinite ? (double3?)null
+            : UnitySpace.Of(handle.BoundsGeo, handle.MetresPerUnit, UpAxis).OriginGeo;
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Store;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>When the user deletes the last asset of a converted cloud, asks whether its data go, too: once for all that are
+    /// deleted together. What goes otherwise, as with a change of branches, keeps its data.</summary>
+    internal sealed class CloudLeftovers
+    {
+        readonly EditorImports m_imports;
+        readonly List<string> m_expected = new List<string>();
+        readonly List<string> m_left = new List<string>();
+
+        public CloudLeftovers(EditorImports imports) => m_imports = imports;
+
+        /// <summary>The user deletes an asset or a folder of them.</summary>
+        public void Expect(string path)
+        {
+            // The clouds of assets that are gone are not to be found any more.
+            if (m_imports.Assets.All.Count > 0)
+                m_expected.Add(path);
+        }
+
+        /// <summary>Assets are gone, of which <see cref="CloudAssets"/> still knows.</summary>
+        public void Take(string[] deleted)
+        {
+            foreach (string asset in deleted)
+                if (m_imports.Assets.All.TryGetValue(asset, out string cloud) && m_expected.Exists(e => asset == e ||
+                    asset.StartsWith(e + "/", StringComparison.Ordinal)) && !m_left.Contains(cloud))
+                    m_left.Add(cloud);
+            m_expected.Clear();
+        }
+
+        /// <summary>Called once an update of the editor: not while Unity imports.</summary>
+        public void Ask()
+        {
+            if (m_left.Count == 0)
+                return;
+            var clouds = m_left.FindAll(c => CloudFolder.IsCloud(c) && m_imports.Assets.Of(c).Count == 0 &&
+                string.Equals(Path.GetDirectoryName(c), m_imports.Paths.Clouds, StringComparison.OrdinalIgnoreCase));
+            m_left.Clear();
+            if (clouds.Count > 0 && EditorUtility.DisplayDialog("Delete converted data", "No asset has the converted data any " +
+                "more of:\n" + string.Join("\n", clouds.ConvertAll(Path.GetFileName)), "Delete data", "Keep"))
+                foreach (string cloud in clouds)
+                    Delete(cloud);
+        }
+
+        void Delete(string cloud)
+        {
+            try
+            {
+                if (m_imports.Queue.RequestFor(cloud) is { } request)
+                    m_imports.Queue.Cancel(request);
+                CloudCatalog.Delete(cloud);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+            }
+        }
+    }
+
+    /// <summary>Hears of what the user deletes, before it is gone.</summary>
+    internal sealed class CloudDeletions : AssetModificationProcessor
+    {
+        // Unity finds it by name.
+        static AssetDeleteResult OnWillDeleteAsset(string path, RemoveAssetOptions options)
+        {
+            if (!Application.isBatchMode)
+                PointCloudImports.Current.Leftovers.Expect(path);
+            return AssetDeleteResult.DidNotDelete;
+        }
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Leads handles to sources that have moved. They stay the same assets, with what refers to them, and keep their
+    /// converted clouds.</summary>
+    internal static class CloudRelocation
+    {
+        /// <summary>The first of a handle's sources that is not there; null if all are.</summary>
+        public static string FindMissing(CloudHandle handle, ProjectPaths paths) =>
+            handle.Sources.ConvertAll(paths.Absolute).Find(s => !File.Exists(s) && !Directory.Exists(s));
+
+        /// <summary>Asks the user where a source is, and whether those of other assets that moved along are meant, too.</summary>
+        /// <exception cref="PointCloudException">The handle cannot be read.</exception>
+        public static void Ask(EditorImports imports, string asset, string missing)
+        {
+            string name = Path.GetFileName(missing);
+            string found = imports.HandleOf(asset).IsFolder || !Path.HasExtension(name)
+                ? EditorUtility.OpenFolderPanel("Locate " + name, "", "")
+                : EditorUtility.OpenFilePanelWithFilters("Locate " + name, "", new[] { "All files", "*" });
+            if (string.IsNullOrEmpty(found))
+                return;
+            var move = new SourceMove(missing, Path.GetFullPath(found));
+            var others = new List<string>(imports.Assets.All.Keys);
+            others.RemoveAll(o => o == asset || !o.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase) ||
+                !TryMove(imports, o, move, false));
+            if (others.Count > 0 && !EditorUtility.DisplayDialog("Locate source", "The sources of " + others.Count +
+                " other assets have moved along.", "Locate them, too", "This one alone"))
+                others.Clear();
+            others.Add(asset);
+            Move(imports, others, move);
+        }
+
+        static void Move(EditorImports imports, List<string> assets, SourceMove move)
+        {
+            AssetDatabase.StartAssetEditing();
+            try
+            {
+                foreach (string asset in assets)
+                    if (TryMove(imports, asset, move, true))
+                        AssetDatabase.ImportAsset(asset);
+            }
+            finally
+            {
+                AssetDatabase.StopAssetEditing();
+            }
+            foreach (string asset in assets)
+                EditorImports.Refresh(asset);
+        }
+
+        static bool TryMove(EditorImports imports, string asset, SourceMove move, bool writes)
+        {
+            try
+            {
+                var handle = imports.HandleOf(asset);
+                bool isMoved = false;
+                for (int i = 0; i < handle.Sources.Count; i++)
+                    if (move.Find(imports.Paths.Absolute(handle.Sources[i])) is { } to)
+                        (handle.Sources[i], isMoved) = (imports.Paths.Stored(to), true);
+                if (!isMoved || !writes)
+                    return isMoved;
+                HandleFile.Write(imports.Paths.Absolute(asset), handle);
+                if (handle.Stamp?.Compare(handle.Sources.ConvertAll(imports.Paths.Absolute)) == SourceChange.Changed)
+                    Debug.LogWarning("FastPoints: " + asset + " was converted of another file than was located now: its " +
+                        "inspector converts it again");
+                return true;
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+                return false;
+            }
+        }
+    }
+}

@@ -1,0 +1,501 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Entities;
+using FastPoints.Reading;
+using FastPoints.Store;
+using Unity.Mathematics;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Connects the assets of a project to its queue of imports: it makes handles, requests conversions, shows their
+    /// progress, and passes results on to assets and scenes.</summary>
+    public sealed class EditorImports : IDisposable
+    {
+        static readonly TimeSpan s_reportAfter = TimeSpan.FromSeconds(0.25);
+
+        readonly FastPointsSettings m_settings;
+        readonly EditorPace m_pace = new EditorPace();
+        DateTime m_nextReport;
+        BuildSession m_reported;
+        int m_progress;
+        readonly List<CloudDrop> m_drops = new List<CloudDrop>();
+        readonly List<string> m_drawn = new List<string>();
+
+        /// <summary>Assets whose files could not be written, to be tried again.</summary>
+        readonly List<Action> m_refused = new List<Action>();
+        bool m_isShowing;
+        string m_problem;
+
+        internal EditorImports(ProjectPaths paths, FastPointsSettings settings)
+        {
+            Paths = paths;
+            m_settings = settings;
+            // A reload of scripts, or quitting, ends deletions.
+            FileChanges.BeginDeleteGone(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
+            Queue = new ImportQueue(paths, settings.ForConversion);
+            Queue.Ended += End;
+            Thumbnails.Drawn += m_drawn.Add;
+            Catalog = new CloudCatalog(paths);
+            Assets = new CloudAssets(paths);
+            Leftovers = new CloudLeftovers(this);
+            Claims = new PointFileClaims(settings);
+            Missing = new MissingClouds(this);
+        }
+
+        internal ProjectPaths Paths { get; }
+
+        /// <summary>Point cloud files in <c>Assets</c> that others import.</summary>
+        internal PointFileClaims Claims { get; }
+
+        /// <summary>Converted clouds whose last asset was deleted.</summary>
+        internal CloudLeftovers Leftovers { get; }
+
+        /// <summary>Clouds whose data are to be made again.</summary>
+        internal MissingClouds Missing { get; }
+
+        internal ImportQueue Queue { get; }
+        internal CloudCatalog Catalog { get; }
+
+        /// <summary>The project's assets of clouds.</summary>
+        internal CloudAssets Assets { get; }
+
+        /// <summary>Clouds that are verified.</summary>
+        internal EditorChecks Checks { get; } = new EditorChecks();
+
+        /// <summary>Clouds that are copied out and in.</summary>
+        internal CloudTransfers Transfers { get; } = new CloudTransfers();
+
+        /// <summary>Points that are written to files.</summary>
+        internal CloudExports Exports { get; } = new CloudExports();
+
+        /// <summary>Pictures of clouds for the Project window.</summary>
+        internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
+
+        /// <summary>The largest file in bytes that may be copied into the project.</summary>
+        public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
+
+        /// <summary>Whether handles wait to be written that the system refused.</summary>
+        internal bool HasRefused => m_refused.Count > 0;
+
+        /// <summary>Called once an update of the editor.</summary>
+        public void Update(DateTime nowUtc)
+        {
+            double budgetMs = m_pace.Next(nowUtc, m_settings.UpdateMs, EditorApplication.isFocused);
+            bool isPlaying = EditorApplication.isPlaying;
+            Queue.IsHeld = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
+            Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
+                m_pace.AheadMs);
+            Queue.Tick(budgetMs, nowUtc);
+            Checks.Update(budgetMs);
+            Transfers.Update();
+            Exports.Update(budgetMs);
+            Leftovers.Ask();
+            Claims.Update();
+            Missing.Update();
+            Thumbnails.Update(budgetMs);
+            if (m_drops.Count > 0 && m_drops[0].Update(budgetMs))
+                m_drops.RemoveAt(0);
+            // Each batch of imports costs Unity some ten milliseconds, whatever is in it.
+            if (nowUtc >= m_nextReport || !Thumbnails.IsDrawing)
+                ShowThumbnails();
+            if (nowUtc < m_nextReport)
+                return;
+            m_nextReport = nowUtc + s_reportAfter;
+            var refused = m_refused.ToArray();
+            m_refused.Clear();
+            foreach (var again in refused)
+                again();
+            if (Queue.Problem != m_problem && Queue.Problem != null)
+                Debug.LogWarning("FastPoints: " + Queue.Problem);
+            m_problem = Queue.Problem;
+            if (Queue.Session != null)
+                Report();
+        }
+
+        /// <summary>Makes a handle for a file or folder that stays where it is.</summary>
+        /// <param name="source">One cloud.</param>
+        /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
+        /// <returns>The asset; null if it could not be made, which is logged.</returns>
+        public PointCloudAsset Take(string source, string folder)
+        {
+            try
+            {
+                var names = HandleFile.NewHandles(Paths.Absolute(folder));
+                string path = HandleFile.Create(new[] { source }, Paths, names, NewTargets(), false, out var handle);
+                string asset = Paths.Stored(path);
+                AssetDatabase.ImportAsset(asset);
+                AddThumbnail(handle);
+                if (IsConvertedAtOnce(handle))
+                    Queue.Add(RequestFor(asset, handle));
+                return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+                return null;
+            }
+        }
+
+        /// <summary>Does the same with several, as one cloud or as separate ones, which the user is asked once; in the next
+        /// updates.</summary>
+        /// <param name="place">Where they are shown; null for nowhere.</param>
+        internal void Take(IReadOnlyList<string> sources, string folder, DropPlace place) =>
+            m_drops.Add(new CloudDrop(this, sources, folder, place));
+
+        /// <summary>Whether dropped files are still being imported.</summary>
+        internal bool IsTaking => m_drops.Count > 0;
+
+        /// <summary>Handles the import of point cloud files in <c>Assets</c>.</summary>
+        internal void TakePointFiles(IReadOnlyList<string> assets)
+        {
+            // An asset is also reimported to show its picture: a cancelled conversion stays cancelled.
+            if (m_isShowing || assets.Count == 0)
+                return;
+            var requests = new List<ImportRequest>();
+            var known = new HashSet<string>();
+            foreach (var request in Queue.Requests)
+                if (request.State != ImportState.Failed)
+                    known.Add(request.Asset);
+            foreach (string asset in assets)
+                if (TakePointFile(asset) is { } request && !known.Contains(request.Asset))
+                    requests.Add(request);
+            Queue.Add(requests);
+        }
+
+        /// <returns>A request to convert it, if it is to be converted at once.</returns>
+        ImportRequest TakePointFile(string asset)
+        {
+            var handle = OfPointFile(asset);
+            if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
+            {
+                if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
+                    AddThumbnail(handle);
+                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request && !IsDeclined(request.Cloud)
+                    ? request : null;
+            }
+            if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
+                Debug.LogWarning("FastPoints: " + asset + " has changed since it was converted: its inspector converts it again");
+            return null;
+        }
+
+        /// <summary>Copies an asset's converted cloud to a folder outside, under a free name.</summary>
+        /// <returns>The copy's folder, which exists when the copy is complete; null if nothing can be copied, which is
+        /// logged.</returns>
+        public string Export(PointCloudAsset asset, string folder)
+        {
+            string cloud = Paths.Absolute(asset.ProjectPath);
+            if (File.Exists(Path.Combine(cloud, StoreFormat.ManifestName)))
+                return Transfers.Export(cloud, folder);
+            Debug.LogError("FastPoints: " + asset.name + " is not converted: wanted a cloud in " + cloud);
+            return null;
+        }
+
+        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is
+        /// complete.</summary>
+        /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
+        public void ImportCopy(string cloud, string folder)
+        {
+            MakePlace(Paths.Clouds);
+            if (CloudSources.IsConverted(cloud))
+                Transfers.Import(cloud, Paths, copy => Selection.activeObject = Take(copy, folder));
+            else
+                Debug.LogError("FastPoints: " + cloud + ": wanted a converted cloud, a folder with " + StoreFormat.ManifestName);
+        }
+
+        /// <summary>Converts an asset's cloud, for the first time or again.</summary>
+        public void Convert(string asset) => Convert(new[] { asset });
+
+        /// <summary>Does the same with several. What cannot be read is logged.</summary>
+        internal void Convert(IEnumerable<string> assets)
+        {
+            var requests = new List<ImportRequest>();
+            foreach (string asset in assets)
+                try
+                {
+                    var request = RequestFor(asset, HandleOf(asset));
+                    FileChanges.DeleteRemains(DeclinedPath(request.Cloud), () => false);
+                    requests.Add(request);
+                }
+                catch (PointCloudException e)
+                {
+                    Debug.LogError("FastPoints: " + e.Message);
+                }
+            Queue.Add(requests);
+        }
+
+        /// <summary>Takes a request out of the queue for good.</summary>
+        internal void Cancel(ImportRequest request)
+        {
+            Queue.Cancel(request);
+            Decline(request.Cloud);
+        }
+
+        /// <summary>Has a cloud not converted by itself any more, nor asked about, however often Unity imports its
+        /// asset.</summary>
+        /// <param name="cloud">Its folder, stored or absolute.</param>
+        internal void Decline(string cloud)
+        {
+            MakePlace(Paths.Clouds);
+            try
+            {
+                TextFile.Write(DeclinedPath(cloud), "", false);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogWarning("FastPoints: " + e.Message);
+            }
+        }
+
+        internal bool IsDeclined(string cloud) => File.Exists(DeclinedPath(cloud));
+
+        string DeclinedPath(string cloud) => Path.ChangeExtension(Paths.Absolute(cloud), ".cancelled");
+
+        /// <summary>What an asset says of its cloud.</summary>
+        /// <exception cref="PointCloudException">The handle cannot be read.</exception>
+        internal CloudHandle HandleOf(string asset) => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase)
+            ? HandleFile.Read(Paths.Absolute(asset))
+            : OfPointFile(asset);
+
+        /// <summary>The request in the queue for an asset's cloud, which a copy of the asset may have made; null if there is
+        /// none.</summary>
+        internal ImportRequest RequestOf(string asset) => Queue.RequestOf(AssetDatabase.AssetPathToGUID(asset)) ??
+            (Assets.All.TryGetValue(asset, out string cloud) ? Queue.RequestFor(cloud) : null);
+
+        /// <summary>Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its
+        /// files.</summary>
+        internal void AddThumbnail(CloudHandle handle)
+        {
+            MakePlace(Paths.Clouds);
+            string cloud = Paths.Absolute(handle.CloudPath);
+            if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))
+                Thumbnails.Add(cloud);
+            else
+                Thumbnails.AddFiles(cloud, handle.Sources.ConvertAll(Paths.Absolute));
+        }
+
+        /// <summary>Called before scripts are reloaded or the editor quits.</summary>
+        public void Suspend()
+        {
+            if (m_reported != null)
+                Progress.Finish(m_progress, Progress.Status.Canceled);
+            m_reported = null;
+            foreach (var drop in m_drops)
+                drop.Dispose();
+            m_drops.Clear();
+            Checks.Dispose();
+            Transfers.Dispose();
+            Exports.Dispose();
+            Missing.Dispose();
+            Thumbnails.Dispose();
+            Queue.Suspend();
+        }
+
+        public void Dispose() => Suspend();
+
+        internal ImportRequest RequestFor(string asset, CloudHandle handle)
+        {
+            MakePlace(Paths.Clouds);
+            return new ImportRequest
+            {
+                Asset = AssetDatabase.AssetPathToGUID(asset),
+                Cloud = handle.CloudPath,
+                Sources = new List<string>(handle.Sources),
+                Sampler = m_settings.Sampler,
+            };
+        }
+
+        /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
+        internal void MakePlace(string place)
+        {
+            if (Directory.Exists(place) || !PointCloudImports.IsMainEditor)
+                return;
+            try
+            {
+                Directory.CreateDirectory(place);
+                if (m_settings.GitIgnore)
+                    TextFile.Write(Path.Combine(place, ".gitignore"),
+                        "# FastPoints makes this again of its sources.\n*\n");
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                // The queue says so, and tries again.
+            }
+        }
+
+        internal bool IsConvertedAtOnce(CloudHandle handle) => m_settings.ConvertAtOnce && IsConverted(handle);
+
+        /// <summary>Whether the settings have its cloud converted, sooner or later.</summary>
+        internal bool IsConverted(CloudHandle handle) =>
+            handle.Sources.Count > 0 && (!handle.IsOctree || m_settings.ConvertOctrees);
+
+        /// <summary>Names for new clouds, none of which another asset or request is waiting for.</summary>
+        internal FreeNames NewTargets()
+        {
+            var promised = new List<string>(Assets.Clouds);
+            promised.AddRange(Queue.Promised);
+            return Catalog.NewTargets(promised);
+        }
+
+        CloudHandle OfPointFile(string asset)
+        {
+            var handle = new CloudHandle { CloudPath = Paths.Stored(ProjectPaths.OfAsset(AssetDatabase.AssetPathToGUID(asset))) };
+            handle.Sources.Add(asset);
+            handle.IsOctree = CloudSources.BringsOctree(asset);
+            try
+            {
+                handle.Stamp = StampFile.Read(Paths.Absolute(handle.CloudPath));
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogWarning("FastPoints: " + e.Message);
+            }
+            return handle;
+        }
+
+        void Report()
+        {
+            var session = Queue.Session;
+            if (m_reported != session)
+                Begin(session);
+            Progress.Report(m_progress, (float)session.Share,
+                Queue.IsHeld ? "until play mode ends" : BuildProgress.Describe(session.Progress));
+            if (session.SecondsLeft < int.MaxValue)
+                Progress.SetRemainingTime(m_progress, (long)session.SecondsLeft);
+        }
+
+        void Begin(BuildSession session)
+        {
+            var request = Queue.Running;
+            m_reported = session;
+            // Unity cancels progress that it manages before scripts are reloaded, as if the user had: the conversion would be
+            // lost.
+            m_progress = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
+                Progress.Options.Unmanaged);
+            Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
+            Progress.RegisterCancelCallback(m_progress, () =>
+            {
+                // Unity itself ends what was cancelled in its window.
+                m_reported = null;
+                Cancel(request);
+                return true;
+            });
+            Progress.RegisterPauseCallback(m_progress, isPaused =>
+            {
+                if (isPaused)
+                    Queue.Pause(request);
+                else
+                    Queue.Resume(request);
+                // Reading a header cannot be paused, and the window must not show that it is.
+                return (session.State == BuildState.Paused) == isPaused;
+            });
+        }
+
+        void End(ImportRequest request, BuildSession session)
+        {
+            string asset = AssetDatabase.GUIDToAssetPath(request.Asset);
+            if (m_reported == session)
+            {
+                Progress.Finish(m_progress, session.State == BuildState.Done ? Progress.Status.Succeeded
+                    : session.State == BuildState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
+            }
+            m_reported = null;
+            if (session.Failure is PointCloudException known)
+                Debug.LogError("FastPoints: " + known.Story);
+            else if (session.Failure != null)
+                Debug.LogException(session.Failure);
+            if (session.State != BuildState.Done)
+                return;
+            foreach (var warning in session.Source.Warnings)
+                Debug.LogWarning("FastPoints: " + warning);
+            string cloud = Paths.Absolute(request.Cloud);
+            // A copy of an asset has the same cloud.
+            foreach (string user in new List<string>(Assets.Of(cloud)))
+            {
+                Update(user, cloud, session, DateTime.UtcNow.AddMilliseconds(FileChanges.PatienceMs));
+                Refresh(user);
+            }
+            Thumbnails.Add(cloud);
+        }
+
+        void Update(string asset, string cloud, BuildSession session, DateTime untilUtc)
+        {
+            try
+            {
+                if (!asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase))
+                {
+                    StampFile.Write(cloud, session.Stamp);
+                    return;
+                }
+                var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
+                HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp, OriginShown(asset),
+                    shown != null ? shown.Up : UpAxis.Z, session.Source);
+                AssetDatabase.ImportAsset(asset);
+            }
+            catch (PointCloudException e)
+            {
+                if (e.InnerException != null && FileChanges.MayPass(e.InnerException) && DateTime.UtcNow < untilUtc)
+                    m_refused.Add(() => Update(asset, cloud, session, untilUtc));
+                else
+                    Debug.LogError("FastPoints: " + e.Message);
+            }
+        }
+
+        /// <summary>Unity asks for an asset's picture when it imports the asset, and reimports an unchanged one only by
+        /// force.</summary>
+        internal void ShowThumbnails()
+        {
+            if (m_drawn.Count == 0)
+                return;
+            m_isShowing = true;
+            AssetDatabase.StartAssetEditing();
+            try
+            {
+                foreach (string cloud in m_drawn)
+                    foreach (string asset in Assets.Of(cloud))
+                        AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
+                m_drawn.Clear();
+            }
+            finally
+            {
+                AssetDatabase.StopAssetEditing();
+                m_isShowing = false;
+            }
+        }
+
+        /// <summary>Makes the scenes' clouds of an asset look for its folder again.</summary>
+        /// <param name="asset">Its path.</param>
+        public static void Refresh(string asset)
+        {
+            foreach (var cloud in CloudsOf(asset))
+                cloud.Refresh();
+            // Those of subscenes have no component.
+            var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
+            if (shown != null)
+                PointCloudSystemGroup.Shown?.IsShown(shown.Paths.FullPath, true);
+            EditorApplication.QueuePlayerLoopUpdate();
+        }
+
+        /// <summary>The origin of the scenes' clouds of an asset; null if none is shown.</summary>
+        static double3? OriginShown(string asset)
+        {
+            foreach (var cloud in CloudsOf(asset))
+                if (cloud.Origin == null && cloud.TryGetSpace(out var space))
+                    return space.OriginGeo;
+            return null;
+        }
+
+        static IEnumerable<PointCloud> CloudsOf(string path)
+        {
+            var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
+            if (asset == null)
+                yield break;
+            foreach (var cloud in Resources.FindObjectsOfTypeAll<PointCloud>())
+                if (cloud.Cloud == asset)
+                    yield return cloud;
+        }
+    }
+}

@@ -1,0 +1,148 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Reflection;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Entities;
+using FastPoints.Nodes;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>A project's settings for imports: in <c>ProjectSettings/FastPoints.asset</c>, for version control.</summary>
+    [FilePath(FileName, FilePathAttribute.Location.ProjectFolder)]
+    internal sealed class FastPointsSettings : ScriptableSingleton<FastPointsSettings>
+    {
+        const string FileName = "ProjectSettings/FastPoints.asset";
+
+        public Sampler Sampler = Sampler.Random;
+
+        /// <summary>Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there
+        /// and are found where their handles say.</summary>
+        public string Place = ProjectPaths.DefaultClouds;
+
+        /// <summary>Whether Git is told to leave out that folder when it is made.</summary>
+        public bool GitIgnore = true;
+
+        /// <summary>Limit for everything in a conversion that grows with the number of points; the rest goes to files.</summary>
+        public int MemoryMiB = 1024;
+
+        /// <summary>The most workers of the job system that a conversion keeps busy; 0 for all.</summary>
+        public int Workers;
+
+        /// <summary>What conversions do in play mode.</summary>
+        public InPlayMode InPlayMode;
+
+        /// <summary>Main-thread time that a conversion gets in each update of the editor.</summary>
+        public int UpdateMs = 4;
+
+        /// <summary>Graphics memory for points in the editor if a scene has no <see cref="PointCloudSettings"/>; new ones begin
+        /// with it.</summary>
+        public int GpuMiB = 512;
+
+        /// <summary>Larger files are not copied into the project when dropped: they get a handle.</summary>
+        public int CopiedMiB = 64;
+
+        /// <summary>What becomes of point cloud files in <c>Assets</c> that no other package imports.</summary>
+        public PointFiles PointFiles;
+
+        /// <summary>What becomes of several files that are dropped together.</summary>
+        public SeveralFiles SeveralFiles;
+
+        /// <summary>Whether imported files are converted at once, or only on request.</summary>
+        public bool ConvertAtOnce = true;
+
+        /// <summary>Whether that includes COPC, Potree and EPT, which can be streamed directly.</summary>
+        public bool ConvertOctrees;
+
+        /// <summary>From this size on, the clouds of a player are warned of when it is built; 0 for never.</summary>
+        public int PlayerMiB = 2048;
+
+        /// <summary>Clouds that go into every player, because only code names them.</summary>
+        public PointCloudAsset[] AlwaysInPlayers = new PointCloudAsset[0];
+
+        /// <summary>What the file says of <see cref="Place"/>, for who may not ask for the settings.</summary>
+        /// <param name="project">The project's folder.</param>
+        public static ProjectPaths ReadPaths(string project)
+        {
+            string file = Path.Combine(project, FileName), key = nameof(Place) + ":";
+            string line = File.Exists(file) ? Array.Find(File.ReadAllLines(file), l => l.TrimStart().StartsWith(key,
+                StringComparison.Ordinal)) : null;
+            string place = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
+            return string.IsNullOrEmpty(place) ? new ProjectPaths(project) : new ProjectPaths(project, place);
+        }
+
+        /// <summary>What the file says; kept when scripts are loaded anew, as Unity keeps private fields.</summary>
+        string m_saved;
+
+        /// <summary>What could not be saved, and was said.</summary>
+        string m_refused;
+
+        void OnEnable()
+        {
+            if (string.IsNullOrEmpty(m_saved))
+                m_saved = Text();
+        }
+
+        /// <summary>All that is kept, to compare within a session.</summary>
+        string Text() => string.Join("\n", Array.ConvertAll(GetType().GetFields(BindingFlags.Instance | BindingFlags.Public), f =>
+            f.GetValue(this) is PointCloudAsset[] clouds
+                ? string.Join(",", Array.ConvertAll(clouds, c => c == null ? 0 : c.GetHashCode()))
+                : System.Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
+
+        /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built
+        /// anew.</summary>
+        public void Save()
+        {
+            Apply();
+            string now = Text();
+            if (now == m_saved && File.Exists(FileName))
+                return;
+            // Each Undo and each step of a slider would ask version control again, and say so again.
+            if (now == m_refused && File.Exists(FileName) && (File.GetAttributes(FileName) & FileAttributes.ReadOnly) != 0)
+                return;
+            try
+            {
+                LockedFile.Open(FileName);
+                Save(true);
+                (m_saved, m_refused) = (now, null);
+            }
+            catch (PointCloudException e)
+            {
+                m_refused = now;
+                Debug.LogError("FastPoints: the settings hold until the editor is closed, and are saved with the next change. " +
+                    e.Message);
+            }
+        }
+
+        /// <summary>Applies the project's settings to scenes.</summary>
+        public void Apply()
+        {
+            PointCloudPaths.Place = Place;
+            PointCloudPaths.SourceRoot = FastPointsUserSettings.Root;
+            PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
+            EditorApplication.QueuePlayerLoopUpdate();
+        }
+
+        public ConvertSettings ForConversion(ImportRequest request) => new ConvertSettings
+        {
+            Sampler = request.Sampler,
+            MemoryBytes = (long)MemoryMiB << 20,
+            Workers = Workers,
+            // What is shorter is not worth the files: a reload loses about as much again while nodes are made.
+            SecondsInMemory = 15,
+        };
+    }
+
+    /// <summary>What conversions do in play mode.</summary>
+    internal enum InPlayMode
+    {
+        /// <summary>They leave the other workers to the game.</summary>
+        OneWorker,
+        /// <summary>They go on when play mode ends.</summary>
+        Pause,
+        AsInEditMode,
+    }
+}

@@ -1,0 +1,118 @@
+using System.Collections.Generic;
+using FastPoints.Entities;
+using FastPoints.Nodes;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The page <em>Project Settings > FastPoints</em>.</summary>
+    static class FastPointsSettingsPage
+    {
+        static string s_problem;
+
+        [SettingsProvider]
+        static SettingsProvider Create() => new SettingsProvider("Project/FastPoints", SettingsScope.Project,
+            new[] { "point cloud", "lidar", "las", "laz", "octree", "sampler", "memory", "threads", "vram" })
+        {
+            guiHandler = _ => Draw(FastPointsSettings.instance),
+        };
+
+        /// <summary>Undo brings back what was set, but not what follows from it.</summary>
+        static void SaveUndone()
+        {
+            if (PointCloudImports.Paths.Clouds != PointCloudImports.Current.Paths.Clouds)
+                PointCloudImports.Move(FastPointsSettings.instance.Place);
+            FastPointsSettings.instance.Save();
+        }
+
+        static void DrawImports(FastPointsSettings settings)
+        {
+            settings.PointFiles = (PointFiles)EditorGUILayout.EnumPopup(new GUIContent("LAS, LAZ and PLY files in Assets",
+                "Import: those without faces that no other package imports. Ask: the answer is kept here."), settings.PointFiles);
+            settings.SeveralFiles = (SeveralFiles)EditorGUILayout.EnumPopup(new GUIContent("Several files dropped together",
+                "One cloud, or a cloud each, on a shared origin. Ask: the answer is kept here."), settings.SeveralFiles);
+            settings.ConvertAtOnce = EditorGUILayout.Toggle(new GUIContent("Convert what is imported",
+                "Otherwise scenes show previews until Convert is pressed in an asset's inspector."), settings.ConvertAtOnce);
+            if (settings.ConvertAtOnce)
+                settings.ConvertOctrees = EditorGUILayout.Toggle(new GUIContent("COPC, Potree and EPT, too",
+                    "Otherwise they are streamed as they are."), settings.ConvertOctrees);
+            settings.Sampler = (Sampler)EditorGUILayout.EnumPopup(new GUIContent("Sampler",
+                "Which points stand for the others where a cloud is seen from afar."), settings.Sampler);
+        }
+
+        static void DrawLimits(FastPointsSettings settings)
+        {
+            settings.MemoryMiB = EditorGUILayout.IntSlider(new GUIContent("Memory of a conversion (MiB)",
+                "What does not fit goes to temporary files."), settings.MemoryMiB, 64, 65536);
+            settings.Workers = EditorGUILayout.IntSlider(new GUIContent("Worker threads of a conversion (0: all)",
+                "Fewer leave workers to other jobs."), settings.Workers, 0, 64);
+            settings.InPlayMode = (InPlayMode)EditorGUILayout.EnumPopup(new GUIContent("Conversions in play mode",
+                "One worker leaves the others to the game."), settings.InPlayMode);
+            settings.UpdateMs = EditorGUILayout.IntSlider(new GUIContent("Main thread of an update (ms)",
+                "What a conversion gets of each of the editor's updates; more where they are rare."), settings.UpdateMs, 1, 30);
+            settings.GpuMiB = EditorGUILayout.IntSlider(new GUIContent("Graphics memory of points (MiB)",
+                "In the editor, in scenes without Point Cloud Settings, which begin with it when added. In players that " +
+                "component decides, or 512 MiB."), settings.GpuMiB, 64, 16384);
+            settings.CopiedMiB = EditorGUILayout.IntSlider(new GUIContent("Copied into Assets up to (MiB)",
+                "What is dropped together and larger stays where it is, and gets handles."), settings.CopiedMiB, 0, 2048);
+            settings.PlayerMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
+                "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerMiB, 0, 65536);
+            settings.AlwaysInPlayers = CloudFields(new GUIContent("Always in players",
+                "Clouds that only code names. An empty field takes one more."), settings.AlwaysInPlayers);
+        }
+
+        static PointCloudAsset[] CloudFields(GUIContent label, PointCloudAsset[] clouds)
+        {
+            var chosen = new List<PointCloudAsset>();
+            for (int i = 0; i <= clouds.Length; i++)
+            {
+                var cloud = (PointCloudAsset)EditorGUILayout.ObjectField(i == 0 ? label : new GUIContent(" ", ""),
+                    i < clouds.Length ? clouds[i] : null, typeof(PointCloudAsset), false);
+                if (cloud != null && !chosen.Contains(cloud))
+                    chosen.Add(cloud);
+            }
+            return chosen.ToArray();
+        }
+
+        static void Draw(FastPointsSettings settings)
+        {
+            float width = EditorGUIUtility.labelWidth;
+            EditorGUIUtility.labelWidth = 270;
+            if (s_problem != null)
+                EditorGUILayout.HelpBox(s_problem, MessageType.Error);
+            // Unity compares when the event has been handled: without a change nothing is recorded.
+            Undo.RecordObject(settings, "Change FastPoints settings");
+            EditorGUI.BeginChangeCheck();
+            DrawImports(settings);
+            DrawLimits(settings);
+            settings.GitIgnore = EditorGUILayout.Toggle(new GUIContent("Keep them out of Git",
+                "Writes a .gitignore when the folder is made. Clouds can be converted again."), settings.GitIgnore);
+            string place = EditorGUILayout.DelayedTextField(new GUIContent("Converted clouds in",
+                "A folder beside Assets, or anywhere else. Clouds converted earlier stay where they are."), settings.Place);
+            bool browses = GUILayout.Button("Browse...");
+            string root = EditorGUILayout.DelayedTextField(new GUIContent("Root of sources (yours alone)", "Files below it are " +
+                "stored relative to it, so that a team shares assets. The variable FASTPOINTS_SOURCES counts for more."),
+                FastPointsUserSettings.instance.SourceRoot);
+            EditorGUIUtility.labelWidth = width;
+            if (root != FastPointsUserSettings.instance.SourceRoot)
+                PointCloudImports.MoveRoot(root);
+            bool isChanged = EditorGUI.EndChangeCheck();
+            if (browses && EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
+                place = PointCloudImports.Paths.StoredPlace(chosen);
+            if (isChanged || place != settings.Place)
+                Keep(settings, place);
+            // Other windows were drawn while the panel was open: what this one has laid out is gone.
+            if (browses)
+                GUIUtility.ExitGUI();
+        }
+
+        static void Keep(FastPointsSettings settings, string place)
+        {
+            s_problem = place == settings.Place ? null : PointCloudImports.Move(place);
+            settings.Save();
+            Undo.undoRedoPerformed -= SaveUndone;
+            Undo.undoRedoPerformed += SaveUndone;
+        }
+    }
+}

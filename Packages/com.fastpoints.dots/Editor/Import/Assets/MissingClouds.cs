@@ -1,0 +1,125 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using FastPoints.Core;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Clouds whose sources are here and whose data are not, or are older, as after a clone or a pull, since converted
+    /// data are not for version control. The user is asked once for all whether they are to be converted, and not again about
+    /// those that are declined.</summary>
+    internal sealed class MissingClouds : IDisposable
+    {
+        const string Looked = "FastPoints.MissingClouds";
+
+        /// <summary>More names would hide the rest of the Console.</summary>
+        const int MostNamed = 10;
+
+        readonly EditorImports m_imports;
+        PoolWork<CloudList> m_looking;
+        CancellationTokenSource m_cancel;
+        bool m_hasWarned;
+
+        public MissingClouds(EditorImports imports) => m_imports = imports;
+
+        /// <summary>Whether it may still ask.</summary>
+        internal bool IsLooking => m_looking != null || SessionState.GetString(Looked, "") == "";
+
+        /// <summary>Assets were imported: perhaps by a pull.</summary>
+        public void Take(string[] imported)
+        {
+            if (Array.Exists(imported, asset => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase) &&
+                m_imports.Assets.All.ContainsKey(asset) && HasOtherData(asset)))
+                SessionState.EraseString(Looked);
+        }
+
+        /// <summary>Whether the data that a handle says are not in their place, as far as is known.</summary>
+        bool HasOtherData(string asset)
+        {
+            try
+            {
+                return m_imports.Catalog.Find(m_imports.HandleOf(asset), out _) is CatalogMatch.None or CatalogMatch.Another;
+            }
+            catch (PointCloudException)
+            {
+                // Its importer has said so.
+                return false;
+            }
+        }
+
+        /// <summary>Called once an update of the editor. Looks at all assets once a session, and when some came without
+        /// data.</summary>
+        public void Update()
+        {
+            // A question would be in the way of who plays.
+            if (EditorApplication.isPlayingOrWillChangePlaymode)
+                return;
+            if (m_looking == null)
+            {
+                if (!IsLooking || m_imports.IsTaking || Application.isBatchMode)
+                    return;
+                SessionState.SetString(Looked, "yes");
+                m_cancel = new CancellationTokenSource();
+                m_looking = CloudList.Begin(m_imports, false, m_cancel.Token);
+            }
+            else if (m_looking.IsDone)
+            {
+                var looked = m_looking;
+                m_looking = null;
+                try
+                {
+                    Ask(looked.Take());
+                }
+                catch (PointCloudException e)
+                {
+                    Debug.LogError("FastPoints: " + e.Message);
+                }
+            }
+        }
+
+        /// <summary>Scripts are reloaded: it looks again afterwards, and waits for nothing.</summary>
+        public void Dispose()
+        {
+            if (m_looking == null)
+                return;
+            m_cancel.Cancel();
+            m_looking = null;
+            SessionState.EraseString(Looked);
+        }
+
+        void Ask(CloudList list)
+        {
+            // Who has the user decide on each conversion does not ask either.
+            if (!FastPointsSettings.instance.ConvertAtOnce)
+                return;
+            var wanted = list.Wanted.FindAll(r => !m_imports.IsDeclined(r.Cloud));
+            if (wanted.Count == 0)
+            {
+                Warn(list.Lost);
+                return;
+            }
+            string others = list.Lost.Count == 0 ? "" : "\n\nThe sources of " + list.Lost.Count + " other point clouds are not " +
+                "here: FastPoints > Clouds names and locates them.";
+            if (EditorUtility.DisplayDialog("Point clouds without data", wanted.Count + " point clouds have their sources " +
+                "here, but no converted data or older ones, as after a pull. Convert them now? FastPoints > Clouds does it " +
+                "later." + others,
+                "Convert", "Not now"))
+                m_imports.Convert(wanted.ConvertAll(r => r.Asset));
+            else
+                foreach (var row in wanted)
+                    m_imports.Decline(row.Cloud);
+        }
+
+        void Warn(List<CloudList.Row> lost)
+        {
+            if (lost.Count == 0 || m_hasWarned)
+                return;
+            m_hasWarned = true;
+            var named = lost.GetRange(0, Math.Min(lost.Count, MostNamed)).ConvertAll(r => "\n" + r.Asset + ": " + r.Missing);
+            Debug.LogWarning("FastPoints: " + lost.Count + " point clouds have neither converted data nor their sources here. " +
+                "FastPoints > Clouds locates sources." + string.Concat(named) + (lost.Count > MostNamed ? "\n..." : ""));
+        }
+    }
+}

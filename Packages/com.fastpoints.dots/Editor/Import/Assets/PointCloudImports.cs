@@ -1,0 +1,88 @@
+using System;
+using System.IO;
+using FastPoints.Entities;
+using FastPoints.Import;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The project's imports, which live as long as its scripts are loaded.</summary>
+    [InitializeOnLoad]
+    public static class PointCloudImports
+    {
+        static EditorImports s_current;
+
+        /// <summary>Of the editor's command line; a test says others.</summary>
+        internal static string[] s_arguments = Environment.GetCommandLineArgs();
+
+        static PointCloudImports()
+        {
+            // Import workers load scripts as well, but the only queue is the editor's.
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                return;
+            PointCloudPaths.PathOfAsset = AssetDatabase.GUIDToAssetPath;
+            FastPointsSettings.instance.Apply();
+            PointFileReaders.Register();
+            EditorApplication.quitting += Suspend;
+            AssemblyReloadEvents.beforeAssemblyReload += Suspend;
+            Listen();
+        }
+
+        /// <summary>Whether this editor is the project's own, which alone imports, asks and writes: no import worker, and no
+        /// clone of Multiplayer Play Mode, which has its Assets and can only read.</summary>
+        internal static bool IsMainEditor => !AssetDatabase.IsAssetImportWorkerProcess() &&
+            Array.IndexOf(s_arguments, "--virtual-project-clone") < 0;
+
+        internal static void Listen()
+        {
+            // Who waits for a batch does not wait for conversions: BatchConvert does.
+            if (!Application.isBatchMode && IsMainEditor)
+                EditorApplication.update += Update;
+        }
+
+        public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
+
+        /// <summary>The paths that the settings give.</summary>
+        internal static ProjectPaths Paths =>
+            new ProjectPaths(Project, FastPointsSettings.instance.Place, FastPointsUserSettings.Root);
+
+        static string Project => Path.GetDirectoryName(Application.dataPath);
+
+        /// <summary>Changes the place into which clouds are converted from now on. A running conversion is suspended, and
+        /// continues when the place is changed back.</summary>
+        /// <returns>Why this is not possible, in one line; null if it is done.</returns>
+        public static string Move(string place)
+        {
+            string problem = ProjectPaths.FindProblem(Project, place);
+            if (problem != null)
+                return problem;
+            Begin(() => FastPointsSettings.instance.Place = place);
+            return null;
+        }
+
+        /// <summary>Begins again by other settings. Requests that no file has yet come along.</summary>
+        static void Begin(Action set)
+        {
+            var unsaved = s_current?.Queue.Unsaved;
+            s_current?.Suspend();
+            s_current = null;
+            set();
+            FastPointsSettings.instance.Apply();
+            if (unsaved != null)
+                Current.Queue.Add(unsaved);
+        }
+
+        /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
+        internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.Keep(root));
+
+        static void Update() => Current.Update(DateTime.UtcNow);
+
+        static void Suspend()
+        {
+            EditorApplication.update -= Update;
+            s_current?.Suspend();
+            s_current = null;
+        }
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Core;
+using FastPoints.Reading;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Has point cloud files in <c>Assets</c> imported by <see cref="PointFileImporter"/> if the project wants that,
+    /// which the user is asked once: whether they came before the package or after it.</summary>
+    internal sealed class PointFileClaims
+    {
+        const string Looked = "FastPoints.PointFileClaims";
+        const int MostHeaderBytes = 64 << 10;
+
+        readonly FastPointsSettings m_settings;
+        readonly List<string> m_offered = new List<string>();
+        PointFiles m_before;
+
+        public PointFileClaims(FastPointsSettings settings) => (m_settings, m_before) = (settings, settings.PointFiles);
+
+        /// <summary>Assets that were imported by another importer than ours.</summary>
+        public void Offer(List<string> assets)
+        {
+            if (m_settings.PointFiles == PointFiles.Leave)
+                return;
+            m_offered.AddRange(assets.FindAll(IsUnclaimed));
+            if (m_settings.PointFiles == PointFiles.Import)
+                Claim();
+        }
+
+        /// <summary>Called once an update of the editor. Looks at all assets once a session, and when the setting
+        /// changes.</summary>
+        public void Update()
+        {
+            if (m_before != m_settings.PointFiles || SessionState.GetString(Looked, "") == "")
+            {
+                SessionState.SetString(Looked, "yes");
+                m_before = m_settings.PointFiles;
+                Look();
+            }
+            if (m_offered.Count == 0 || m_settings.PointFiles != PointFiles.Ask || Application.isBatchMode)
+                return;
+            m_settings.PointFiles = EditorUtility.DisplayDialog("Point clouds in Assets", "Shall FastPoints import the LAS, " +
+                "LAZ and PLY files in Assets, " + m_offered.Count + " now, that no other package imports? The answer is kept: " +
+                "Project Settings > FastPoints changes it.", "Import", "Leave") ? PointFiles.Import : PointFiles.Leave;
+            m_before = m_settings.PointFiles;
+            m_settings.Save();
+            if (m_settings.PointFiles == PointFiles.Import)
+                Claim();
+            m_offered.Clear();
+        }
+
+        /// <summary>Offers the files that were there before.</summary>
+        public void Look() => Offer(new List<string>(AssetDatabase.GetAllAssetPaths()));
+
+        public static bool IsPointFile(string path) =>
+            path.StartsWith("Assets/", StringComparison.Ordinal) && CloudSources.HasImportedExtension(path);
+
+        /// <summary>A file that only players read, or a mesh, is no point cloud of the project.</summary>
+        static bool IsUnclaimed(string path) => IsPointFile(path) &&
+            !path.StartsWith("Assets/StreamingAssets/", StringComparison.OrdinalIgnoreCase) &&
+            !path.StartsWith("Assets/Editor Default Resources/", StringComparison.OrdinalIgnoreCase) &&
+            AssetDatabase.GetImporterOverride(path) == null && !IsOthers(path, PointCloudImports.Paths.Absolute(path));
+
+        /// <summary>Whether another package's importer is responsible for a file, or it is a mesh.</summary>
+        /// <param name="asset">Its path in the project, or what that would be.</param>
+        public static bool IsOthers(string asset, string file) =>
+            typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(asset)) || HasFaces(file);
+
+        /// <summary>Whether a PLY file is a mesh, by its header.</summary>
+        static bool HasFaces(string file)
+        {
+            if (!file.EndsWith(".ply", StringComparison.OrdinalIgnoreCase))
+                return false;
+            try
+            {
+                using var source = FileSource.Open(file);
+                // A file without a line end is not read to its own.
+                foreach (string line in Encoding.ASCII.GetString(source.ReadAtMost(0, MostHeaderBytes).Bytes).Split('\n', '\r'))
+                {
+                    if (line == "end_header")
+                        return false;
+                    var words = line.Split(' ');
+                    if (words.Length > 2 && words[0] == "element" && (words[1] == "face" || words[1] == "tristrips") &&
+                        words[2] != "0")
+                        return true;
+                }
+                return false;
+            }
+            catch (PointCloudException)
+            {
+                return true;
+            }
+        }
+
+        void Claim()
+        {
+            var paths = m_offered.ToArray();
+            m_offered.Clear();
+            if (paths.Length == 0)
+                return;
+            PointCloudException refused = null;
+            AssetDatabase.StartAssetEditing();
+            try
+            {
+                foreach (string path in paths)
+                    refused = TryClaim(path) ?? refused;
+            }
+            finally
+            {
+                AssetDatabase.StopAssetEditing();
+            }
+            if (refused != null)
+                Debug.LogWarning("FastPoints: not all point cloud files are imported: " + refused.Message);
+        }
+
+        /// <returns>Why not; null if all went well.</returns>
+        static PointCloudException TryClaim(string path)
+        {
+            try
+            {
+                // Their .meta files say by what they are imported.
+                LockedFile.Open(PointCloudImports.Paths.Absolute(path + ".meta"));
+                AssetDatabase.SetImporterOverride<PointFileImporter>(path);
+                return null;
+            }
+            catch (PointCloudException e)
+            {
+                return e;
+            }
+        }
+    }
+
+    /// <summary>What becomes of point cloud files in <c>Assets</c>.</summary>
+    internal enum PointFiles
+    {
+        /// <summary>The user is asked once.</summary>
+        Ask,
+        Import,
+        Leave,
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Import;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Imports LAS, LAZ and PLY files in <c>Assets</c> by their headers. Unity never chooses it: two importers that
+    /// claim one extension lock each other out, and others claim these. <see cref="PointFilePostprocessor"/> chooses it
+    /// instead.</summary>
+    [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" }, AllowCaching = true)]
+    internal sealed class PointFileImporter : CloudImporter
+    {
+        protected override CloudHandle Describe(AssetImportContext context, string guid)
+        {
+            using var reader = PointReaders.Open(context.assetPath);
+            var handle = new CloudHandle { CloudPath = ProjectPaths.OfAsset(guid) };
+            handle.Sources.Add(context.assetPath);
+            handle.IsOctree = reader.Tree != null;
+            handle.Describe(reader.Info);
+            foreach (var warning in reader.Info.Warnings)
+                context.LogImportWarning(warning.ToString());
+            return handle;
+        }
+    }
+
+    /// <summary>Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer handles, and
+    /// requests their conversion.</summary>
+    internal sealed class PointFilePostprocessor : AssetPostprocessor
+    {
+        static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,
+            string[] movedFromAssetPaths)
+        {
+            if (!PointCloudImports.IsMainEditor)
+                return;
+            PointCloudImports.Current.Leftovers.Take(deletedAssets);
+            PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
+            PointCloudImports.Current.Missing.Take(importedAssets);
+            var ours = new List<string>();
+            var unclaimed = new List<string>();
+            foreach (string path in importedAssets)
+                if (PointFileClaims.IsPointFile(path) && AssetDatabase.GetImporterType(path) == typeof(PointFileImporter))
+                    ours.Add(path);
+                else
+                    unclaimed.Add(path);
+            PointCloudImports.Current.TakePointFiles(ours);
+            PointCloudImports.Current.Claims.Offer(unclaimed);
+        }
+    }
+}

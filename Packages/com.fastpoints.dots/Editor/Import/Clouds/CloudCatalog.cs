@@ -1,0 +1,167 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id
+    /// that follows from their content.</summary>
+    internal sealed class CloudCatalog
+    {
+        struct Seen
+        {
+            public long WrittenTicks;
+            public CatalogCloud Cloud;
+        }
+
+        readonly ProjectPaths m_paths;
+        readonly List<CatalogCloud> m_clouds = new List<CatalogCloud>();
+        Dictionary<string, Seen> m_seen = new Dictionary<string, Seen>();
+
+        public CloudCatalog(ProjectPaths paths) => m_paths = paths;
+
+        /// <summary>The clouds found by the last <see cref="Refresh"/>, by name.</summary>
+        public IReadOnlyList<CatalogCloud> Clouds => m_clouds;
+
+        /// <summary>Scans the folder; a manifest is read again only if it was written since.</summary>
+        public void Refresh()
+        {
+            m_clouds.Clear();
+            var seen = new Dictionary<string, Seen>();
+            foreach (string folder in FolderNames(m_paths.Clouds))
+            {
+                bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+                string path = StoreFormat.FinishedPath(folder);
+                // While a cloud is rebuilt, the old one still exists.
+                if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
+                    !(isPart && Directory.Exists(path)))
+                    m_clouds.Add(Look(path, folder, seen));
+            }
+            m_seen = seen;
+            m_clouds.Sort((a, b) => string.CompareOrdinal(a.Path, b.Path));
+        }
+
+        /// <summary>Finds the cloud of a handle: where the handle says, or else by id among those that <see cref="Refresh"/>
+        /// found.</summary>
+        public CatalogMatch Find(CloudHandle handle, out CatalogCloud cloud)
+        {
+            string path = m_paths.Absolute(handle.CloudPath);
+            cloud = m_clouds.Find(c => string.Equals(c.Path, path, StringComparison.OrdinalIgnoreCase));
+            if (cloud == null && CloudFolder.IsCloud(path))
+                cloud = Look(path, CloudFolder.Find(path), new Dictionary<string, Seen>());
+            if (cloud != null && cloud.IsBuilding)
+                return CatalogMatch.Building;
+            if (cloud?.Manifest != null && (handle.CloudId == 0 || cloud.Manifest.CloudId == handle.CloudId))
+                return CatalogMatch.InPlace;
+            var inPlace = cloud;
+            if (handle.CloudId != 0)
+                cloud = m_clouds.Find(c => !c.IsBuilding && c.Manifest != null && c.Manifest.CloudId == handle.CloudId);
+            if (handle.CloudId != 0 && cloud != null)
+                return CatalogMatch.Moved;
+            cloud = inPlace;
+            return inPlace == null ? CatalogMatch.None : CatalogMatch.Another;
+        }
+
+        /// <summary>Names for new clouds: none that a cloud or a build has already.</summary>
+        /// <param name="promised">Folders that belong to other clouds, even if they do not exist yet.</param>
+        public FreeNames NewTargets(IEnumerable<string> promised)
+        {
+            var taken = new List<string>(promised);
+            foreach (string folder in FolderNames(m_paths.Clouds))
+                taken.Add(StoreFormat.FinishedPath(folder));
+            return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
+        }
+
+        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one. It may
+        /// keep that while somebody has its files open; the rest is done on a thread of the pool.</summary>
+        public static void Delete(string path)
+        {
+            CloudFolderWriter.DeleteUnfinished(path);
+            if (!Directory.Exists(path))
+                return;
+            StreamFiles.Leave(path);
+            FileChanges.BeginDelete(path, failure =>
+            {
+                StreamFiles.Return(path);
+                if (failure != null)
+                    Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
+            });
+            FileChanges.DeleteRemains(StampFile.PathOf(path), () => false);
+            FileChanges.DeleteRemains(CloudThumbnails.PathOf(path), () => false);
+        }
+
+        CatalogCloud Look(string path, string folder, Dictionary<string, Seen> seen)
+        {
+            string manifest = Path.Combine(folder, StoreFormat.ManifestName);
+            long written = File.GetLastWriteTimeUtc(manifest).Ticks;
+            if (m_seen.TryGetValue(folder, out var before) && before.WrittenTicks == written)
+            {
+                seen[folder] = before;
+                return before.Cloud;
+            }
+            bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+            var cloud = new CatalogCloud { Path = path, IsBuilding = isPart };
+            try
+            {
+                cloud.Manifest = CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest);
+            }
+            catch (PointCloudException e)
+            {
+                cloud.Problem = e.Message;
+            }
+            seen[folder] = new Seen { WrittenTicks = written, Cloud = cloud };
+            return cloud;
+        }
+
+        static string[] FolderNames(string folder)
+        {
+            try
+            {
+                return Directory.Exists(folder) ? Directory.GetDirectories(folder) : Array.Empty<string>();
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(folder, e);
+            }
+        }
+    }
+
+    /// <summary>A converted cloud of the project.</summary>
+    internal sealed class CatalogCloud
+    {
+        /// <summary>Its folder: an absolute path under its final name.</summary>
+        public string Path;
+
+        /// <summary>Null if <see cref="Problem"/> says why.</summary>
+        public CloudManifest Manifest;
+
+        /// <summary>Why it cannot be used, in one line; null if it can.</summary>
+        public string Problem;
+
+        /// <summary>Whether it is unfinished: a build is running, or was broken off.</summary>
+        public bool IsBuilding;
+
+        public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);
+    }
+
+    /// <summary>How a handle's cloud was found.</summary>
+    internal enum CatalogMatch
+    {
+        /// <summary>It was not found.</summary>
+        None,
+        /// <summary>It is where the handle says.</summary>
+        InPlace,
+        /// <summary>It is in another folder of the project's clouds, found by its id.</summary>
+        Moved,
+        /// <summary>Another cloud is where the handle says, and its own was not found.</summary>
+        Another,
+        /// <summary>It is being made where the handle says.</summary>
+        Building,
+    }
+}

@@ -1,0 +1,175 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The content of a <c>.pointcloud</c> file, a small asset that stands for a cloud of any size: where the converted
+    /// cloud and its source are, and what is known of them without opening either. It converts from and to text, without
+    /// I/O.</summary>
+    internal sealed class CloudHandle
+    {
+        public const string Extension = ".pointcloud";
+        const int Version = 1;
+        public const int MostWarnings = 20;
+        const string FormatName = "fastpoints-handle";
+
+        /// <summary>The converted cloud's own id, which follows from its content; 0 until there is one.</summary>
+        public ulong CloudId;
+
+        /// <summary>The converted folder, as <see cref="ProjectPaths.Stored"/> writes it. It may not exist yet.</summary>
+        public string CloudPath;
+
+        /// <summary>Files and folders that the cloud is made of, written alike; empty for a cloud that was imported in converted
+        /// form.</summary>
+        public List<string> Sources = new List<string>();
+
+        /// <summary>Whether the source is a folder: one that is not there cannot be asked.</summary>
+        public bool IsFolder;
+
+        /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>
+        public bool IsOctree;
+
+        /// <summary>The place that transforms move, georeferenced: where the cloud was first shown. Null until then.</summary>
+        public double3? Origin;
+
+        /// <summary>The axis whose floor <see cref="Origin"/> lies on.</summary>
+        public UpAxis OriginUp = UpAxis.Z;
+
+        /// <summary>Stamp of the sources when they were taken; null without any.</summary>
+        public SourceStamp Stamp;
+
+        /// <summary>What was wrong with the sources when they were converted, one line each; at most
+        /// <see cref="MostWarnings"/>.</summary>
+        public List<string> Warnings = new List<string>();
+
+        /// <summary>The name of the format: "LAS", "PLY", ...</summary>
+        public string Format;
+
+        /// <summary>What the header claims, until the cloud is converted; -1 if unknown.</summary>
+        public long Points = -1;
+
+        /// <summary>What the header claims, as with <see cref="Points"/>; may be empty.</summary>
+        public BoundsGeo BoundsGeo = BoundsGeo.Empty;
+
+        /// <summary>One line, or null.</summary>
+        public string Crs;
+
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
+        public double MetresPerUnit;
+
+        /// <summary>Takes over the claims of a source's header.</summary>
+        public void Describe(SourceInfo info)
+        {
+            // These are the same at each import, whatever a conversion finds.
+            if (info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty)
+                Origin = UnitySpace.Of(info.BoundsClaimed, info.Crs.MetresPerUnit).OriginGeo;
+            Format = info.Format;
+            Points = info.PointsReadable >= 0 ? info.PointsReadable
+                : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
+            BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite ? info.BoundsClaimed : BoundsGeo.Empty;
+            Crs = info.Crs.Summary;
+            MetresPerUnit = info.Crs.MetresPerUnit;
+        }
+
+        /// <summary>Takes over what reading the sources has shown.</summary>
+        public void Describe(string format, IReadOnlyList<CloudWarning> warnings)
+        {
+            Format = format;
+            Warnings.Clear();
+            for (int i = 0; i < warnings.Count && i < MostWarnings; i++)
+                // Leaves out the folder, which differs on the next machine.
+                Warnings.Add(i == MostWarnings - 1 && warnings.Count > MostWarnings ? warnings.Count - i + " more"
+                    : new CloudWarning(Path.GetFileName(warnings[i].Path), warnings[i].ByteOffset, warnings[i].Text).ToString());
+        }
+
+        /// <summary>Takes over what conversion has shown.</summary>
+        public void Describe(CloudManifest manifest)
+        {
+            CloudId = manifest.CloudId;
+            Points = manifest.Points;
+            BoundsGeo = manifest.BoundsGeo;
+            Crs = manifest.CrsName;
+            MetresPerUnit = manifest.MetresPerUnit;
+        }
+
+        public string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("format", FormatName).Add("version", Version).AddHex("cloudId", CloudId)
+                .Add("cloud", CloudPath).BeginArray("sources");
+            foreach (string source in Sources)
+                json.Add(null, source);
+            json.EndArray();
+            if (IsFolder)
+                json.Add("folder", true);
+            if (IsOctree)
+                json.Add("octree", true);
+            if (Origin is double3 origin)
+                json.Add("origin", origin.x, origin.y, origin.z);
+            if (OriginUp != UpAxis.Z)
+                json.Add("originUp", OriginUp.ToString());
+            Stamp?.Write(json, "stamp");
+            if (Warnings.Count > 0)
+            {
+                json.BeginArray("warnings");
+                foreach (string warning in Warnings)
+                    json.Add(null, warning);
+                json.EndArray();
+            }
+            json.Add("sourceFormat", Format).Add("points", Points);
+            if (!BoundsGeo.IsEmpty)
+            {
+                json.BeginObject("bounds").Add("min", BoundsGeo.Min.x, BoundsGeo.Min.y, BoundsGeo.Min.z)
+                    .Add("max", BoundsGeo.Max.x, BoundsGeo.Max.y, BoundsGeo.Max.z).EndObject();
+            }
+            return json.Add("crs", Crs).Add("metresPerUnit", MetresPerUnit).EndObject().ToString();
+        }
+
+        /// <param name="path">For messages.</param>
+        /// <exception cref="PointCloudException">The text is not a handle, has another version, or a member is missing or
+        /// invalid.</exception>
+        public static CloudHandle FromJson(string text, string path)
+        {
+            var json = JsonMembers.Parse(text, path);
+            if (json.Text("format") != FormatName)
+                throw json.Wrong("format", "wanted \"" + FormatName + "\", got \"" + json.Text("format") + "\"");
+            json.NeedVersion(Version);
+            var bounds = json.ObjectOrNull("bounds");
+            var stamp = json.ObjectOrNull("stamp");
+            var handle = new CloudHandle
+            {
+                CloudId = json.Hex("cloudId"),
+                CloudPath = json.Text("cloud"),
+                Sources = json.Texts("sources"),
+                IsFolder = json.Flag("folder"),
+                IsOctree = json.Flag("octree"),
+                Origin = json.Has("origin") ? json.Vector("origin") : (double3?)null,
+                OriginUp = AxisOf(json, "originUp"),
+                Stamp = stamp == null ? null : SourceStamp.Read(stamp),
+                Warnings = json.Has("warnings") ? json.Texts("warnings") : new List<string>(),
+                Format = json.TextOrNull("sourceFormat"),
+                Points = json.Long("points"),
+                BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(bounds.Vector("min"), bounds.Vector("max")),
+                Crs = json.TextOrNull("crs"),
+                MetresPerUnit = json.Double("metresPerUnit"),
+            };
+            if (handle.CloudPath.Length == 0)
+                throw json.Wrong("cloud", "wanted a folder, got nothing");
+            return handle;
+        }
+
+        static UpAxis AxisOf(JsonMembers json, string name)
+        {
+            string text = json.TextOrNull(name);
+            if (text == null)
+                return UpAxis.Z;
+            return Enum.TryParse(text, out UpAxis axis) && Enum.IsDefined(typeof(UpAxis), axis) ? axis
+                : throw json.Wrong(name, "wanted X, Y, Z or one of these behind Negative, got \"" + text + "\"");
+        }
+    }
+}

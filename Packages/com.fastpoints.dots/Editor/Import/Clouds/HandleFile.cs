@@ -1,0 +1,113 @@
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Reading;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Reads, writes, makes and updates handles on disk.</summary>
+    internal static class HandleFile
+    {
+        /// <exception cref="PointCloudException">It cannot be read, or is not a handle.</exception>
+        public static CloudHandle Read(string path) => CloudHandle.FromJson(StoreFile.ReadText(path), path);
+
+        /// <summary>Main thread.</summary>
+        /// <exception cref="PointCloudException">It is locked, or cannot be written.</exception>
+        public static void Write(string path, CloudHandle handle)
+        {
+            LockedFile.Open(path);
+            TextFile.Write(path, handle.ToJson());
+        }
+
+        /// <summary>Names for new handles in a folder.</summary>
+        public static FreeNames NewHandles(string folder) =>
+            new FreeNames(folder, CloudHandle.Extension, Directory.GetFileSystemEntries(folder));
+
+        /// <summary>Makes a handle for sources; one for a converted cloud takes over its manifest. Any thread.</summary>
+        /// <param name="sources">Files and folders: one cloud.</param>
+        /// <param name="handles">Names of handles, in the folder of this one.</param>
+        /// <param name="clouds">Names of the folders that clouds are converted into.</param>
+        /// <param name="opens">Whether the source is opened for what its header claims.</param>
+        /// <param name="handle">The handle that was written.</param>
+        /// <returns>The handle's path.</returns>
+        /// <exception cref="PointCloudException">It cannot be written, or the converted cloud cannot be read.</exception>
+        public static string Create(IReadOnlyList<string> sources, ProjectPaths paths, FreeNames handles, FreeNames clouds,
+            bool opens, out CloudHandle handle)
+        {
+            handle = new CloudHandle();
+            string name = NameOf(sources);
+            if (CloudSources.IsConverted(sources[0]))
+            {
+                string manifest = Path.Combine(sources[0], StoreFormat.ManifestName);
+                handle.CloudPath = paths.Stored(sources[0]);
+                handle.Describe(CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest));
+                // The folder's extension says the same as the handle's own.
+                name = Path.GetFileNameWithoutExtension(name);
+            }
+            else
+            {
+                handle.CloudPath = paths.Stored(clouds.Next(name));
+                foreach (string source in sources)
+                    handle.Sources.Add(paths.Stored(source));
+                handle.IsFolder = sources.Count == 1 && Directory.Exists(sources[0]);
+                handle.IsOctree = sources.Count == 1 && CloudSources.BringsOctree(sources[0]);
+                if (opens)
+                    Describe(handle, sources);
+            }
+            string path = handles.Next(name);
+            // Nothing is lost with a new one, and a thousand flushes would take seconds.
+            TextFile.Write(path, handle.ToJson(), false);
+            return path;
+        }
+
+        /// <summary>What cannot be opened has no description: whoever shows or converts it says why.</summary>
+        static void Describe(CloudHandle handle, IReadOnlyList<string> sources)
+        {
+            try
+            {
+                var reader = PointReaders.Open(sources);
+                handle.Describe(reader.Info);
+                reader.DisposeUnread();
+            }
+            catch (PointCloudException)
+            {
+            }
+        }
+
+        /// <summary>Several files are named after their folder, if they lie in one.</summary>
+        static string NameOf(IReadOnlyList<string> sources)
+        {
+            string folder = Path.GetDirectoryName(Path.GetFullPath(sources[0]));
+            for (int i = 1; i < sources.Count; i++)
+                if (Path.GetDirectoryName(Path.GetFullPath(sources[i])) != folder)
+                    return CloudName.Of(sources[0]);
+            return CloudName.Of(sources.Count > 1 ? folder : sources[0]);
+        }
+
+        /// <summary>Updates a handle after a conversion with its results and the stamp of its source.</summary>
+        /// <param name="origin">Where scenes show the cloud; kept from then on. Null to take the manifest's place.</param>
+        /// <param name="up">The axis whose floor that is on.</param>
+        /// <param name="source">What was converted, with its warnings; may be null.</param>
+        public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null,
+            UpAxis up = UpAxis.Z, SourceInfo source = null)
+        {
+            var handle = Read(path);
+            string before = handle.ToJson();
+            handle.Describe(manifest);
+            if (handle.Origin == null)
+                handle.OriginUp = up;
+            handle.Origin ??= origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;
+            if (source != null)
+                handle.Describe(source.Format, source.Warnings);
+            // A timestamp that version control has touched is no reason to write.
+            if (handle.Stamp == null || !handle.Stamp.HasBytesOf(stamp))
+                handle.Stamp = stamp;
+            if (handle.ToJson() != before)
+                Write(path, handle);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Reading;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Runs one conversion while the editor stays usable: opens the sources on a thread of the pool, then steps the work
+    /// a few milliseconds an update. It can be paused, cancelled for good, or suspended for a later session to
+    /// continue.</summary>
+    /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what must not be interrupted:
+    /// a header being read, running slices, the writer.</remarks>
+    internal sealed class BuildSession : IDisposable
+    {
+        readonly string m_target;
+        readonly ConvertSettings m_settings;
+        readonly Stopwatch m_watch = new Stopwatch();
+        PoolWork<PointReader> m_opening;
+        PointReader m_reader;
+        WorkPump m_pump;
+
+        /// <param name="sources">Files and folders that make one cloud.</param>
+        /// <param name="target">The folder to make.</param>
+        /// <param name="settings">The settings, which the session owns from now on.</param>
+        public BuildSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
+        {
+            m_target = target;
+            m_settings = settings;
+            m_settings.KeepUnfinished = true;
+            m_opening = PoolWork.Begin(target, () => Open(sources));
+        }
+
+        public BuildState State { get; private set; } = BuildState.Opening;
+
+        public StageProgress Progress { get; } = new StageProgress();
+
+        /// <summary>The source's header; null until it is open.</summary>
+        public SourceInfo Source { get; private set; }
+
+        /// <summary>The source's stamp from before it was opened; null until it is open.</summary>
+        public SourceStamp Stamp { get; private set; }
+
+        /// <summary>The result when done.</summary>
+        public ConvertResult Result { get; private set; }
+
+        /// <summary>The failure: a <see cref="PointCloudException"/> of one line, or an unexpected exception.</summary>
+        public Exception Failure { get; private set; }
+
+        /// <summary>Share of the whole build that is done, 0 to 1.</summary>
+        public double Share => State == BuildState.Done ? 1 : BuildProgress.ShareOf(Progress);
+
+        /// <summary>Seconds of work so far, without pauses.</summary>
+        public double Seconds => m_watch.Elapsed.TotalSeconds;
+
+        /// <summary>Estimated from the speed so far; infinity before anything is known.</summary>
+        public double SecondsLeft => Share > 0 ? Seconds * (1 - Share) / Share : double.PositiveInfinity;
+
+        /// <summary>Whether nothing more will come.</summary>
+        public bool IsEnded => State >= BuildState.Done;
+
+        /// <summary>Those that it keeps busy at most; 0 for all.</summary>
+        public int Workers => m_settings.Workers;
+
+        /// <summary>Follows what the editor does meanwhile.</summary>
+        /// <param name="workers">See <see cref="ConvertSettings.Workers"/>.</param>
+        /// <param name="aheadMs">See <see cref="ConvertSettings.AheadMs"/>.</param>
+        public void Adapt(int workers, double aheadMs)
+        {
+            m_settings.Workers = workers;
+            m_settings.AheadMs = aheadMs;
+            if (m_reader != null)
+                m_reader.MostJobs = workers;
+        }
+
+        /// <summary>Works for about this long; call it once an update.</summary>
+        /// <returns>Whether the session has ended.</returns>
+        public bool Tick(double budgetMs)
+        {
+            try
+            {
+                if (State == BuildState.Opening && m_opening.IsDone)
+                    Begin();
+                if (State == BuildState.Building && m_pump.Tick(budgetMs))
+                    End(BuildState.Done);
+            }
+            catch (Exception e)
+            {
+                Failure = e;
+                End(BuildState.Failed);
+                // What is on disk is worth keeping if the system was at fault, for example with a full disk, but not if the
+                // source is.
+                if (!(e is PointCloudException known) || known.IsBadInput || known.Code == FailureCode.Unexpected)
+                    CloudFolderWriter.DeleteUnfinished(m_target);
+            }
+            return IsEnded;
+        }
+
+        /// <summary>Takes no further steps; slices in progress still end.</summary>
+        public void Pause()
+        {
+            if (State != BuildState.Building)
+                return;
+            State = BuildState.Paused;
+            m_watch.Stop();
+        }
+
+        public void Resume()
+        {
+            if (State != BuildState.Paused)
+                return;
+            State = BuildState.Building;
+            m_watch.Start();
+        }
+
+        /// <summary>Ends it for good and deletes everything it has made.</summary>
+        public void Cancel()
+        {
+            if (IsEnded)
+                return;
+            m_settings.KeepUnfinished = false;
+            End(BuildState.Cancelled);
+            CloudFolderWriter.DeleteUnfinished(m_target);
+        }
+
+        /// <summary>Suspends it before scripts are reloaded or the editor quits. Everything it allocated is freed.</summary>
+        public void Suspend()
+        {
+            if (!IsEnded)
+                End(BuildState.Suspended);
+        }
+
+        /// <summary>Does the same as <see cref="Suspend"/>.</summary>
+        public void Dispose() => Suspend();
+
+        void Begin()
+        {
+            var opened = m_opening;
+            m_opening = null;
+            m_reader = opened.Take();
+            Source = m_reader.Info;
+            m_pump = new WorkPump(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
+            State = BuildState.Building;
+            m_watch.Start();
+        }
+
+        PointReader Open(IReadOnlyList<string> sources)
+        {
+            var stamp = SourceStamp.Of(sources);
+            var reader = PointReaders.Open(sources);
+            Stamp = stamp;
+            return reader;
+        }
+
+        void End(BuildState state)
+        {
+            State = state;
+            m_watch.Stop();
+            m_pump?.Cancel();
+            m_reader ??= m_opening?.TakeIfSound();
+            m_opening = null;
+            m_reader?.Dispose();
+            m_reader = null;
+        }
+    }
+
+    /// <summary>The state of a <see cref="BuildSession"/>.</summary>
+    internal enum BuildState
+    {
+        /// <summary>The sources' headers are being read.</summary>
+        Opening,
+        Building,
+        Paused,
+        Done,
+        Failed,
+        /// <summary>It was ended early; nothing is left of it.</summary>
+        Cancelled,
+        /// <summary>It was ended early; the next session of the same target continues from what lies on disk.</summary>
+        Suspended,
+    }
+}

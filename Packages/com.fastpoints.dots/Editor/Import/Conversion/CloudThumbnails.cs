@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Picture;
+using FastPoints.Reading;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Draws small pictures of clouds with jobs, one slice in each update, and keeps them where the converted clouds are
+    /// or would be. Files are drawn from the first wave of a preview, converted clouds from the top of their octrees. Main
+    /// thread; it draws one at a time while the others wait.</summary>
+    internal sealed class CloudThumbnails : IDisposable
+    {
+        const string Extension = ".preview.png";
+
+        readonly Queue<string> m_order = new Queue<string>();
+        readonly Dictionary<string, string[]> m_waiting = new Dictionary<string, string[]>();
+        PoolWork<ThumbnailDrawing> m_opening;
+        ThumbnailDrawing m_drawing;
+        PoolWork<string> m_writing;
+        string m_current;
+
+        /// <summary>Raised with a cloud's folder when its picture was written.</summary>
+        public event Action<string> Drawn;
+
+        public bool IsDrawing => m_current != null || m_waiting.Count > 0;
+
+        /// <param name="cloud">The converted folder, which need not exist.</param>
+        public static string PathOf(string cloud) => Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
+
+        /// <summary>Draws a cloud, finished or in the making.</summary>
+        public void Add(string cloud) => Add(cloud, null);
+
+        /// <summary>Draws the files that a cloud will or could be converted from.</summary>
+        /// <param name="cloud">The folder that they would be converted into.</param>
+        /// <param name="sources">Files and folders that make one cloud.</param>
+        public void AddFiles(string cloud, IEnumerable<string> sources) => Add(cloud, new List<string>(sources).ToArray());
+
+        /// <summary>Called once an update of the editor.</summary>
+        public void Update(double budgetMs)
+        {
+            if (m_current == null && m_waiting.Count > 0)
+                Begin();
+            if (m_current == null)
+                return;
+            string cloud = m_current;
+            try
+            {
+                if (m_writing != null)
+                    EndWriting();
+                else if (m_opening != null)
+                    EndOpening();
+                else if (m_drawing.Pump.Tick(budgetMs))
+                    BeginWriting();
+            }
+            catch (Exception e)
+            {
+                // Opening a damaged cloud reports its failure; a cloud whose folder cannot be written has no picture.
+                var failure = PointCloudException.Of(cloud, e);
+                End();
+                if (failure.Code == FailureCode.Unexpected)
+                    Debug.LogError("FastPoints: no picture of " + failure.Story);
+            }
+        }
+
+        /// <summary>Waits for a picture being written, some ten kilobytes, and for a header being read.</summary>
+        public void Dispose()
+        {
+            m_waiting.Clear();
+            m_order.Clear();
+            m_drawing ??= m_opening?.TakeIfSound();
+            m_writing?.TakeIfSound();
+            End();
+        }
+
+        /// <summary>Adds a cloud; a later request replaces a waiting one.</summary>
+        void Add(string cloud, string[] sources)
+        {
+            if (!m_waiting.ContainsKey(cloud))
+                m_order.Enqueue(cloud);
+            m_waiting[cloud] = sources;
+        }
+
+        void Begin()
+        {
+            string cloud = m_current = m_order.Dequeue();
+            var sources = m_waiting[cloud];
+            m_waiting.Remove(cloud);
+            m_opening = PoolWork.Begin(cloud,
+                () => sources == null ? ThumbnailDrawing.OfCloud(cloud) : ThumbnailDrawing.OfFiles(sources));
+        }
+
+        void EndOpening()
+        {
+            if (!m_opening.IsDone)
+                return;
+            var opening = m_opening;
+            m_opening = null;
+            m_drawing = opening.Take();
+        }
+
+        void BeginWriting()
+        {
+            var image = m_drawing.Image;
+            string path = PathOf(m_current);
+            m_writing = PoolWork.Begin(path, () => Write(path, image));
+        }
+
+        void EndWriting()
+        {
+            if (!m_writing.IsDone)
+                return;
+            var writing = m_writing;
+            string cloud = m_current;
+            m_writing = null;
+            End();
+            writing.Take();
+            Drawn?.Invoke(cloud);
+        }
+
+        void End()
+        {
+            m_drawing?.Dispose();
+            (m_opening, m_drawing, m_current, m_writing) = (null, null, null, null);
+        }
+
+        static string Write(string path, RgbaImage image)
+        {
+            string temporary = path + ".tmp";
+            try
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                Png.Write(temporary, image);
+                FileChanges.Insist(() => FileChanges.Replace(temporary, path));
+                return path;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+    }
+}

@@ -1,0 +1,354 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The clouds to convert, one after the other, and the one being converted. Every change is on disk before the work
+    /// continues: after a reload of scripts, a crash or a loss of power, the same clouds are converted from where they
+    /// were.</summary>
+    /// <remarks>Main thread. Its file and its lock only exist while there is something to do.</remarks>
+    internal sealed class ImportQueue : IDisposable
+    {
+        public const string FileName = "imports.json";
+        public const string LockName = "imports.lock";
+
+        /// <summary>An import that has ended the editor this often is not restarted automatically.</summary>
+        public const int MostAttempts = 3;
+
+        const int Version = 1;
+        static readonly TimeSpan s_lookAgain = TimeSpan.FromSeconds(2);
+
+        readonly ProjectPaths m_paths;
+        readonly Func<ImportRequest, ConvertSettings> m_settings;
+        readonly List<ImportRequest> m_requests = new List<ImportRequest>();
+        FolderLock m_lock;
+        ImportRequest m_running;
+        DateTime m_nextLook;
+        bool m_isUnsaved;
+
+        /// <param name="paths">The queue is kept beside the converted clouds.</param>
+        /// <param name="settings">Makes new settings for each request.</param>
+        public ImportQueue(ProjectPaths paths, Func<ImportRequest, ConvertSettings> settings)
+        {
+            m_paths = paths;
+            m_settings = settings;
+        }
+
+        /// <summary>Requests in the order in which they are converted.</summary>
+        public IReadOnlyList<ImportRequest> Requests => m_requests;
+
+        /// <summary>The running conversion, or null.</summary>
+        public BuildSession Session { get; private set; }
+
+        /// <summary>Whether nothing is begun or continued for now.</summary>
+        public bool IsHeld { get; set; }
+
+        /// <summary>Whether there is something to convert that nobody has paused.</summary>
+        public bool IsAtWork =>
+            m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
+
+        /// <summary>The request of the running conversion, or null.</summary>
+        public ImportRequest Running => m_running;
+
+        /// <summary>Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if
+        /// all is well.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Raised when a conversion has ended, with success or without; the session says which.</summary>
+        public event Action<ImportRequest, BuildSession> Ended;
+
+        string FilePath => Path.Combine(m_paths.Clouds, FileName);
+
+        /// <summary>How often the file was written or deleted.</summary>
+        internal int Saves { get; private set; }
+
+        /// <summary>Adds a request at the end and removes a waiting one of the same folder. A folder that is being made stays
+        /// with its request.</summary>
+        public void Add(ImportRequest request) => Add(new[] { request });
+
+        /// <summary>Does the same with many, and writes the file once.</summary>
+        public void Add(IReadOnlyList<ImportRequest> requests)
+        {
+            if (requests.Count == 0)
+                return;
+            m_nextLook = default;
+            Append(requests);
+            Save();
+        }
+
+        /// <summary>Requests that are only here, until the lock is acquired; null for none.</summary>
+        internal IReadOnlyList<ImportRequest> Unsaved => m_lock == null && m_requests.Count > 0 ? m_requests : null;
+
+        /// <summary>Folders that are targets of requests, even if they do not exist.</summary>
+        public IEnumerable<string> Promised
+        {
+            get
+            {
+                foreach (var request in m_requests)
+                    yield return m_paths.Absolute(request.Cloud);
+            }
+        }
+
+        /// <summary>The request for an asset, or null.</summary>
+        /// <param name="asset">Its number.</param>
+        public ImportRequest RequestOf(string asset) => m_requests.Find(r => r.Asset == asset);
+
+        /// <summary>The request that makes a folder, or null.</summary>
+        public ImportRequest RequestFor(string cloud) => m_requests.Find(r => IsSame(FolderOf(r), cloud));
+
+        /// <summary>Continues the running conversion or begins the next one; called once an update.</summary>
+        /// <param name="budgetMs">Main-thread time to use, not counting jobs.</param>
+        public void Tick(double budgetMs, DateTime nowUtc)
+        {
+            if (!HasLock(nowUtc))
+                return;
+            if (m_isUnsaved && nowUtc >= m_nextLook)
+            {
+                m_nextLook = nowUtc + s_lookAgain;
+                Save();
+            }
+            if (IsHeld)
+                return;
+            if (Session == null)
+                Begin();
+            else if (Session.Tick(budgetMs))
+                End();
+            if (m_requests.Count == 0 && !m_isUnsaved)
+                GiveBack();
+        }
+
+        public void Pause(ImportRequest request)
+        {
+            if (request.State == ImportState.Running)
+                Session.Pause();
+            else if (request.State == ImportState.Waiting)
+                request.State = ImportState.Paused;
+            Save();
+        }
+
+        /// <summary>Continues a paused request, or retries a failed one.</summary>
+        public void Resume(ImportRequest request)
+        {
+            if (request.State == ImportState.Running)
+            {
+                Session.Resume();
+                return;
+            }
+            request.State = ImportState.Waiting;
+            request.Attempts = 0;
+            request.Failure = null;
+            Save();
+        }
+
+        /// <summary>Has a request converted before the others that wait.</summary>
+        public void MoveFirst(ImportRequest request)
+        {
+            if (request == m_running || !m_requests.Remove(request))
+                return;
+            m_requests.Insert(m_running == null ? 0 : m_requests.IndexOf(m_running) + 1, request);
+            Save();
+        }
+
+        /// <summary>Removes a request and deletes what was made of it so far.</summary>
+        public void Cancel(ImportRequest request)
+        {
+            if (!m_requests.Remove(request))
+                return;
+            if (request == m_running)
+            {
+                Session.Cancel();
+                End();
+            }
+            else
+            {
+                CloudFolderWriter.DeleteUnfinished(m_paths.Absolute(request.Cloud));
+                Save();
+            }
+            if (m_requests.Count == 0 && !m_isUnsaved)
+                GiveBack();
+        }
+
+        /// <summary>Ends the running conversion before scripts are reloaded or the editor quits; the next queue of this folder
+        /// continues it.</summary>
+        public void Suspend()
+        {
+            if (m_running != null)
+            {
+                Session.Suspend();
+                m_running.State = ImportState.Waiting;
+                m_running.Attempts = 0;
+                Session = null;
+                m_running = null;
+                Save();
+            }
+            GiveBack();
+        }
+
+        public void Dispose() => Suspend();
+
+        bool HasLock(DateTime nowUtc)
+        {
+            if (m_lock != null)
+            {
+                if (m_lock.Renew(nowUtc))
+                    return true;
+                m_lock = null;
+                Problem = "another editor has taken over the imports of " + m_paths.Clouds;
+                Session?.Suspend();
+                Session = null;
+                m_running = null;
+                m_requests.Clear();
+            }
+            if (nowUtc < m_nextLook)
+                return false;
+            m_nextLook = nowUtc + s_lookAgain;
+            if (m_requests.Count == 0 && !File.Exists(FilePath))
+            {
+                Problem = null;
+                return false;
+            }
+            try
+            {
+                string owner = FolderLock.TryTake(Path.Combine(m_paths.Clouds, LockName), out m_lock);
+                Problem = owner == null ? null : owner + " imports into " + m_paths.Clouds;
+                if (m_lock != null)
+                    Load();
+            }
+            catch (PointCloudException e)
+            {
+                GiveBack();
+                Problem = e.Message;
+            }
+            return m_lock != null;
+        }
+
+        void Begin()
+        {
+            m_running = m_requests.Find(r => r.State == ImportState.Waiting);
+            if (m_running == null)
+                return;
+            m_running.State = ImportState.Running;
+            m_running.Attempts++;
+            Save();
+            var sources = m_running.Sources.ConvertAll(m_paths.Absolute);
+            Session = new BuildSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
+        }
+
+        void End()
+        {
+            var request = m_running;
+            var session = Session;
+            m_running = null;
+            Session = null;
+            request.Attempts = 0;
+            if (session.State == BuildState.Failed)
+            {
+                request.State = ImportState.Failed;
+                request.Failure = session.Failure.Message;
+            }
+            else
+            {
+                m_requests.Remove(request);
+            }
+            Save();
+            Ended?.Invoke(request, session);
+        }
+
+        /// <summary>Loaded requests come before those already here.</summary>
+        void Load()
+        {
+            var kept = File.Exists(FilePath) ? Read() : new List<ImportRequest>();
+            var added = new List<ImportRequest>(m_requests);
+            m_requests.Clear();
+            m_requests.AddRange(kept);
+            foreach (var request in m_requests)
+            {
+                if (request.State != ImportState.Running)
+                    continue;
+                bool isHopeless = request.Attempts >= MostAttempts;
+                request.State = isHopeless ? ImportState.Failed : ImportState.Waiting;
+                request.Failure = isHopeless ? "the editor ended " + request.Attempts + " times while this was imported" : null;
+            }
+            Append(added);
+            Save();
+        }
+
+        void Append(IReadOnlyList<ImportRequest> requests)
+        {
+            var folders = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+            string running = m_running == null ? null : FolderOf(m_running);
+            foreach (var request in requests)
+                folders.Add(FolderOf(request));
+            m_requests.RemoveAll(r => r != m_running && folders.Contains(FolderOf(r)));
+            // Of two for one folder, the later one counts.
+            for (int i = requests.Count - 1, at = m_requests.Count; i >= 0; i--)
+                if (folders.Remove(FolderOf(requests[i])) && !IsSame(FolderOf(requests[i]), running))
+                    m_requests.Insert(at, requests[i]);
+        }
+
+        /// <summary>Reads the file. A damaged one is put aside: its clouds are imported again on request. One of a later version
+        /// is left alone.</summary>
+        List<ImportRequest> Read()
+        {
+            try
+            {
+                var json = JsonMembers.Parse(StoreFile.ReadText(FilePath), FilePath);
+                json.NeedVersion(Version);
+                return json.Objects("requests").ConvertAll(ImportRequest.Read);
+            }
+            catch (PointCloudException e) when (e.Code == FailureCode.BadInput)
+            {
+                Problem = e.Message;
+                string aside = FilePath + ".bad";
+                FileChanges.Replace(FilePath, aside);
+                return new List<ImportRequest>();
+            }
+        }
+
+        /// <summary>Saves the requests; without the lock they stay in memory until it is acquired.</summary>
+        void Save()
+        {
+            if (m_lock == null)
+                return;
+            Saves++;
+            try
+            {
+                if (m_requests.Count == 0)
+                    FileChanges.Delete(FilePath);
+                else
+                    TextFile.Write(FilePath, ToJson());
+                if (m_isUnsaved)
+                    Problem = null;
+                m_isUnsaved = false;
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                m_isUnsaved = true;
+                Problem = e.Message;
+            }
+        }
+
+        string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("version", Version).BeginArray("requests");
+            foreach (var request in m_requests)
+                request.Write(json);
+            return json.EndArray().EndObject().ToString();
+        }
+
+        void GiveBack()
+        {
+            m_lock?.Dispose();
+            m_lock = null;
+        }
+
+        string FolderOf(ImportRequest request) => m_paths.Absolute(request.Cloud);
+
+        static bool IsSame(string a, string b) => string.Equals(a, b, StringComparison.OrdinalIgnoreCase);
+    }
+}

@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+
+namespace FastPoints.Editor
+{
+    /// <summary>A cloud to convert. Paths are stored in the form of <see cref="ProjectPaths.Stored"/>.</summary>
+    internal sealed class ImportRequest
+    {
+        /// <summary>The asset that the cloud is for, identified independently of its path.</summary>
+        public string Asset;
+
+        public List<string> Sources = new List<string>();
+
+        /// <summary>The folder to make. No two requests have the same.</summary>
+        public string Cloud;
+
+        public Sampler Sampler;
+        public ImportState State { get; internal set; }
+
+        /// <summary>Why it failed: one line.</summary>
+        public string Failure { get; internal set; }
+
+        /// <summary>How often it was begun without ending properly.</summary>
+        public int Attempts { get; internal set; }
+
+        internal void Write(JsonWriter json)
+        {
+            json.BeginObject().Add("asset", Asset).Add("cloud", Cloud).BeginArray("sources");
+            foreach (string source in Sources)
+                json.Add(null, source);
+            json.EndArray().Add("sampler", Sampler.ToString()).Add("state", State.ToString()).Add("attempts", Attempts)
+                .Add("failure", Failure).EndObject();
+        }
+
+        internal static ImportRequest Read(JsonMembers json) => new ImportRequest
+        {
+            Asset = json.Text("asset"),
+            Cloud = json.Text("cloud"),
+            Sources = json.Texts("sources"),
+            Sampler = Named<Sampler>(json, "sampler"),
+            State = Named<ImportState>(json, "state"),
+            Attempts = (int)Math.Min(int.MaxValue, Math.Max(0, json.Long("attempts"))),
+            Failure = json.TextOrNull("failure"),
+        };
+
+        static T Named<T>(JsonMembers json, string name) where T : struct =>
+            Enum.TryParse(json.Text(name), false, out T value) && value.ToString() == json.Text(name)
+                ? value
+                : throw json.Wrong(name, "no such one: \"" + json.Text(name) + "\"");
+    }
+
+    /// <summary>The state of an <see cref="ImportRequest"/>. An imported one is no longer in the queue.</summary>
+    internal enum ImportState
+    {
+        Waiting,
+        Running,
+        /// <summary>Paused by the user: others go first.</summary>
+        Paused,
+        /// <summary>Failed until the user retries or removes it.</summary>
+        Failed,
+    }
+}

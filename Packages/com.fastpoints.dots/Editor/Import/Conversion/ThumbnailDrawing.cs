@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Picture;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>One small picture of a converted cloud, or of files that are not converted. It is opened on any thread, drawn and
+    /// disposed on the main thread.</summary>
+    sealed class ThumbnailDrawing : IDisposable
+    {
+        /// <summary>The most points in a converted cloud's picture.</summary>
+        const long Budget = 200_000;
+
+        /// <summary>Length of each side.</summary>
+        public const int SizePx = 256;
+
+        /// <summary>Points in the first wave of files: about one a pixel.</summary>
+        const int PreviewPoints = SizePx * SizePx;
+
+        readonly IDisposable[] m_owned;
+        readonly Func<RgbaImage> m_image;
+
+        ThumbnailDrawing(IEnumerator<Work> work, Func<RgbaImage> image, params IDisposable[] owned)
+        {
+            m_image = image;
+            m_owned = owned;
+            Pump = new WorkPump(work);
+        }
+
+        public WorkPump Pump { get; }
+
+        /// <summary>The picture, when the work is done.</summary>
+        public RgbaImage Image => m_image();
+
+        static PictureOptions Options => new PictureOptions { WidthPx = SizePx, HeightPx = SizePx, OutlinePoints = 512 };
+
+        /// <summary>Draws the top of the octree.</summary>
+        /// <param name="cloud">The folder.</param>
+        /// <exception cref="PointCloudException">It cannot be read.</exception>
+        public static ThumbnailDrawing OfCloud(string cloud)
+        {
+            var folder = CloudFolder.Open(cloud);
+            var drawing = new DrawStored(folder, Options, Budget) { PlansByManifest = true };
+            return new ThumbnailDrawing(drawing.Run(null), () => drawing.Image, folder);
+        }
+
+        /// <summary>Draws the first wave of a preview, which reads little even of large files.</summary>
+        /// <param name="sources">Files and folders that make one cloud.</param>
+        /// <exception cref="PointCloudException">As <see cref="PointReaders"/> throws it.</exception>
+        public static ThumbnailDrawing OfFiles(IReadOnlyList<string> sources)
+        {
+            var reader = PointReaders.Open(sources);
+            var preview = new PreviewCloud(reader,
+                new PreviewOptions { Points = PreviewPoints, Quick = true, Picture = Options });
+            return new ThumbnailDrawing(preview.Run(null), () => preview.Image, preview, reader);
+        }
+
+        public void Dispose()
+        {
+            Pump.Cancel();
+            foreach (var owned in m_owned)
+                owned.Dispose();
+        }
+    }
+}

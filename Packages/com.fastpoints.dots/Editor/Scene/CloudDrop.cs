@@ -1,0 +1,194 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using FastPoints.Core;
+using FastPoints.Entities;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Files that were dropped together become assets: their headers are read and handles written on a thread of the
+    /// pool, Unity imports all in one batch, and what follows is done in slices. However many there are, each asset is loaded
+    /// once, and the queue is written once.</summary>
+    internal sealed class CloudDrop : IDisposable
+    {
+        /// <summary>A handle on disk, or why there is none.</summary>
+        struct Written
+        {
+            public string Path;
+            public CloudHandle Handle;
+            public PointCloudException Failure;
+        }
+
+        readonly EditorImports m_imports;
+        readonly string[] m_sources;
+        readonly string m_folder;
+        readonly DropPlace m_place;
+        readonly CancellationTokenSource m_cancellation = new CancellationTokenSource();
+        PoolWork<List<Written>> m_writing;
+        WorkPump m_rest;
+        int m_progress = -1;
+        int m_written;
+        int m_clouds;
+
+        /// <param name="sources">Absolute paths; their order decides on nothing.</param>
+        /// <param name="folder">The handles' folder, in <c>Assets</c>.</param>
+        /// <param name="place">Where they are shown, in the order of their paths; null for nowhere.</param>
+        public CloudDrop(EditorImports imports, IReadOnlyList<string> sources, string folder, DropPlace place)
+        {
+            m_imports = imports;
+            m_sources = new List<string>(sources).ToArray();
+            Array.Sort(m_sources, StringComparer.Ordinal);
+            m_folder = folder;
+            m_place = place;
+        }
+
+        /// <summary>Called once an update of the editor; asks the user first, who has let go of the mouse by then.</summary>
+        /// <returns>Whether it has ended.</returns>
+        public bool Update(double budgetMs)
+        {
+            try
+            {
+                if (m_writing == null && m_rest == null && !TryBegin())
+                    return true;
+                if (m_writing != null && !m_writing.IsDone)
+                {
+                    Progress.Report(m_progress, (float)m_written / m_clouds, m_folder);
+                    return false;
+                }
+                m_rest ??= new WorkPump(Import(m_writing.Take()));
+                m_writing = null;
+                if (!m_rest.Tick(budgetMs))
+                    return false;
+            }
+            catch (Exception e)
+            {
+                Debug.LogError("FastPoints: " + PointCloudException.Of(m_folder, e).Story);
+                if (m_progress >= 0)
+                    Progress.Finish(m_progress, Progress.Status.Failed);
+                return true;
+            }
+            Progress.Finish(m_progress);
+            return true;
+        }
+
+        /// <summary>Scripts are reloaded. Handles that are written by now are found by Unity's next refresh.</summary>
+        public void Dispose()
+        {
+            m_cancellation.Cancel();
+            m_writing?.TakeIfSound();
+            m_rest?.Cancel();
+            if (m_progress < 0)
+                return;
+            Progress.Finish(m_progress, Progress.Status.Canceled);
+            Debug.LogWarning("FastPoints: a reload of scripts broke off the import of " + m_clouds +
+                " point clouds: drop those again that are not there");
+        }
+
+        bool TryBegin()
+        {
+            var choice = CanBeOne ? Ask() : SeveralFiles.Separate;
+            if (choice == SeveralFiles.Ask)
+                return false;
+            var clouds = new List<string[]>();
+            if (choice == SeveralFiles.OneCloud)
+                clouds.Add(m_sources);
+            else
+                foreach (string source in m_sources)
+                    clouds.Add(new[] { source });
+            m_clouds = clouds.Count;
+            m_progress = Progress.Start("Import " + m_sources.Length + " point cloud files", m_folder,
+                Progress.Options.Unmanaged);
+            string folder = m_imports.Paths.Absolute(m_folder);
+            var (handles, targets) = (HandleFile.NewHandles(folder), m_imports.NewTargets());
+            m_writing = PoolWork.Begin(folder, () => Write(clouds, handles, targets));
+            return true;
+        }
+
+        /// <summary>Octrees and converted clouds stay what they are.</summary>
+        bool CanBeOne => Array.TrueForAll(m_sources, s => File.Exists(s) && !CloudSources.BringsOctree(s));
+
+        /// <returns>Ask if the user does not want any.</returns>
+        SeveralFiles Ask()
+        {
+            var settings = FastPointsSettings.instance;
+            if (settings.SeveralFiles != SeveralFiles.Ask)
+                return settings.SeveralFiles;
+            int answer = EditorUtility.DisplayDialogComplex("Several point cloud files", "Are these " + m_sources.Length +
+                " files one point cloud, or separate ones on a shared origin? The answer is kept: Project Settings > " +
+                "FastPoints changes it.", "One cloud", "Cancel", "Separate clouds");
+            if (answer == 1)
+                return SeveralFiles.Ask;
+            settings.SeveralFiles = answer == 0 ? SeveralFiles.OneCloud : SeveralFiles.Separate;
+            settings.Save();
+            return settings.SeveralFiles;
+        }
+
+        /// <summary>On a thread of the pool.</summary>
+        List<Written> Write(List<string[]> clouds, FreeNames handles, FreeNames targets)
+        {
+            var written = new List<Written>(clouds.Count);
+            foreach (var sources in clouds)
+            {
+                if (m_cancellation.IsCancellationRequested)
+                    break;
+                var one = new Written();
+                try
+                {
+                    one.Path = HandleFile.Create(sources, m_imports.Paths, handles, targets, true, out one.Handle);
+                }
+                catch (PointCloudException e)
+                {
+                    one.Failure = e;
+                }
+                written.Add(one);
+                Interlocked.Increment(ref m_written);
+            }
+            return written;
+        }
+
+        IEnumerator<Work> Import(List<Written> written)
+        {
+            foreach (var failed in written.FindAll(w => w.Failure != null))
+                Debug.LogError("FastPoints: " + failed.Failure.Message);
+            written.RemoveAll(w => w.Failure != null);
+            var paths = written.ConvertAll(w => m_imports.Paths.Stored(w.Path));
+            AssetDatabase.StartAssetEditing();
+            try
+            {
+                foreach (string path in paths)
+                    AssetDatabase.ImportAsset(path);
+            }
+            finally
+            {
+                AssetDatabase.StopAssetEditing();
+            }
+            yield return default;
+            var (requests, shown) = (new List<ImportRequest>(), new List<PointCloudAsset>());
+            for (int i = 0; i < paths.Count; i++)
+            {
+                if (m_place != null)
+                    shown.Add(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(paths[i]));
+                m_imports.AddThumbnail(written[i].Handle);
+                if (m_imports.IsConvertedAtOnce(written[i].Handle))
+                    requests.Add(m_imports.RequestFor(paths[i], written[i].Handle));
+                yield return default;
+            }
+            // All at once: what the user does between two of them stays a step of Undo of its own.
+            m_place?.Show(shown.FindAll(asset => asset != null));
+            m_imports.Queue.Add(requests);
+        }
+    }
+
+    /// <summary>What becomes of several files that are dropped together.</summary>
+    internal enum SeveralFiles
+    {
+        /// <summary>The user is asked once.</summary>
+        Ask,
+        OneCloud,
+        /// <summary>A cloud each, at a shared origin in scenes.</summary>
+        Separate,
+    }
+}

@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+using FastPoints.Core;
+using Unity.Collections;
+
+namespace FastPoints.Build
+{
+    /// <summary>Writes a build's journal at the right moments, so that a killed build can be continued from it.</summary>
+    /// <remarks>Only a build that keeps its points in files writes it; one in memory starts over, until it has taken
+    /// <see cref="ConvertSettings.SecondsInMemory"/>.</remarks>
+    internal sealed class BuildCheckpoints : IDisposable
+    {
+        readonly BuildContext m_build;
+        readonly CloudFolderWriter m_folder;
+        readonly ScatterPoints m_scatter;
+        readonly ChunkSet m_chunks;
+        NativeArray<byte> m_text;
+        WriteTicket m_ticket;
+
+        BuildCheckpoints(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
+        {
+            m_build = build;
+            m_folder = build.Folder;
+            m_scatter = scatter;
+            m_chunks = chunks;
+        }
+
+        public BuildJournal Journal { get; private set; }
+
+        /// <summary>The fate of an earlier build of this target that was broken off; null if there was none.</summary>
+        public string Note { get; private set; }
+
+        /// <summary>Whether the folder has what nothing can go on from, and is to be cleared before anything is
+        /// written.</summary>
+        public bool MustClear { get; private set; }
+
+        /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
+        /// on disk.</summary>
+        /// <param name="scatter">Knows afterwards what the build before this one has read.</param>
+        /// <param name="chunks">What the journal tells of, from <see cref="BuildJournal.Stage.Split"/> on.</param>
+        public static BuildCheckpoints Resume(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
+        {
+            var checkpoints = new BuildCheckpoints(build, scatter, chunks);
+            var folder = build.Folder;
+            int firstFiles = build.Map.Chunks.Length + 1;
+            ulong identity = BuildIdentity.Of(build);
+            string text = folder.ReadText(BuildFiles.JournalName);
+            var journal = text == null ? null : BuildJournal.FromJson(text);
+            bool isSame = journal != null && journal.Identity == identity &&
+                journal.Attributes.Length == build.Attributes.Count && (journal.At == BuildJournal.Stage.Read
+                    ? journal.Source < build.Readers.Count && journal.Statistics.Count == journal.Source + 1 &&
+                        journal.Records.Count == firstFiles
+                    : journal.Statistics.Count == build.Readers.Count);
+            if (isSame)
+                build.UseFiles();
+            if (isSame && (journal.At == BuildJournal.Stage.Done || build.Files.TakeOver(journal)))
+            {
+                checkpoints.Journal = journal;
+                scatter.Resume(journal);
+                checkpoints.Note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of "
+                    + "{1} points were read", scatter.PointsDone, build.Points);
+                return checkpoints;
+            }
+            checkpoints.Journal = new BuildJournal { Identity = identity };
+            if (folder.HasLeftovers)
+            {
+                checkpoints.Note = text == null
+                    ? "a build of this target was broken off that had its points in memory: began again"
+                    : "a build of this target was broken off that had other sources, settings or versions: began again";
+            }
+            checkpoints.MustClear = folder.HasLeftovers;
+            build.AddFirstFiles();
+            return checkpoints;
+        }
+
+        /// <summary>Work for a pump: queues the journal behind everything that it refers to, so that this reaches the disk before
+        /// the journal does. Does nothing if points are in memory.</summary>
+        public IEnumerator<Work> Begin()
+        {
+            if (m_build.Files == null)
+                yield break;
+            yield return Work.Of(End());
+            m_build.Files.Sync();
+            m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe()), Allocator.Persistent);
+            m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
+        }
+
+        /// <summary>Work for a pump: waits until the last journal is on disk.</summary>
+        public IEnumerator<Work> End()
+        {
+            while (m_ticket != null && !m_ticket.IsDone(1))
+                yield return default;
+            Dispose();
+        }
+
+        /// <summary>Work for a pump: writes the journal and waits until it is on disk.</summary>
+        public IEnumerator<Work> Write()
+        {
+            yield return Work.Of(Begin());
+            yield return Work.Of(End());
+        }
+
+        /// <summary>Work for a pump: writes the last journal when all files of the cloud are complete, also where points were in
+        /// memory: if the folder cannot be renamed, the next build has only that left to do.</summary>
+        public IEnumerator<Work> Finish(int levelCount, long[] bytesOfPlane)
+        {
+            Journal.LevelCount = levelCount;
+            Journal.BytesOfPlane = bytesOfPlane;
+            Journal.At = BuildJournal.Stage.Done;
+            return m_folder.WriteText(BuildFiles.JournalName, Describe());
+        }
+
+        public void Dispose()
+        {
+            m_ticket?.Wait();
+            m_ticket = null;
+            if (m_text.IsCreated)
+                m_text.Dispose();
+            m_text = default;
+        }
+
+        string Describe()
+        {
+            Journal.Attributes = m_scatter.Attributes;
+            Journal.PeakBytes = m_build.Files?.PeakBytes ?? 0;
+            Journal.Records.Clear();
+            for (int file = 0; file < m_build.Files?.FileCount; file++)
+                Journal.Records.Add(m_build.Files.RecordsOf(file));
+            Journal.Chunks.Clear();
+            if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)
+                foreach (var chunk in m_chunks.Chunks)
+                    Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
+            return Journal.ToJson();
+        }
+    }
+}

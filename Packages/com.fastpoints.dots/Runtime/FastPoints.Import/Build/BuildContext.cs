@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using FastPoints.Sampling;
+using FastPoints.Store;
+using Unity.Collections;
+
+namespace FastPoints.Build
+{
+    /// <summary>What all stages of a build share: what the cloud is made from and into, how its points lie on the grid, and the
+    /// memory and files that hold them meanwhile. It owns these, so it is disposed after the stages.</summary>
+    internal sealed class BuildContext : IDisposable
+    {
+        public readonly IReadOnlyList<PointReader> Readers;
+        public readonly ConvertSettings Settings;
+
+        /// <summary>May be null.</summary>
+        public readonly StageProgress Progress;
+
+        /// <summary>The folder to be.</summary>
+        public readonly string Target;
+
+        /// <summary>Those that the cloud keeps, beside the position.</summary>
+        public readonly PointSchema Attributes;
+        public readonly CloudFolderWriter Folder;
+
+        /// <summary>Takes in how long the jobs ran.</summary>
+        public readonly SliceTimes Slices;
+
+        /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
+        public BuildContext(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, StageProgress progress)
+        {
+            Readers = readers;
+            Settings = settings;
+            Progress = progress;
+            Target = target;
+            Attributes = AttributeChoice.Of(readers, settings.Attributes);
+            Folder = new CloudFolderWriter(target);
+            Slices = new SliceTimes(Allocator.Persistent);
+        }
+
+        /// <summary>Points of all sources.</summary>
+        public long Points { get; private set; }
+        public GridChoice Grid { get; private set; }
+        public RecordLayout Records => Grid.Records;
+        public MemoryPlan Plan { get; private set; }
+
+        /// <summary>Of all pages in memory.</summary>
+        public NativeReference<RecordPagePool> Pool { get; private set; }
+
+        /// <summary>Of the records that memory has no room for, or of all of a build that takes long; null where all stay in
+        /// memory.</summary>
+        public RecordFiles Files { get; private set; }
+
+        /// <summary>The first partition. Whoever sets it hands it over.</summary>
+        public PartitionMap Map { get; set; }
+
+        public NodeSizes Sizes
+        {
+            get
+            {
+                var sizes = NodeSizes.Default;
+                if (Settings.CellsLog2 > 0)
+                    sizes.CellsLog2 = Settings.CellsLog2;
+                if (Settings.MaxPointsPerLeaf > 0)
+                    sizes.MaxPointsPerLeaf = Settings.MaxPointsPerLeaf;
+                return sizes;
+            }
+        }
+
+        /// <summary>The sampler's name in the manifest.</summary>
+        public string SamplerName => Settings.Sampler.ToString().ToLowerInvariant();
+
+        /// <summary>See <see cref="ConvertSettings.AheadMs"/>.</summary>
+        public double AheadMs() => Settings.AheadMs;
+
+        /// <summary>Slots that may be at work at once, of so many that would be of use.</summary>
+        public int MostSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
+
+        /// <summary>Chooses the grid, and plans memory and files. The readers' blocks are known.</summary>
+        /// <param name="samples">By source.</param>
+        public void Choose(IReadOnlyList<SampleStatistics> samples)
+        {
+            var infos = new List<SourceInfo>();
+            foreach (var reader in Readers)
+            {
+                infos.Add(reader.Info);
+                Points += reader.PointCount;
+            }
+            Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint);
+            int stride = Records.StrideBytes;
+            Plan = MemoryPlan.For(Points, stride, Settings);
+            Pool = new NativeReference<RecordPagePool>(new RecordPagePool(stride, Points / RecordPages.RecordsPerPage),
+                Allocator.Persistent);
+            if (Plan.IsStored)
+                UseFiles();
+        }
+
+        /// <summary>From now on records go to files.</summary>
+        public void UseFiles() => Files ??= new RecordFiles(Folder, Records.StrideBytes);
+
+        /// <summary>The same where all stay in memory, if the disk has room for all of them.</summary>
+        public bool TryUseFiles()
+        {
+            long free = Folder.FreeBytes();
+            if (Files == null && (free < 0 || free >= Points * Records.StrideBytes))
+            {
+                UseFiles();
+                AddFirstFiles();
+            }
+            return Files != null;
+        }
+
+        /// <summary>A file for each chunk of the first partition, and one for the points outside.</summary>
+        public void AddFirstFiles()
+        {
+            while (Files != null && Files.FileCount < Map.Chunks.Length + 1)
+                Files.Add();
+        }
+
+        /// <summary>Makes nodes of the cloud that a manifest describes.</summary>
+        public ChunkIndexer CreateIndexer(NativeStoreLayout store, CloudManifest manifest) =>
+            new ChunkIndexer(Records, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
+
+        public IndexLane CreateLane(NativeStoreLayout store) => new IndexLane(Records, store);
+
+        public void Dispose()
+        {
+            Map?.Dispose();
+            Files?.Dispose();
+            Slices.Dispose();
+            if (Pool.IsCreated)
+            {
+                RecordPagePool.Of(Pool).FreeAll();
+                Pool.Dispose();
+                Pool = default;
+            }
+            if (Settings.KeepUnfinished)
+                Folder.Keep();
+            Folder.Dispose();
+        }
+    }
+}

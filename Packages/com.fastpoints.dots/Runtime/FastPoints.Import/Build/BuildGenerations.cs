@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>Makes a build that is under way a cloud that can be opened, again and again: the finished chunks, and for the
+    /// others what a sample shows of them, as chunks' tops that the same sampler made. A reader follows the generations of
+    /// cloud.json.</summary>
+    internal sealed class BuildGenerations : IDisposable
+    {
+        /// <summary>Tops in work or ahead, which are small.</summary>
+        const int TopsAtOnce = 8;
+
+        readonly BuildContext m_build;
+        readonly ProvisionalSample m_sample;
+        readonly Stopwatch m_watch = Stopwatch.StartNew();
+        long m_generation;
+
+        public BuildGenerations(BuildContext build)
+        {
+            m_build = build;
+            m_sample = new ProvisionalSample(build);
+            // Readers know a newer state by a larger number, also one of a build that was continued.
+            string text = build.Folder.ReadText(StoreFormat.ManifestName);
+            if (text != null)
+                m_generation = CloudManifest.FromJson(text, build.Folder.PathOf(StoreFormat.ManifestName)).Generation;
+        }
+
+        /// <summary>Whether it is time for the first generation, which has the sample alone. A build that has read all its points
+        /// before has no use for it.</summary>
+        public bool IsFirstDue => m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
+
+        /// <summary>Work for a pump: makes the sample a cloud.</summary>
+        public IEnumerator<Work> WriteFirst()
+        {
+            if (!m_sample.IsRead)
+                yield return Work.Of(m_sample.Read());
+            var manifest = CloudDescription.OfSample(m_build, m_sample);
+            var cubes = m_build.Map.Chunks;
+            using var store = new NativeStoreLayout(manifest.CreateLayout());
+            yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Length],
+                new NativeArray<byte>[cubes.Length]));
+        }
+
+        /// <summary>Work for a pump: the next generation.</summary>
+        /// <param name="whole">Of the cloud when it is whole: nothing of it is changed.</param>
+        /// <param name="cubes">By chunk, in Morton order.</param>
+        /// <param name="finished">By chunk: what lies on disk of it; null where it is not finished.</param>
+        /// <param name="topRecords">By chunk: as in <see cref="UpperMerge.Run"/>.</param>
+        public IEnumerator<Work> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
+            IReadOnlyList<ChunkResult> finished, NativeArray<byte>[] topRecords)
+        {
+            if (!m_sample.IsRead)
+                yield return Work.Of(m_sample.Read());
+            var manifest = CloudManifest.FromJson(whole.ToJson(), m_build.Folder.PathOf(StoreFormat.ManifestName));
+            manifest.IsBuilding = true;
+            manifest.Generation = ++m_generation;
+            manifest.Points = 0;
+            manifest.Checksum = 0;
+            var results = new ChunkResult[finished.Count];
+            var tops = (NativeArray<byte>[])topRecords.Clone();
+            var provisional = new List<int>();
+            try
+            {
+                yield return Work.Of(MakeTops(manifest, store, cubes, finished, results, tops, provisional));
+                var chunks = new List<ChunkResult>();
+                for (int i = 0; i < results.Length; i++)
+                {
+                    var result = finished[i] ?? results[i];
+                    if (result == null)
+                        continue;
+                    chunks.Add(result);
+                    manifest.Points += result.TopPoints + result.Record.PointCount;
+                    manifest.Checksum += result.Checksum;
+                }
+                using var merge = new UpperMerge(m_build, store, manifest);
+                yield return Work.Of(merge.Run(chunks, tops, null));
+            }
+            finally
+            {
+                foreach (int i in provisional)
+                    tops[i].Dispose();
+            }
+            yield return Work.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
+            // The generation before is what a reader may just be opening.
+            m_build.Folder.DeleteGeneration(m_generation - 2);
+        }
+
+        public void Dispose() => m_sample.Dispose();
+
+        /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
+        /// shown.</summary>
+        IEnumerator<Work> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
+            IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
+        {
+            var all = new GridCube[cubes.Count];
+            for (int i = 0; i < all.Length; i++)
+                all[i] = cubes[i];
+            var native = new NativeArray<GridCube>(all, Allocator.Persistent);
+            var parts = new NativeArray<RecordPages>(all.Length, Allocator.Persistent);
+            var job = default(JobHandle);
+            var lane = m_build.CreateLane(store);
+            var inWork = new Queue<ChunkIndexer>();
+            var spare = new Stack<ChunkIndexer>();
+            try
+            {
+                job = m_sample.Distribute(native, manifest.Root.Corner, parts);
+                yield return job;
+                job.Complete();
+                long largest = 0;
+                foreach (var part in parts)
+                    largest = Math.Max(largest, part.Count);
+                lane.Reserve((int)largest);
+                for (int i = 0; i < all.Length || inWork.Count > 0;)
+                {
+                    if (i < all.Length && inWork.Count < TopsAtOnce)
+                    {
+                        if (finished[i] == null && parts[i].Count > 0)
+                        {
+                            var next = spare.Count > 0 ? spare.Pop() : m_build.CreateIndexer(store, manifest);
+                            next.BeginTop(all[i], parts[i], i, lane);
+                            inWork.Enqueue(next);
+                            // The pump looks at its budget.
+                            yield return default;
+                        }
+                        i++;
+                        continue;
+                    }
+                    yield return inWork.Peek().Job;
+                    var indexer = inWork.Dequeue();
+                    spare.Push(indexer);
+                    indexer.Job.Complete();
+                    m_build.Slices.Take(indexer.Slices);
+                    int c = indexer.Number;
+                    results[c] = ChunkResult.OfTop(indexer);
+                    results[c].Checksum = indexer.Checksum;
+                    tops[c] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
+                    provisional.Add(c);
+                }
+            }
+            finally
+            {
+                job.Complete();
+                lane.Dispose();
+                foreach (var indexer in inWork)
+                    indexer.Dispose();
+                foreach (var indexer in spare)
+                    indexer.Dispose();
+                foreach (var part in parts)
+                    m_sample.Return(part);
+                parts.Dispose();
+                native.Dispose();
+            }
+        }
+    }
+}

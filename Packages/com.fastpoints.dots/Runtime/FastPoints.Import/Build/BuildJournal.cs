@@ -1,0 +1,172 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+
+namespace FastPoints.Build
+{
+    /// <summary>The progress of a build as far as it lies on disk, from which a killed build is continued. It converts from and
+    /// to text, without I/O.</summary>
+    internal sealed class BuildJournal
+    {
+        /// <summary>The stages in which a build can be resumed.</summary>
+        public enum Stage
+        {
+            /// <summary>Sources are read: up to <see cref="Source"/> and <see cref="Block"/>.</summary>
+            Read,
+            /// <summary>All points are in chunks, which are split where they are too large.</summary>
+            Split,
+            /// <summary>The chunks are final, and made into nodes one by one.</summary>
+            Index,
+            /// <summary>Everything is done except the folder's final name.</summary>
+            Done,
+        }
+
+        /// <summary>A chunk's cube and its records.</summary>
+        public struct Chunk
+        {
+            public GridCube Cube;
+            public RecordRange[] Runs;
+        }
+
+        const int Version = 1;
+
+        /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
+        public ulong Identity;
+        public Stage At;
+
+        /// <summary>The first source that is not read completely, and the first of its blocks that is not read.</summary>
+        public int Source;
+        public int Block;
+
+        /// <summary>Statistics of each source that was begun.</summary>
+        public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
+        public AttributeStatistics[] Attributes = new AttributeStatistics[0];
+
+        /// <summary>Number of records in each file.</summary>
+        public readonly List<long> Records = new List<long>();
+
+        /// <summary>Present from <see cref="Stage.Split"/> on.</summary>
+        public readonly List<Chunk> Chunks = new List<Chunk>();
+        public GridCube Root;
+
+        /// <summary>Bytes of each plane when the build is done, for its final report.</summary>
+        public long[] BytesOfPlane = new long[0];
+        public long PeakBytes;
+        public int LevelCount;
+
+        public string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
+                At.ToString())
+                .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
+                .Add("levelCount", LevelCount)
+                .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
+            json.BeginArray("findings");
+            foreach (var found in Statistics)
+            {
+                json.BeginObject().Add("count", found.Count).Add("leftOut", found.LeftOut)
+                    .Add("min", found.Min.X, found.Min.Y, found.Min.Z).Add("max", found.Max.X, found.Max.Y, found.Max.Z)
+                    .AddHex("checksum", found.Checksum).Add("worstLossSteps", found.WorstLossSteps).EndObject();
+            }
+            json.EndArray().BeginArray("attributes");
+            foreach (var found in Attributes)
+            {
+                json.BeginObject().AddHex("min", found.Min).AddHex("max", found.Max).AddHex("or", found.Or)
+                    .Add("notDoubled", found.NotDoubled).EndObject();
+            }
+            json.EndArray().BeginArray("records");
+            foreach (long count in Records)
+                json.Add(null, count);
+            json.EndArray().BeginArray("chunks");
+            foreach (var chunk in Chunks)
+            {
+                json.BeginObject().Add("corner", chunk.Cube.Corner.X, chunk.Cube.Corner.Y, chunk.Cube.Corner.Z)
+                    .Add("sideLog2", chunk.Cube.SideLog2).BeginArray("runs");
+                foreach (var run in chunk.Runs)
+                    json.Add(null, run.File, run.First, run.Count);
+                json.EndArray().EndObject();
+            }
+            json.EndArray().BeginArray("bytesOfPlane");
+            foreach (long bytes in BytesOfPlane)
+                json.Add(null, bytes);
+            return json.EndArray().EndObject().ToString();
+        }
+
+        /// <returns>Null if the text is not a journal of this version: the build then starts over.</returns>
+        public static BuildJournal FromJson(string text)
+        {
+            try
+            {
+                var json = JsonMembers.Parse(text, "");
+                json.NeedVersion(Version);
+                return Read(json);
+            }
+            catch (Exception e) when (e is PointCloudException || e is OverflowException)
+            {
+                return null;
+            }
+        }
+
+        static BuildJournal Read(JsonMembers json)
+        {
+            if (!Enum.TryParse(json.Text("stage"), out Stage stage))
+                throw json.Bad("stage", "a stage");
+            var journal = new BuildJournal
+            {
+                Identity = json.Hex("identity"),
+                At = stage,
+                Source = json.Int("source"),
+                Block = json.Int("block"),
+                PeakBytes = json.Long("peakBytes"),
+                LevelCount = json.Int("levelCount"),
+                Root = new GridCube(Place(json, "rootCorner"), json.Int("rootSideLog2")),
+                Attributes = json.Objects("attributes").ConvertAll(item => new AttributeStatistics
+                {
+                    Min = item.Hex("min"),
+                    Max = item.Hex("max"),
+                    Or = item.Hex("or"),
+                    NotDoubled = (uint)item.Count("notDoubled", uint.MaxValue),
+                }).ToArray(),
+                BytesOfPlane = json.Longs("bytesOfPlane"),
+            };
+            journal.Statistics.AddRange(json.Objects("findings").ConvertAll(item => new PointStatistics
+            {
+                Count = item.Long("count"),
+                LeftOut = item.Long("leftOut"),
+                Min = Place(item, "min"),
+                Max = Place(item, "max"),
+                Checksum = item.Hex("checksum"),
+                WorstLossSteps = item.Number("worstLossSteps"),
+            }));
+            journal.Records.AddRange(json.Longs("records"));
+            foreach (var item in json.Objects("chunks"))
+            {
+                journal.Chunks.Add(new Chunk
+                {
+                    Cube = new GridCube(Place(item, "corner"), item.Int("sideLog2")),
+                    Runs = item.Lists("runs", 3).ConvertAll(run => new RecordRange
+                    {
+                        File = checked((int)run[0]),
+                        First = run[1],
+                        Count = run[2],
+                    }).ToArray(),
+                });
+            }
+            return journal;
+        }
+
+        static Grid3 Place(JsonMembers json, string name)
+        {
+            long[] steps = json.Longs(name, 3);
+            return new Grid3(steps[0], steps[1], steps[2]);
+        }
+    }
+
+    /// <summary>Some consecutive records of a temporary file.</summary>
+    internal struct RecordRange
+    {
+        public int File;
+        public long First;
+        public long Count;
+    }
+}

@@ -1,0 +1,416 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>All points of the cloud by chunk: disjoint cubes of the octree, in memory or in temporary files.</summary>
+    internal sealed class ChunkSet : IDisposable
+    {
+        const int SplitLevels = 3;
+        const int PagesPerBatch = 64;
+
+        /// <summary>One chunk.</summary>
+        public sealed class Chunk
+        {
+            public GridCube Cube;
+
+            /// <summary>Its records in memory.</summary>
+            public RecordPages Pages;
+
+            /// <summary>Its records in files; either these or the pages are empty.</summary>
+            public readonly List<RecordRange> Runs = new List<RecordRange>();
+
+            public long Count { get; private set; }
+
+            public void Add(ref RecordPages pages)
+            {
+                Count += pages.Count;
+                Pages.Join(ref pages);
+            }
+
+            public void Add(RecordRange run)
+            {
+                Count += run.Count;
+                Runs.Add(run);
+            }
+        }
+
+        readonly BuildContext m_build;
+        readonly long m_mostPages;
+        readonly RecordLoad m_load;
+        readonly List<Chunk> m_chunks = new List<Chunk>();
+
+        public ChunkSet(BuildContext build)
+        {
+            m_build = build;
+            // What parts of chunks may take until they go to files.
+            m_mostPages = build.Plan.MostPages / 2;
+            m_load = new RecordLoad(build);
+        }
+
+        public IReadOnlyList<Chunk> Chunks => m_chunks;
+
+        RecordFiles Files => m_build.Files;
+
+        /// <summary>Makes the work to run after each completed change, when every record is where the chunks say. Files that are
+        /// no longer needed exist until it has ended.</summary>
+        public Func<IEnumerator<Work>> Settled { get; set; }
+
+        /// <summary>Takes over a chunk's records.</summary>
+        public void Add(GridCube cube, ref RecordPages pages)
+        {
+            if (pages.Count > 0)
+            {
+                var chunk = new Chunk { Cube = cube };
+                chunk.Add(ref pages);
+                m_chunks.Add(chunk);
+            }
+            pages = default;
+        }
+
+        /// <summary>Takes over a chunk's file.</summary>
+        public void Add(GridCube cube, int file)
+        {
+            if (Files.RecordsOf(file) > 0)
+                Add(cube, new RecordRange { File = file, Count = Files.RecordsOf(file) });
+        }
+
+        /// <summary>Takes over a chunk's records in files.</summary>
+        public void Add(GridCube cube, params RecordRange[] runs)
+        {
+            var chunk = new Chunk { Cube = cube };
+            foreach (var run in runs)
+                chunk.Add(run);
+            m_chunks.Add(chunk);
+        }
+
+        /// <summary>Work for a pump: distributes the records outside the original root cube.</summary>
+        /// <param name="shells">The root's doublings, the smallest first.</param>
+        /// <param name="outside">The chunk of all of them, which its parts replace.</param>
+        public IEnumerator<Work> SplitOutside(GridCube[] shells, Chunk outside)
+        {
+            var cubes = new NativeArray<GridCube>(shells, Allocator.Persistent);
+            var parts = new GridCube[shells.Length * 8];
+            for (int i = 0; i < parts.Length; i++)
+                parts[i] = shells[i / 8].Child(i % 8);
+            try
+            {
+                yield return Work.Of(Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
+                {
+                    Slices = m_build.Slices,
+                    Pages = pages,
+                    Layout = m_build.Records,
+                    Shells = cubes,
+                    Chunks = lists,
+                    Pool = m_build.Pool,
+                }.Schedule(before)));
+            }
+            finally
+            {
+                cubes.Dispose();
+            }
+        }
+
+        /// <summary>Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than
+        /// that. Points at one place are split by their number, in the order in which they came.</summary>
+        /// <param name="target">The most points of a part.</param>
+        public IEnumerator<Work> SplitLarge(long limit, long target)
+        {
+            // Parts are added at the end and examined in turn.
+            for (int i = 0; i < m_chunks.Count;)
+            {
+                var chunk = m_chunks[i];
+                if (chunk.Count <= limit)
+                {
+                    i++;
+                    continue;
+                }
+                yield return Work.Of(Split(chunk, target));
+            }
+        }
+
+        /// <summary>Joins chunks that have no more than <paramref name="target"/> points together in a cube, and puts all in
+        /// Morton order.</summary>
+        public void MergeSmall(GridCube root, long target)
+        {
+            // The order is stable: several chunks at one place come in the order of their points.
+            var order = new int[m_chunks.Count];
+            for (int i = 0; i < order.Length; i++)
+                order[i] = i;
+            Array.Sort(order, (a, b) =>
+            {
+                int byPlace = MortonOrder.Compare(m_chunks[a].Cube.Corner - root.Corner, m_chunks[b].Cube.Corner - root.Corner);
+                return byPlace != 0 ? byPlace : a.CompareTo(b);
+            });
+            var sorted = new List<Chunk>();
+            foreach (int i in order)
+                sorted.Add(m_chunks[i]);
+            var groups = CubeGroups.Of(root, sorted, c => c.Cube, c => c.Count, target);
+            m_chunks.Clear();
+            foreach (var group in groups)
+            {
+                var first = sorted[group.First];
+                if (group.Count > 1)
+                {
+                    first.Cube = group.Cube;
+                    for (int i = group.First + 1; i < group.First + group.Count; i++)
+                    {
+                        first.Add(ref sorted[i].Pages);
+                        foreach (var run in sorted[i].Runs)
+                            first.Add(run);
+                    }
+                }
+                m_chunks.Add(first);
+            }
+        }
+
+        public void Dispose() => m_load.Dispose();
+
+        IEnumerator<Work> Split(Chunk chunk, long target)
+        {
+            var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
+            var counts = default(NativeArray<long>);
+            PartitionMap map = null;
+            try
+            {
+                bounds[0] = PointStatistics.None.Min;
+                bounds[1] = PointStatistics.None.Max;
+                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new MeasureRecordsJob
+                {
+                    Slices = m_build.Slices,
+                    Pages = pages,
+                    Layout = m_build.Records,
+                    Bounds = bounds,
+                }.Schedule(before)));
+                var cube = RootCube.Shrink(chunk.Cube, bounds[0], bounds[1]);
+                chunk.Cube = cube;
+                if (cube.SideLog2 == 0)
+                {
+                    SplitByCount(chunk, target);
+                    yield return Work.Of(Settle());
+                    yield break;
+                }
+
+                int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
+                counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
+                var cells = new CellFinder(cube, levels);
+                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new CountCellsJob
+                {
+                    Slices = m_build.Slices,
+                    Pages = pages,
+                    Layout = m_build.Records,
+                    Cells = cells,
+                    PointsOfCell = counts,
+                }.Schedule(before)));
+                map = PartitionMap.Plan(cube, levels, counts, target);
+                var chunkOfCell = map.ChunkOfCell;
+                yield return Work.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupRecordsJob
+                {
+                    Slices = m_build.Slices,
+                    Pages = pages,
+                    Layout = m_build.Records,
+                    Cells = cells,
+                    ChunkOfCell = chunkOfCell,
+                    Chunks = lists,
+                    Pool = m_build.Pool,
+                }.Schedule(before)));
+            }
+            finally
+            {
+                map?.Dispose();
+                if (counts.IsCreated)
+                    counts.Dispose();
+                bounds.Dispose();
+            }
+        }
+
+        /// <summary>Splits into parts of whole pages, so that they are the same in memory and in files.</summary>
+        void SplitByCount(Chunk chunk, long target)
+        {
+            int partPages = (int)Math.Max(1, target / RecordPages.RecordsPerPage);
+            m_chunks.Remove(chunk);
+            while (chunk.Pages.Count > 0)
+            {
+                var part = chunk.Pages.Cut(partPages);
+                Add(chunk.Cube, ref part);
+            }
+            long partRecords = (long)partPages * RecordPages.RecordsPerPage, room = 0;
+            foreach (var run in chunk.Runs)
+            {
+                for (long done = 0; done < run.Count;)
+                {
+                    if (room == 0)
+                    {
+                        m_chunks.Add(new Chunk { Cube = chunk.Cube });
+                        room = partRecords;
+                    }
+                    long count = Math.Min(room, run.Count - done);
+                    var part = new RecordRange { File = run.File, First = run.First + done, Count = count };
+                    m_chunks[m_chunks.Count - 1].Add(part);
+                    Files.Share(run.File);
+                    done += count;
+                    room -= count;
+                }
+                Files.Release(run.File);
+            }
+        }
+
+        IEnumerator<Work> Settle()
+        {
+            if (Settled == null)
+                yield break;
+            yield return Work.Of(Settled());
+        }
+
+        /// <summary>Distributes a chunk's records over parts that replace it.</summary>
+        IEnumerator<Work> Regroup(Chunk chunk, GridCube[] cubes,
+            Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
+        {
+            var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
+            var fileOfPart = new int[cubes.Length];
+            bool isStored = chunk.Runs.Count > 0;
+            var job = default(JobHandle);
+            try
+            {
+                for (int i = 0; i < fileOfPart.Length && isStored; i++)
+                    fileOfPart[i] = Files.Add();
+                if (!isStored)
+                {
+                    var batches = CutBatches(chunk.Pages);
+                    chunk.Pages = default;
+                    foreach (var batch in batches)
+                        job = schedule(batch, lists, job);
+                    yield return job;
+                    job.Complete();
+                }
+                for (long first = 0; isStored && first < chunk.Count; first += PagesPerBatch * RecordPages.RecordsPerPage)
+                {
+                    BeginBatch(chunk, first);
+                    yield return m_load.Done;
+                    job = schedule(m_load.Complete(), lists, default);
+                    yield return job;
+                    job.Complete();
+                    if (m_build.Pool.Value.PagesInUse > m_mostPages)
+                        HandOver(lists, fileOfPart, false);
+                    while (Files.PagesWaiting > m_mostPages)
+                    {
+                        Files.Poll(1);
+                        yield return default;
+                    }
+                    TakeWritten();
+                }
+                if (isStored)
+                    HandOver(lists, fileOfPart, true);
+                while (isStored && Files.PagesWaiting > 0)
+                {
+                    Files.Poll(1);
+                    yield return default;
+                }
+
+                m_chunks.Remove(chunk);
+                for (int i = 0; i < cubes.Length; i++)
+                {
+                    var pages = lists[i];
+                    lists[i] = default;
+                    if (isStored)
+                        Add(cubes[i], fileOfPart[i]);
+                    else
+                        Add(cubes[i], ref pages);
+                }
+                TakeWritten();
+                yield return Work.Of(Settle());
+                foreach (var run in chunk.Runs)
+                    Files.Release(run.File);
+            }
+            finally
+            {
+                job.Complete();
+                lists.Dispose();
+            }
+        }
+
+        /// <summary>Runs work on all records of a chunk, which stay in place.</summary>
+        IEnumerator<Work> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
+        {
+            var job = default(JobHandle);
+            var batches = new List<RecordPages>();
+            try
+            {
+                if (chunk.Runs.Count == 0)
+                {
+                    batches = CutBatches(chunk.Pages);
+                    chunk.Pages = default;
+                    foreach (var batch in batches)
+                        job = schedule(batch, job);
+                    yield return job;
+                    yield break;
+                }
+                for (long first = 0; first < chunk.Count; first += PagesPerBatch * RecordPages.RecordsPerPage)
+                {
+                    BeginBatch(chunk, first);
+                    yield return m_load.Done;
+                    var pages = m_load.Complete();
+                    job = schedule(pages, default);
+                    yield return job;
+                    job.Complete();
+                    Return(ref pages);
+                }
+            }
+            finally
+            {
+                job.Complete();
+                if (batches.Count > 0)
+                    chunk.Pages = Join(batches);
+            }
+        }
+
+        /// <summary>Joins the list that was cut.</summary>
+        public static RecordPages Join(List<RecordPages> batches)
+        {
+            var all = default(RecordPages);
+            foreach (var batch in batches)
+            {
+                var pages = batch;
+                all.Join(ref pages);
+            }
+            return all;
+        }
+
+        /// <summary>Cuts a list into parts that one run of a job takes.</summary>
+        public static List<RecordPages> CutBatches(RecordPages pages)
+        {
+            var batches = new List<RecordPages>();
+            while (pages.PageCount > 0)
+                batches.Add(pages.Cut(PagesPerBatch));
+            return batches;
+        }
+
+        void BeginBatch(Chunk chunk, long first) =>
+            m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
+
+        void HandOver(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
+        {
+            for (int i = 0; i < lists.Length; i++)
+            {
+                var list = lists[i];
+                Files.Append(fileOfPart[i], all ? list.Cut(list.PageCount) : list.CutFull());
+                lists[i] = list;
+            }
+        }
+
+        void TakeWritten()
+        {
+            if (Files == null)
+                return;
+            Files.Poll(0);
+            var written = Files.TakeWritten();
+            Return(ref written);
+        }
+
+        void Return(ref RecordPages pages) => RecordPagePool.Of(m_build.Pool).Return(ref pages);
+    }
+}

@@ -1,0 +1,120 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Build
+{
+    /// <summary>Writes what a build has learned about its points into the cloud's manifest, and anomalies into the sources'
+    /// warnings.</summary>
+    internal static class CloudDescription
+    {
+        /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources
+        /// get their warnings.</summary>
+        public static CloudManifest OfBuild(BuildContext build, BuildJournal journal, ScatterPoints scatter)
+        {
+            var found = scatter.Statistics;
+            var manifest = new CloudManifest { Sampler = build.SamplerName, Root = journal.Root };
+            AddSources(build.Readers, journal.Statistics, manifest);
+            Warn(build.Readers, journal.Statistics, build.Grid.Grid);
+            Describe(found, scatter.Attributes, build, manifest);
+            // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
+            manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
+                (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
+                (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
+                (ulong)build.Settings.MaxPointsPerLeaf ^ (ulong)NodeSizes.Rules << 24;
+            return manifest;
+        }
+
+        /// <summary>The manifest of a sample alone.</summary>
+        public static CloudManifest OfSample(BuildContext build, ProvisionalSample sample)
+        {
+            var found = sample.Statistics;
+            var cube = build.Map.Cube;
+            long last = cube.Side - 1;
+            // What lies outside the first cube is not in the sample's tops.
+            found.Min = Grid3.Max(found.Min, cube.Corner);
+            found.Max = Grid3.Min(found.Max, cube.Corner + new Grid3(last, last, last));
+            var manifest = new CloudManifest { Sampler = build.SamplerName, Root = cube };
+            Describe(found, sample.Attributes, build, manifest);
+            manifest.PointsLeftOut = 0;
+            manifest.CloudId = found.Checksum;
+            return manifest;
+        }
+
+        /// <summary>One entry a file, tiles of a reader apart.</summary>
+        /// <param name="statistics">By reader.</param>
+        static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
+            CloudManifest manifest)
+        {
+            for (int i = 0; i < readers.Count; i++)
+            {
+                if (readers[i] is TiledReader tiles)
+                {
+                    for (int t = 0; t < tiles.TileCount; t++)
+                    {
+                        tiles.DescribeTile(t, out string path, out long bytes, out long points);
+                        AddSource(path, bytes, points, manifest);
+                    }
+                }
+                else
+                {
+                    var info = readers[i].Info;
+                    AddSource(info.Path, info.FileBytes, statistics[i].Count + statistics[i].LeftOut, manifest);
+                }
+            }
+        }
+
+        /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
+        /// <param name="statistics">One for each reader.</param>
+        static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
+        {
+            for (int i = 0; i < readers.Count; i++)
+            {
+                var info = readers[i].Info;
+                var found = statistics[i];
+                if (found.LeftOut > 0)
+                    info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out",
+                        found.LeftOut));
+                if (found.WorstLossSteps > 0)
+                {
+                    info.Warn(-1, "positions were rounded, by up to " +
+                        NumberText.Of(found.WorstLossSteps * math.cmax(grid.Step)) + ", to the grid's steps");
+                }
+            }
+        }
+
+        /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
+        /// <param name="found">Statistics of all points.</param>
+        /// <param name="values">The values of each attribute.</param>
+        static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
+        {
+            var crs = build.Readers[0].Info.Crs;
+            manifest.Points = found.Count;
+            manifest.PointsLeftOut = found.LeftOut;
+            manifest.Checksum = found.Checksum;
+            manifest.Grid = build.Grid.Grid;
+            manifest.BoundsMin = found.Count > 0 ? found.Min : default;
+            manifest.BoundsMax = found.Count > 0 ? found.Max : default;
+            manifest.Attributes = build.Attributes;
+            AttributeSummary.Describe(build.Attributes, values, manifest);
+            manifest.CrsName = crs.Summary;
+            manifest.CrsWkt = crs.Wkt;
+            manifest.CrsEpsg = crs.Epsg;
+            manifest.CrsVerticalEpsg = crs.VerticalEpsg;
+            manifest.MetresPerUnit = crs.MetresPerUnit;
+        }
+
+        static void AddSource(string path, long fileBytes, long points, CloudManifest manifest) =>
+            manifest.Sources.Add(new CloudManifest.Source
+            {
+                Name = Path.GetFileName(path),
+                FileBytes = fileBytes,
+                Points = points
+            });
+    }
+}

@@ -1,0 +1,195 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Reading;
+using FastPoints.Sampling;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>Converts files to a stored octree. A sample estimates the density; one pass over the points distributes them over
+    /// chunks; chunks that became too large are split, small ones merged; each is turned into nodes; their tops become the upper
+    /// levels.</summary>
+    public sealed class ConvertCloud : IDisposable
+    {
+        readonly BuildContext m_build;
+        readonly List<SourceSample> m_samples = new List<SourceSample>();
+        readonly List<SampleStatistics> m_sampleStatistics = new List<SampleStatistics>();
+        BuildCheckpoints m_checkpoints;
+        BuildGenerations m_generations;
+        ScatterPoints m_scatter;
+        ChunkSet m_chunks;
+        OctreeBuild m_octree;
+
+        ConvertCloud(BuildContext build) => m_build = build;
+
+        /// <summary>Work for a pump: converts. When the work has ended, the target exists and is complete. If the work was
+        /// cancelled or failed, nothing exists except what <see cref="ConvertSettings.KeepUnfinished"/> keeps.</summary>
+        /// <param name="readers">The open sources, with the same attributes. They make one cloud.</param>
+        /// <param name="target">The folder to make.</param>
+        /// <param name="done">Receives the result.</param>
+        /// <exception cref="PointCloudException">A source or the target is at fault.</exception>
+        public static IEnumerator<Work> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
+            Action<ConvertResult> done, StageProgress progress)
+        {
+            using var convert = new ConvertCloud(new BuildContext(readers, target, settings, progress));
+            progress?.Begin(BuildStages.Sample);
+            yield return Work.Of(convert.Sample());
+            yield return Work.Of(convert.Partition());
+            // The pump looks at its budget: memory is allocated in steps.
+            yield return default;
+            yield return Work.Of(convert.Resume());
+            if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
+            {
+                progress?.Begin(BuildStages.Read);
+                yield return Work.Of(convert.Read());
+                progress?.Begin(BuildStages.Split);
+                yield return Work.Of(convert.Settle());
+                yield return Work.Of(convert.Build());
+            }
+            progress?.Begin(BuildStages.Finish);
+            if (convert.m_octree?.Manifest.Points > 0)
+                yield return Work.Of(convert.MeasureShown());
+            yield return Work.Of(convert.Finish(done));
+            progress?.End();
+        }
+
+        public void Dispose()
+        {
+            m_octree?.Dispose();
+            m_generations?.Dispose();
+            m_chunks?.Dispose();
+            m_scatter?.Dispose();
+            m_checkpoints?.Dispose();
+            foreach (var sample in m_samples)
+                sample.Dispose();
+            m_samples.Clear();
+            m_build.Dispose();
+        }
+
+        IEnumerator<Work> Sample()
+        {
+            var statistics = new NativeReference<SampleStatistics>(Allocator.Persistent);
+            try
+            {
+                foreach (var reader in m_build.Readers)
+                {
+                    reader.MostJobs = m_build.Settings.Workers;
+                    if (!reader.BlocksAreKnown)
+                        yield return Work.Of(reader.FindBlocks());
+                    yield return Work.Of(SourceSample.Read(reader, m_build.AheadMs, m_build.Settings.Workers,
+                        MemoryPlan.ReadBytesOf(m_build.Settings),
+                        (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
+                        {
+                            Stored = stored,
+                            Statistics = statistics,
+                            Slices = m_build.Slices,
+                        }, loaded), m_samples.Add));
+                    m_sampleStatistics.Add(statistics.Value);
+                }
+            }
+            finally
+            {
+                statistics.Dispose();
+            }
+        }
+
+        /// <summary>Chooses the grid, the first cube, and the chunks that the sample suggests.</summary>
+        IEnumerator<Work> Partition()
+        {
+            m_build.Choose(m_sampleStatistics);
+            var cube = FirstCube.Of(m_build.Readers, m_sampleStatistics, m_build.Grid);
+            yield return Work.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Points, m_build.Plan, m_build.Slices,
+                map => m_build.Map = map));
+            foreach (var sample in m_samples)
+                sample.Dispose();
+            m_samples.Clear();
+        }
+
+        /// <summary>Resumes the killed build if there is one of the same sources and settings with its points on disk.</summary>
+        IEnumerator<Work> Resume()
+        {
+            m_scatter = new ScatterPoints(m_build);
+            m_chunks = new ChunkSet(m_build);
+            m_checkpoints = BuildCheckpoints.Resume(m_build, m_scatter, m_chunks);
+            if (m_checkpoints.MustClear)
+                yield return Work.Of(m_build.Folder.Clear());
+            m_generations = new BuildGenerations(m_build);
+            if (m_build.Files == null || m_checkpoints.Journal.At != BuildJournal.Stage.Read)
+                yield break;
+            long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;
+            long free = m_build.Folder.FreeBytes();
+            if (free >= 0 && free < needed)
+                throw new PointCloudException(FailureCode.DiskFull, m_build.Target, -1, string.Format(
+                    CultureInfo.InvariantCulture, "the disk has too little room: wanted {0} bytes for the points that do not fit "
+                    + "into memory, got {1}", needed, free));
+        }
+
+        IEnumerator<Work> Read() => new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run();
+
+        IEnumerator<Work> Settle() => new SettleChunks(m_build, m_scatter, m_chunks, m_checkpoints).Run();
+
+        IEnumerator<Work> Build()
+        {
+            var manifest = CloudDescription.OfBuild(m_build, m_checkpoints.Journal, m_scatter);
+            m_octree = new OctreeBuild(m_build, m_chunks, manifest, m_generations);
+            yield return Work.Of(m_octree.Run());
+            if (m_octree.Checksum != manifest.Checksum)
+            {
+                throw PointCloudException.Wanted(FailureCode.WriteFailed, m_build.Readers[0].Info.Path, -1,
+                    "checksum of the points on their way into the octree", manifest.Checksum, m_octree.Checksum);
+            }
+        }
+
+        IEnumerator<Work> MeasureShown()
+        {
+            var manifest = m_octree.Manifest;
+            using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
+            using var selection = new NodeSelection(folder);
+            var ranges = new DisplayRanges();
+            yield return Work.Of(StoredRanges.Measure(folder, selection,
+                LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
+            manifest.Shown = ranges.ToShown();
+        }
+
+        IEnumerator<Work> Finish(Action<ConvertResult> done)
+        {
+            var folder = m_build.Folder;
+            var journal = m_checkpoints.Journal;
+            CloudManifest manifest;
+            if (journal.At == BuildJournal.Stage.Done)
+            {
+                // If it is killed between the last file and the name, everything known of it is on disk.
+                string path = folder.PathOf(StoreFormat.ManifestName);
+                manifest = CloudManifest.FromJson(folder.ReadText(StoreFormat.ManifestName) ?? "", path);
+            }
+            else
+            {
+                manifest = m_octree.Manifest;
+                yield return Work.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
+                yield return Work.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
+            }
+            yield return Work.Of(folder.Complete());
+            var result = new ConvertResult
+            {
+                Manifest = manifest,
+                LevelCount = journal.LevelCount,
+                BytesOnDisk = folder.BytesOnDisk,
+                TemporaryBytesPeak = m_build.Files == null ? 0 : m_build.Files.PeakBytes,
+                PointsPerChunk = m_build.Plan.PointsPerChunk,
+                Note = m_checkpoints.Note,
+                SliceMs = new[] { m_build.Slices.QuantileMs(0.5), m_build.Slices.QuantileMs(0.99), m_build.Slices.QuantileMs(1) },
+                BytesOfPlane = journal.BytesOfPlane,
+                PlaneNames = new string[journal.BytesOfPlane.Length],
+            };
+            var planes = manifest.CreateLayout().Planes;
+            for (int p = 0; p < result.PlaneNames.Length; p++)
+                result.PlaneNames[p] = planes[p].Name;
+            done(result);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using FastPoints.Nodes;
+
+namespace FastPoints.Build
+{
+    /// <summary>How a cloud is converted.</summary>
+    public sealed class ConvertSettings
+    {
+        /// <summary>Names of the attributes to keep; null for all. The position is always kept.</summary>
+        public string[] Attributes;
+
+        public Sampler Sampler;
+
+        /// <summary>log2 of the number of sampling cells along a node's edge, 4 to 8: the spacing is the node's edge divided by
+        /// it; 0 for the default of <see cref="NodeSizes"/>.</summary>
+        public int CellsLog2;
+
+        /// <summary>A cube with at most this many remaining points is a leaf; 0 for the default of
+        /// <see cref="NodeSizes"/>.</summary>
+        public int MaxPointsPerLeaf;
+
+        /// <summary>Chunks have about this many points at most, and are no smaller than needed; 0 for a number that suits the
+        /// cloud. The stored bytes depend on it, but not on anything about the machine.</summary>
+        public long PointsPerChunk;
+
+        /// <summary>Limit for everything that grows with the number of points: records, blocks being read, chunks in progress.
+        /// Points that do not fit go to temporary files in the target's folder. With little memory chunks become smaller, by
+        /// halves, and so other bytes are stored.</summary>
+        public long MemoryBytes = 928L << 20;
+
+        /// <summary>A build that uses files can be resumed after each so many points, and where reading is slow after fewer: as
+        /// many as <see cref="SecondsPerCheckpoint"/> take at the pace until then.</summary>
+        public long PointsPerCheckpoint = 8000000;
+
+        public double SecondsPerCheckpoint = 30;
+
+        /// <summary>Once sources have been read for longer than this, points that would fit into memory go to files as well, so
+        /// that the build can be resumed. The stored bytes are the same.</summary>
+        public double SecondsInMemory = double.PositiveInfinity;
+
+        /// <summary>While chunks become nodes, finished ones are published as a cloud that can be opened, at most once in this
+        /// time.</summary>
+        public double SecondsPerGeneration = 5;
+
+        /// <summary>If reading the sources takes longer than this, a sample of them is published as a cloud that can be
+        /// opened.</summary>
+        public double SecondsToFirstGeneration = 1;
+
+        /// <summary>The most workers of the job system that this work keeps busy: this many blocks are read and decoded, and this
+        /// many chunks are sorted, at the same time. 0 for all. May be set while the work is running, from the next piece on; the
+        /// stored bytes are the same.</summary>
+        public int Workers;
+
+        /// <summary>Where a pump is ticked: how far apart ticks may be, in ms, for jobs to be scheduled that keep workers busy
+        /// from one to the next, as memory allows. More where updates are rare, as in an editor without focus; ending the work
+        /// early then takes as much longer. May be set while the work is running; the stored bytes are the same.</summary>
+        public double AheadMs = 50;
+
+        /// <summary>Whether the files on disk stay there when the work is disposed early: the next build of the target with the
+        /// same sources and settings continues from them, if points were in files. May be set while the work is
+        /// running.</summary>
+        public bool KeepUnfinished;
+    }
+}

@@ -1,0 +1,130 @@
+using System;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+
+namespace FastPoints.Build
+{
+    /// <summary>Divides up a build's memory. Chunks, and with them the stored bytes, depend on the number of points, the bytes of
+    /// a record and the memory limit, not on the number of threads.</summary>
+    internal sealed class MemoryPlan
+    {
+        const long MaxPointsPerChunk = 1000000;
+
+        // A chunk that a sample or a cube's octants made eight times smaller is still larger than a leaf.
+        const long MinPointsPerChunk = 200000;
+
+        /// <summary>The smallest chunk, however little memory there is: smaller ones would consist of tops alone.</summary>
+        const long LeastPointsPerChunk = 1 << 16;
+
+        const int ChunksPlanned = 2;
+
+        /// <summary>More points show no more in a picture of everything; there are fewer if these took more than this share of
+        /// the memory.</summary>
+        const long MaxProvisionalPoints = 1 << 17;
+        const long ProvisionalShare = 16;
+
+        /// <summary>Memory for darts, samples and their grid.</summary>
+        const int PoissonBytesPerPoint = 40;
+
+        /// <summary>Memory for the sum that a point adds to; for the sums of a third of the points, in a list that grows by
+        /// doubling; and for the plane of colours and intensities written from them.</summary>
+        const int AverageBytesPerPoint = 4 + 28 + 8;
+
+        MemoryPlan() { }
+
+        /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>
+        public long PointsPerChunk { get; private set; }
+
+        /// <summary>The same for the upper levels, which are merged when most of the records are gone.</summary>
+        public long PointsPerRegion { get; private set; }
+
+        /// <summary>Whether points go to temporary files because not all of them fit.</summary>
+        public bool IsStored { get; private set; }
+
+        /// <summary>Bytes of the blocks in flight while sources are read.</summary>
+        public long ReadBytes { get; private set; }
+
+        /// <summary>The most of them that may be in flight where workers run out of fewer: what is free until chunks are in
+        /// progress.</summary>
+        public long AheadBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
+
+        /// <summary>The most pages that chunks hold while sources are read, including those that wait to be written.</summary>
+        public long MostPages { get; private set; }
+        public long MostWaitingPages { get; private set; }
+
+        /// <summary>Bytes for chunks in progress, and for the merge of the upper levels.</summary>
+        public long IndexBytes { get; private set; }
+
+        /// <summary>Points that the first partition plans chunks for: more if there would be too many to have a page
+        /// each.</summary>
+        public long PointsPerPartition { get; private set; }
+
+        /// <summary>Bytes that a point takes while its chunk is indexed: number, node, what ranges offer, cube, priority, its
+        /// record in both orders, and what is written of it; or before that, if all points are in one bucket, keys twice and its
+        /// record once more.</summary>
+        public long IndexBytesPerPoint { get; private set; }
+
+        /// <summary>Points of the sample that represents what is not built yet.</summary>
+        public long ProvisionalPoints { get; private set; }
+
+        /// <summary>See <see cref="ReadBytes"/>, which the sample before the plan keeps to as well.</summary>
+        public static long ReadBytesOf(ConvertSettings settings) =>
+            Math.Min(SourceScan.MaxSlotBytes, settings.MemoryBytes / 4);
+
+        /// <param name="points">The most points that all sources have.</param>
+        public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings)
+        {
+            long pointsPerChunk = settings.PointsPerChunk, memoryBytes = settings.MemoryBytes;
+            long pageBytes = RecordPages.PageBytes(strideBytes);
+            var plan = new MemoryPlan
+            {
+                ReadBytes = ReadBytesOf(settings),
+                IndexBytes = memoryBytes / 10 * 9,
+                PointsPerChunk = pointsPerChunk,
+                IndexBytesPerPoint = 41 + 3 * (long)strideBytes +
+                    (settings.Sampler == Sampler.Random ? 0 : PoissonBytesPerPoint) +
+                    (settings.Sampler == Sampler.Average ? AverageBytesPerPoint : 0),
+            };
+            if (pointsPerChunk <= 0)
+            {
+                plan.PointsPerChunk = Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
+                // Chunks are halved in size, so that about the same memory gives the very same chunks.
+                long most = MaxPointsPerChunk;
+                while (most > LeastPointsPerChunk && 2 * most * ChunksPlanned * plan.IndexBytesPerPoint > memoryBytes / 4 * 3)
+                    most /= 2;
+                plan.PointsPerChunk = Math.Min(plan.PointsPerChunk, most);
+            }
+
+            plan.ProvisionalPoints = Math.Min(Math.Min(points, MaxProvisionalPoints),
+                memoryBytes / ProvisionalShare / plan.IndexBytesPerPoint);
+            memoryBytes -= plan.ProvisionalPoints * plan.IndexBytesPerPoint;
+
+            // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
+            // and one of these chunks.
+            long inMemory = points * strideBytes / 10 * 11;
+            bool Fits(long records, long ofChunk) => records + Math.Max(plan.ReadBytes,
+                Math.Min(points, 2 * ofChunk) * (plan.IndexBytesPerPoint - strideBytes)) <= memoryBytes;
+            plan.PointsPerRegion = plan.PointsPerChunk;
+            plan.IsStored = !Fits(inMemory, plan.PointsPerChunk);
+            // Chunks of half the size where these keep the points in memory: files take a quarter of the time. Twice as many tops
+            // take as much again; with averages they take more.
+            long half = plan.PointsPerChunk / 2, withTops = inMemory / 11 * 12;
+            if (plan.IsStored && pointsPerChunk <= 0 && half >= MinPointsPerChunk && settings.Sampler != Sampler.Average &&
+                Fits(withTops, half))
+            {
+                plan.PointsPerChunk = half;
+                plan.IsStored = false;
+                inMemory = withTops;
+            }
+            plan.MostPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
+            plan.MostWaitingPages = Math.Max(4, plan.MostPages / 4);
+            if (!plan.IsStored)
+                plan.IndexBytes = Math.Max(0, memoryBytes - inMemory);
+            // Half of the pages may be the chunks' last ones, which are not full; cubes are cut in eight.
+            plan.PointsPerPartition = plan.IsStored
+                ? Math.Max(plan.PointsPerChunk, 16 * (points / Math.Max(1, plan.MostPages)))
+                : plan.PointsPerChunk;
+            return plan;
+        }
+    }
+}

@@ -1,0 +1,354 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Build
+{
+    /// <summary>From chunks of records to a stored octree: each chunk into its file, the tops of all into the upper
+    /// levels.</summary>
+    internal sealed class OctreeBuild : IDisposable
+    {
+        /// <summary>A chunk in work, and what comes of it.</summary>
+        sealed class Slot : IDisposable
+        {
+            public ChunkIndexer Indexer;
+            public IndexLane Lane;
+            public RecordLoad Load;
+
+            /// <summary>Of what was loaded: records outside of the chunk.</summary>
+            public NativeReference<int> Outside;
+            public int Chunk;
+
+            public void Dispose()
+            {
+                Indexer.Dispose();
+                Load?.Dispose();
+                if (Outside.IsCreated)
+                    Outside.Dispose();
+                Outside = default;
+            }
+        }
+
+        /// <summary>Points of chunks that a worker takes in a millisecond at most.</summary>
+        const double PointsPerMs = 8000;
+
+        readonly BuildContext m_build;
+        readonly ChunkSet m_chunks;
+        readonly NativeStoreLayout m_store;
+        readonly BuildGenerations m_generations;
+        readonly Queue<Slot> m_inWork = new Queue<Slot>();
+        readonly Stack<Slot> m_spare = new Stack<Slot>();
+        readonly List<IndexLane> m_lanes = new List<IndexLane>();
+        readonly ChunkResult[] m_results;
+        readonly NativeArray<byte>[] m_topRecords;
+        ChunkWrites m_writes;
+        UpperMerge m_merge;
+        WorkAhead m_ahead;
+        JobHandle m_newest;
+        long m_chunkBytes;
+        long m_aheadBytes;
+        long m_points;
+        long m_pointsDone;
+
+        /// <param name="manifest">Of the whole cloud; gets to know of its nodes.</param>
+        /// <param name="generations">Shows what is finished meanwhile.</param>
+        public OctreeBuild(BuildContext build, ChunkSet chunks, CloudManifest manifest, BuildGenerations generations)
+        {
+            m_build = build;
+            m_chunks = chunks;
+            m_generations = generations;
+            Manifest = manifest;
+            m_store = new NativeStoreLayout(manifest.CreateLayout());
+            m_results = new ChunkResult[chunks.Chunks.Count];
+            m_topRecords = new NativeArray<byte>[m_results.Length];
+            BytesOfPlane = new long[m_store.Layout.Planes.Count];
+        }
+
+        /// <summary>Complete when all work is done, but for what the finished nodes show.</summary>
+        public CloudManifest Manifest { get; }
+
+        /// <summary>Sum of the hashes of all points that were written.</summary>
+        public ulong Checksum { get; private set; }
+        public int LevelCount { get; private set; }
+        public long[] BytesOfPlane { get; }
+
+        /// <summary>Work for a pump: every chunk, several at once; then the upper levels and the hierarchy.</summary>
+        public IEnumerator<Work> Run()
+        {
+            m_build.Progress?.Begin(BuildStages.Index);
+            yield return Work.Of(IndexChunks());
+            yield return Work.Of(Free());
+            m_build.Progress?.Begin(BuildStages.Merge);
+            int lowest = Manifest.Root.SideLog2;
+            foreach (var result in m_results)
+            {
+                Checksum += result.Checksum;
+                lowest = Math.Min(lowest, result.LowestSideLog2);
+                for (int p = 0; p < BytesOfPlane.Length; p++)
+                    BytesOfPlane[p] += result.BytesOfPlane[p];
+            }
+            m_merge = new UpperMerge(m_build, m_store, Manifest);
+            yield return Work.Of(m_merge.Run(m_results, m_topRecords, m_build.Progress));
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] += m_merge.BytesOfPlane[p];
+            LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - Math.Min(lowest, m_merge.LowestSideLog2) + 1;
+        }
+
+        /// <summary>Frees what chunks needed, a part a step: large blocks take milliseconds.</summary>
+        IEnumerator<Work> Free()
+        {
+            var freed = default(JobHandle);
+            try
+            {
+                for (int slabs = RecordPagePool.Of(m_build.Pool).SlabCount; slabs > 0; slabs--)
+                    freed = new FreeSlabJob { Pool = m_build.Pool }.Schedule(freed);
+                // Beside them each of the others would wait for the kernel as long.
+                yield return freed;
+                for (; m_spare.Count > 0; m_spare.Pop().Dispose())
+                    yield return default;
+                foreach (var lane in m_lanes)
+                {
+                    lane.Dispose();
+                    yield return default;
+                }
+                m_writes.Dispose();
+            }
+            finally
+            {
+                freed.Complete();
+            }
+        }
+
+        public void Dispose()
+        {
+            while (m_inWork.Count > 0)
+                m_spare.Push(m_inWork.Dequeue());
+            while (m_spare.Count > 0)
+                m_spare.Pop().Dispose();
+            foreach (var lane in m_lanes)
+                lane.Dispose();
+            m_writes?.Dispose();
+            m_merge?.Dispose();
+            m_store.Dispose();
+            for (int i = 0; i < m_topRecords.Length; i++)
+            {
+                if (m_topRecords[i].IsCreated)
+                    m_topRecords[i].Dispose();
+                m_topRecords[i] = default;
+            }
+        }
+
+        IEnumerator<Work> IndexChunks()
+        {
+            var watch = Stopwatch.StartNew();
+            double mergeSeconds = 0;
+            var order = ChunksLeft();
+            MakeLanes(order.Count);
+            for (int next = 0; next < order.Count || m_inWork.Count > 0;)
+            {
+                if (next < order.Count && m_inWork.Count < m_ahead.Count)
+                {
+                    Begin(order[next++]);
+                    // The pump looks at its budget.
+                    yield return default;
+                    continue;
+                }
+                m_ahead.Await();
+                yield return m_inWork.Peek().Indexer.Job;
+                m_ahead.Resume(next < order.Count && m_newest.IsCompleted);
+                yield return Work.Of(Finish(m_inWork.Peek()));
+                m_spare.Push(m_inWork.Dequeue());
+                if (m_inWork.Count == 0 && next == order.Count || !IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
+                    continue;
+                double begin = watch.Elapsed.TotalSeconds;
+                yield return Work.Of(WriteGeneration());
+                mergeSeconds = watch.Elapsed.TotalSeconds - begin;
+                watch.Restart();
+            }
+            while (!m_writes.IsDone)
+            {
+                m_writes.Poll(1);
+                yield return default;
+            }
+        }
+
+        /// <summary>Those that the build before this one has not done, the largest first, so that none is left for the end
+        /// alone.</summary>
+        List<int> ChunksLeft()
+        {
+            var order = new List<int>();
+            for (int i = 0; i < m_results.Length; i++)
+            {
+                long count = m_chunks.Chunks[i].Count;
+                m_points += count;
+                if (m_build.Files != null && TakeOver(i))
+                    m_pointsDone += count;
+                else
+                    order.Add(i);
+            }
+            order.Sort((a, b) =>
+            {
+                int bySize = m_chunks.Chunks[b].Count.CompareTo(m_chunks.Chunks[a].Count);
+                return bySize != 0 ? bySize : a.CompareTo(b);
+            });
+            return order;
+        }
+
+        /// <summary>As many as there are workers and memory for, and at least one; and as many chunks ahead as half of the rest
+        /// has room for. The other half is for what shows the finished ones meanwhile.</summary>
+        void MakeLanes(int chunks)
+        {
+            var files = m_build.Files;
+            var plan = m_build.Plan;
+            int stride = m_build.Records.StrideBytes;
+            long largest = 1;
+            foreach (var chunk in m_chunks.Chunks)
+                largest = Math.Max(largest, chunk.Count);
+            m_chunkBytes = largest * (plan.IndexBytesPerPoint - (files == null ? stride : 0));
+            // A chunk that is not in its lane's memory has its file and its top, or its records where they come from a disk, and
+            // another's file is being written.
+            m_aheadBytes = largest * stride * (files == null ? 2 : 3);
+            int wanted = Math.Min(m_build.MostSlots(JobsUtility.JobWorkerCount + 1), chunks);
+            int lanes = (int)Math.Max(1, Math.Min(wanted, plan.IndexBytes / m_chunkBytes));
+            for (int i = 0; i < lanes; i++)
+                m_lanes.Add(m_build.CreateLane(m_store));
+            long room = Math.Max(0, plan.IndexBytes - lanes * m_chunkBytes) / 2 / m_aheadBytes;
+            int first = WorkAhead.CountFor(lanes, m_build.AheadMs(), lanes, m_build.Plan.PointsPerChunk / PointsPerMs);
+            m_ahead = new WorkAhead(first, (int)Math.Min(chunks, lanes + room), m_build.AheadMs);
+            m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_ahead.Most);
+        }
+
+        /// <summary>Schedules a chunk's jobs behind those of the lane that has the fewest points left.</summary>
+        void Begin(int number)
+        {
+            var files = m_build.Files;
+            var slot = m_spare.Count > 0 ? m_spare.Pop() : new Slot
+            {
+                Indexer = m_build.CreateIndexer(m_store, Manifest),
+                Load = files == null ? null : new RecordLoad(m_build),
+                Outside = new NativeReference<int>(Allocator.Persistent),
+            };
+            m_inWork.Enqueue(slot);
+            var chunk = m_chunks.Chunks[number];
+            slot.Chunk = number;
+            slot.Lane = m_lanes[0];
+            // There may be fewer workers by now than there are lanes.
+            for (int i = m_build.MostSlots(m_lanes.Count) - 1; i > 0; i--)
+                if (m_lanes[i].Points < slot.Lane.Points)
+                    slot.Lane = m_lanes[i];
+            slot.Lane.Points += chunk.Count;
+            var ready = default(JobHandle);
+            if (files != null)
+            {
+                slot.Load.Begin(chunk.Runs, 0, chunk.Count);
+                chunk.Pages = slot.Load.Pages;
+                slot.Outside.Value = 0;
+                ready = CheckRecordsJob.Schedule(new CheckRecordsJob
+                {
+                    Slices = slot.Indexer.Slices,
+                    Pages = chunk.Pages,
+                    Layout = m_build.Records,
+                    Cube = chunk.Cube,
+                    Outside = slot.Outside,
+                }, slot.Load.Done);
+            }
+            slot.Indexer.Begin(chunk.Cube, chunk.Pages, number, slot.Lane, ready);
+            m_newest = slot.Indexer.Job;
+        }
+
+        /// <summary>Not often, not much of the time, and only where memory has room beside the chunks in work.</summary>
+        bool IsGenerationDue(double seconds, double lastTook)
+        {
+            if (seconds < Math.Max(m_build.Settings.SecondsPerGeneration, 8 * lastTook))
+                return false;
+            long tops = 0;
+            foreach (var result in m_results)
+                tops += result == null ? 0 : result.TopPoints;
+            var plan = m_build.Plan;
+            long merged = Math.Min(tops, UpperMerge.MostPointsAtOnce(plan.PointsPerRegion)) * plan.IndexBytesPerPoint;
+            long inWork = m_lanes.Count * m_chunkBytes + (m_ahead.Count - m_lanes.Count) * m_aheadBytes;
+            return tops > 0 && merged + inWork <= plan.IndexBytes;
+        }
+
+        /// <summary>Makes what is finished a cloud that can be opened.</summary>
+        IEnumerator<Work> WriteGeneration()
+        {
+            var cubes = new GridCube[m_results.Length];
+            var finished = new ChunkResult[m_results.Length];
+            for (int i = 0; i < m_results.Length; i++)
+            {
+                cubes[i] = m_chunks.Chunks[i].Cube;
+                // A chunk whose file is still being written comes with the next generation.
+                finished[i] = m_writes.HasPending(i) ? null : m_results[i];
+            }
+            return m_generations.Write(Manifest, m_store, cubes, finished, m_topRecords);
+        }
+
+        /// <summary>A chunk that the build before this one has done.</summary>
+        bool TakeOver(int chunk)
+        {
+            string path = m_build.Folder.PathOf(BuildFiles.TopPath(chunk));
+            if (!System.IO.File.Exists(path))
+                return false;
+            using (var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent))
+            {
+                var result = ChunkResult.FromBytes(bytes, Manifest.CloudId, BytesOfPlane.Length,
+                    m_build.Records.ForTops(m_store.HasAverages).StrideBytes);
+                if (result == null || result.Record.Number != chunk)
+                    return false;
+                string file = m_build.Folder.PathOf(StoreFormat.ChunkPath(chunk));
+                if (result.Top.HasNodes && (!System.IO.File.Exists(file) || StoreFile.SizeOf(file) != result.Record.FileBytes))
+                    return false;
+                m_results[chunk] = result;
+            }
+            foreach (var run in m_chunks.Chunks[chunk].Runs)
+                m_build.Files.Release(run.File);
+            return true;
+        }
+
+        /// <summary>Takes in a chunk that is indexed, once there is room for one more file to be written.</summary>
+        IEnumerator<Work> Finish(Slot slot)
+        {
+            slot.Indexer.Job.Complete();
+            slot.Lane.Points -= m_chunks.Chunks[slot.Chunk].Count;
+            if (m_build.Files != null)
+            {
+                slot.Load.Complete();
+                if (slot.Outside.Value > 0)
+                    throw new PointCloudException(FailureCode.ReadFailed,
+                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Runs[0].File), -1,
+                        "the points that were set aside there are damaged: delete the folder, and start again");
+            }
+            m_writes.Poll(0);
+            while (!m_writes.HasRoom)
+            {
+                m_writes.Poll(1);
+                yield return default;
+            }
+            Take(slot);
+            m_pointsDone += m_chunks.Chunks[slot.Chunk].Count;
+            m_build.Progress?.Report(m_pointsDone / (double)m_points, m_pointsDone, 0);
+        }
+
+        void Take(Slot slot)
+        {
+            var indexer = slot.Indexer;
+            var result = ChunkResult.Of(indexer);
+            m_build.Slices.Take(indexer.Slices);
+            m_results[slot.Chunk] = result;
+            var pages = indexer.Pages;
+            RecordPagePool.Of(m_build.Pool).Return(ref pages);
+            m_chunks.Chunks[slot.Chunk].Pages = default;
+            if (m_build.Files == null)
+                m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
+            indexer.File = m_writes.Write(slot.Chunk, indexer.File,
+                m_build.Files == null ? default : result.ToBytes(indexer.Top.AsArray(), Manifest.CloudId));
+        }
+    }
+}

@@ -1,0 +1,265 @@
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Build
+{
+    /// <summary>Turns one batch of columns into records, grouped by chunk, and collects statistics of the points: bounds,
+    /// attribute ranges, checksum, and how many have no position.</summary>
+    [BurstCompile]
+    internal unsafe struct GroupRecordsJob : IJob
+    {
+        /// <summary>This many records are made one behind another, in the cache, before each goes to its chunk.</summary>
+        public const int RunPoints = 256;
+
+        [ReadOnly] public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        public PointColumn X;
+        public PointColumn Y;
+        public PointColumn Z;
+        [ReadOnly] public NativeArray<RecordField> Fields;
+        public SourceGrid Grid;
+        public RecordLayout Layout;
+        public ChunkFinder Chunks;
+        [ReadOnly] public NativeArray<int> ChunkOfCell;
+
+        /// <summary>Has room for the batch's records.</summary>
+        public NativeArray<byte> Records;
+
+        /// <summary>Start of each chunk's records, with one more entry. The chunk for points outside comes before the last
+        /// entry.</summary>
+        public NativeArray<int> FirstOfChunk;
+
+        /// <summary>Scratch, indexed by point.</summary>
+        public NativeArray<int> ChunkOfPoint;
+
+        /// <summary>Scratch: the records of a run.</summary>
+        public NativeArray<byte> RunRecords;
+        public NativeReference<PointStatistics> Statistics;
+        public NativeArray<AttributeStatistics> Attributes;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long start = SliceTimes.Begin();
+            int count = Decoded.Value.Points;
+            var statistics = Statistics.Value;
+            var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
+            var records = (byte*)Records.GetUnsafePtr();
+            var chunkOfPoint = (int*)ChunkOfPoint.GetUnsafePtr();
+            var first = (int*)FirstOfChunk.GetUnsafePtr();
+
+            FindChunks(bytes, count, chunkOfPoint, first, ref statistics);
+            int kept = Order(count, chunkOfPoint, first);
+            statistics.Count += kept;
+
+            // From here on a point's entry is the place of its record, or -1.
+            var run = (byte*)RunRecords.GetUnsafePtr();
+            ulong sum = 0;
+            int end;
+            for (int begin = 0; begin < count; begin = end)
+            {
+                end = begin + 1;
+                if (chunkOfPoint[begin] < 0)
+                    continue;
+                while (end < count && end - begin < RunPoints && chunkOfPoint[end] >= 0)
+                    end++;
+                WriteRun(bytes, begin, end - begin, run);
+                sum += Scatter(run, chunkOfPoint + begin, end - begin, records);
+            }
+            statistics.Checksum += sum;
+            Statistics.Value = statistics;
+            Slices.End(start);
+        }
+
+        void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointStatistics statistics)
+        {
+            UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
+            var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
+            for (int done = 0; done < count; done += RunPoints)
+            {
+                int run = math.min(RunPoints, count - done);
+                int* chunks = chunkOfPoint + done;
+                if (Layout.IsWide || !FindChunksInside(bytes, done, run, chunkOfCell, chunks, ref statistics))
+                    FindChunksAnywhere(bytes, done, run, chunkOfCell, chunks, ref statistics);
+                for (int i = 0; i < run; i++)
+                    if (chunks[i] >= 0)
+                        countOfChunk[chunks[i]]++;
+            }
+        }
+
+        /// <returns>False if some of the points are outside the cube: nothing is done.</returns>
+        bool FindChunksInside(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
+        {
+            uint* x = stackalloc uint[RunPoints];
+            uint* y = stackalloc uint[RunPoints];
+            uint* z = stackalloc uint[RunPoints];
+            LoadOffsets(bytes, first, count, x, y, z);
+            Store.BlockCodec.FindRange(x, count, out uint leastX, out uint mostX);
+            Store.BlockCodec.FindRange(y, count, out uint leastY, out uint mostY);
+            Store.BlockCodec.FindRange(z, count, out uint leastZ, out uint mostZ);
+            Grid3 min = Layout.Base + new Grid3(leastX, leastY, leastZ), max = Layout.Base + new Grid3(mostX, mostY, mostZ);
+            if (!Chunks.Contains(min, max))
+                return false;
+            statistics.Min = Grid3.Min(statistics.Min, min);
+            statistics.Max = Grid3.Max(statistics.Max, max);
+            Chunks.ChunksOf(chunkOfCell, x, y, z, count, Layout.Base, chunks);
+            return true;
+        }
+
+        /// <summary>The same for any points; -1 for those without a position.</summary>
+        void FindChunksAnywhere(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
+        {
+            long* x = stackalloc long[RunPoints];
+            long* y = stackalloc long[RunPoints];
+            long* z = stackalloc long[RunPoints];
+            LoadRun(bytes, first, count, x, y, z, ref statistics.WorstLossSteps);
+            for (int i = 0; i < count; i++)
+            {
+                chunks[i] = -1;
+                if (x[i] == SourceGrid.Nowhere || y[i] == SourceGrid.Nowhere || z[i] == SourceGrid.Nowhere)
+                {
+                    statistics.LeftOut++;
+                    continue;
+                }
+                var place = new Grid3(x[i], y[i], z[i]);
+                statistics.Min = Grid3.Min(statistics.Min, place);
+                statistics.Max = Grid3.Max(statistics.Max, place);
+                chunks[i] = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
+            }
+        }
+
+        /// <summary>Turns counts into starts, and each point's chunk into the place of its record.</summary>
+        int Order(int count, int* chunkOfPoint, int* first)
+        {
+            int chunks = FirstOfChunk.Length - 1;
+            int sum = 0;
+            for (int c = 0; c < chunks; c++)
+            {
+                int with = first[c];
+                first[c] = sum;
+                sum += with;
+            }
+            for (int i = 0; i < count; i++)
+                if (chunkOfPoint[i] >= 0)
+                    chunkOfPoint[i] = first[chunkOfPoint[i]]++;
+            // Each start has moved to its end, which is the start of the next one.
+            for (int c = chunks; c > 0; c--)
+                first[c] = first[c - 1];
+            first[0] = 0;
+            return sum;
+        }
+
+        /// <summary>Makes the records of points that follow one another and have a position. What fills the attributes up
+        /// stays zero.</summary>
+        void WriteRun(byte* bytes, int first, int count, byte* records)
+        {
+            WritePlaces(bytes, first, count, records);
+            int stride = Layout.StrideBytes;
+            byte* attributes = Layout.AttributesOf(records);
+            var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
+            for (int f = 0; f < Fields.Length; f++)
+            {
+                var field = Fields[f];
+                var type = field.Column.Type;
+                byte* values = bytes + field.Column.OffsetBytes + (long)first * type.SizeOf();
+                CopyColumn(values, type.SizeOf(), count, attributes + field.RecordOffset, stride);
+                found[field.Attribute].Include(AttributeStatistics.Of(values, type, count));
+            }
+        }
+
+        void WritePlaces(byte* bytes, int first, int count, byte* records)
+        {
+            int stride = Layout.StrideBytes;
+            if (Layout.IsWide)
+            {
+                long* wide = stackalloc long[3 * RunPoints];
+                double ignored = 0;
+                LoadRun(bytes, first, count, wide, wide + RunPoints, wide + 2 * RunPoints, ref ignored);
+                for (int i = 0; i < count; i++)
+                    Layout.SetPlace(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
+                return;
+            }
+            uint* x = stackalloc uint[RunPoints];
+            uint* y = stackalloc uint[RunPoints];
+            uint* z = stackalloc uint[RunPoints];
+            LoadOffsets(bytes, first, count, x, y, z);
+            for (int i = 0; i < count; i++, records += stride)
+            {
+                ((uint*)records)[0] = x[i];
+                ((uint*)records)[1] = y[i];
+                ((uint*)records)[2] = z[i];
+            }
+        }
+
+        void LoadOffsets(byte* bytes, int first, int count, uint* x, uint* y, uint* z)
+        {
+            SourceGrid.ToOffsets(Grid.X, bytes, X, first, count, Layout.Base.X, x);
+            SourceGrid.ToOffsets(Grid.Y, bytes, Y, first, count, Layout.Base.Y, y);
+            SourceGrid.ToOffsets(Grid.Z, bytes, Z, first, count, Layout.Base.Z, z);
+        }
+
+        /// <summary>Moves records to their places.</summary>
+        /// <returns>The sum of their hashes.</returns>
+        ulong Scatter(byte* run, int* places, int count, byte* records)
+        {
+            var layout = Layout;
+            int stride = layout.StrideBytes;
+            ulong sum = 0;
+            for (int i = 0; i < count; i++, run += stride)
+            {
+                sum += layout.HashOf(run, Store.RecordHash.ChecksumSeed);
+                RecordLayout.Copy(run, records + (long)places[i] * stride, stride);
+            }
+            return sum;
+        }
+
+        void LoadRun(byte* bytes, int first, int count, long* x, long* y, long* z, ref double worstLoss)
+        {
+            SourceGrid.ToGrid(Grid.X, bytes, X, first, count, x, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Y, bytes, Y, first, count, y, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Z, bytes, Z, first, count, z, ref worstLoss);
+        }
+
+        static void CopyColumn(byte* from, int size, int count, byte* to, int stride)
+        {
+            switch (size)
+            {
+                case 1:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *to = from[i];
+                    return;
+                case 2:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(ushort*)to = ((ushort*)from)[i];
+                    return;
+                case 4:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(uint*)to = ((uint*)from)[i];
+                    return;
+                default:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(ulong*)to = ((ulong*)from)[i];
+                    return;
+            }
+        }
+    }
+
+    /// <summary>A copy from a column of a batch to a place in a record. Blittable.</summary>
+    internal struct RecordField
+    {
+        public PointColumn Column;
+
+        /// <summary>Offset from the record's first attribute byte.</summary>
+        public int RecordOffset;
+
+        /// <summary>Index of the attribute in the cloud's schema.</summary>
+        public int Attribute;
+    }
+}

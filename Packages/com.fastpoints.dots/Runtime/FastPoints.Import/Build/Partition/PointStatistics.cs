@@ -1,0 +1,129 @@
+using FastPoints.Core;
+using Unity.Burst.Intrinsics;
+using Unity.Mathematics;
+
+namespace FastPoints.Build
+{
+    /// <summary>Statistics of the kept points of one slot. Blittable.</summary>
+    internal struct PointStatistics
+    {
+        public long Count;
+
+        /// <summary>Number of points without a finite position on the grid.</summary>
+        public long LeftOut;
+        public Grid3 Min;
+        public Grid3 Max;
+
+        /// <summary>Sum of the record hashes.</summary>
+        public ulong Checksum;
+
+        /// <summary>Largest distance of a float position from its grid position, in steps.</summary>
+        public double WorstLossSteps;
+
+        public static PointStatistics None => new PointStatistics
+        {
+            Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
+            Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+        };
+
+        public void Include(in PointStatistics other)
+        {
+            Count += other.Count;
+            LeftOut += other.LeftOut;
+            Min = Grid3.Min(Min, other.Min);
+            Max = Grid3.Max(Max, other.Max);
+            Checksum += other.Checksum;
+            WorstLossSteps = WorstLossSteps > other.WorstLossSteps ? WorstLossSteps : other.WorstLossSteps;
+        }
+    }
+
+    /// <summary>Statistics of all values of one attribute. Blittable.</summary>
+    internal struct AttributeStatistics
+    {
+        const int VectorBytes = 32;
+
+        /// <summary>Smallest and largest as <see cref="Store.OrderedBits"/>.</summary>
+        public ulong Min;
+        public ulong Max;
+
+        /// <summary>The bitwise or of all values: trailing zeros give a power of two that divides all of them.</summary>
+        public ulong Or;
+
+        /// <summary>0 if every value is a multiple of 257: eight bits twice.</summary>
+        public uint NotDoubled;
+
+        public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };
+
+        public bool IsEmpty => Min > Max;
+
+        /// <summary>Examines consecutive values.</summary>
+        public static unsafe AttributeStatistics Of(byte* values, AttributeType type, int count)
+        {
+            int size = type.SizeOf();
+            if (type == AttributeType.UInt16 || type == AttributeType.UInt8)
+                return OfUnsigned(values, size, count);
+            var result = None;
+            for (int i = 0; i < count; i++, values += size)
+            {
+                ulong ordered = Store.OrderedBits.Load(values, type);
+                result.Min = math.min(result.Min, ordered);
+                result.Max = math.max(result.Max, ordered);
+                result.Or |= ordered;
+            }
+            return result;
+        }
+
+        /// <summary>The same for one or two bytes, the usual types. Halves of two bytes, often colours, are examined.</summary>
+        static unsafe AttributeStatistics OfUnsigned(byte* values, int size, int count)
+        {
+            var result = None;
+            int bytes = count * size, at = 0;
+            if (X86.Avx2.IsAvx2Supported && bytes >= VectorBytes)
+            {
+                v256 low = X86.Avx.mm256_set1_epi32(-1), high = X86.Avx.mm256_set1_epi32(0);
+                v256 or = high, notDoubled = high;
+                for (; at + VectorBytes <= bytes; at += VectorBytes)
+                {
+                    var v = X86.Avx.mm256_loadu_si256(values + at);
+                    low = size == 1 ? X86.Avx2.mm256_min_epu8(low, v) : X86.Avx2.mm256_min_epu16(low, v);
+                    high = size == 1 ? X86.Avx2.mm256_max_epu8(high, v) : X86.Avx2.mm256_max_epu16(high, v);
+                    or = X86.Avx2.mm256_or_si256(or, v);
+                    var difference = X86.Avx2.mm256_xor_si256(v, X86.Avx2.mm256_srli_epi16(v, 8));
+                    notDoubled = X86.Avx2.mm256_or_si256(notDoubled, difference);
+                }
+                byte* found = stackalloc byte[4 * VectorBytes];
+                X86.Avx.mm256_storeu_si256(found, low);
+                X86.Avx.mm256_storeu_si256(found + VectorBytes, high);
+                X86.Avx.mm256_storeu_si256(found + 2 * VectorBytes, or);
+                X86.Avx.mm256_storeu_si256(found + 3 * VectorBytes, notDoubled);
+                for (int lane = 0; lane < VectorBytes; lane += size)
+                {
+                    result.Min = math.min(result.Min, Load(found + lane, size));
+                    result.Max = math.max(result.Max, Load(found + VectorBytes + lane, size));
+                    result.Or |= Load(found + 2 * VectorBytes + lane, size);
+                    result.NotDoubled |= found[3 * VectorBytes + lane];
+                }
+            }
+            for (; at < bytes; at += size)
+            {
+                uint value = Load(values + at, size);
+                result.Min = math.min(result.Min, value);
+                result.Max = math.max(result.Max, value);
+                result.Or |= value;
+                result.NotDoubled |= (value >> 8 ^ value) & 0xFF;
+            }
+            result.NotDoubled = size == 1 ? 0 : result.NotDoubled;
+            return result;
+        }
+
+        static unsafe uint Load(byte* value, int size) => size == 1 ? *value : (uint)*(ushort*)value;
+
+        public void Include(in AttributeStatistics other)
+        {
+            Min = Min < other.Min ? Min : other.Min;
+            Max = Max > other.Max ? Max : other.Max;
+            Or |= other.Or;
+            NotDoubled |= other.NotDoubled;
+        }
+    }
+}

@@ -1,0 +1,180 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using FastPoints.Sampling;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>Some points of all sources, spread evenly over their records, with all attributes: they represent what is not
+    /// built yet. Owns its records.</summary>
+    internal sealed class ProvisionalSample : IDisposable
+    {
+        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
+        /// cover.</summary>
+        const int RunPoints = 16;
+
+        /// <summary>Runs that are grouped in one slice.</summary>
+        const int RunsAtOnce = 2048;
+
+        readonly BuildContext m_build;
+        readonly NativeReference<RecordPagePool> m_pool;
+        RecordPages m_pages;
+
+        /// <summary>The readers' blocks are known. Points outside the partition's cube will be left out.</summary>
+        public ProvisionalSample(BuildContext build)
+        {
+            m_build = build;
+            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(build.Records.StrideBytes,
+                2 * build.Plan.ProvisionalPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
+            Attributes = new AttributeStatistics[build.Attributes.Count];
+            for (int a = 0; a < Attributes.Length; a++)
+                Attributes[a] = AttributeStatistics.None;
+        }
+
+        public bool IsRead { get; private set; }
+
+        /// <summary>Statistics of the points that were read.</summary>
+        public PointStatistics Statistics { get; private set; } = PointStatistics.None;
+        public AttributeStatistics[] Attributes { get; }
+
+        /// <summary>Work for a pump: reads the sample.</summary>
+        public IEnumerator<Work> Read()
+        {
+            for (int i = 0; i < m_build.Readers.Count; i++)
+            {
+                var reader = m_build.Readers[i];
+                double share = reader.PointCount / (double)Math.Max(1, m_build.Points);
+                var runs = SampleRuns.Choose(reader, (long)(m_build.Plan.ProvisionalPoints * share) / RunPoints, RunPoints);
+                yield return Work.Of(Read(reader, m_build.Grid.Sources[i], runs));
+            }
+            IsRead = true;
+        }
+
+        /// <summary>Schedules the sample's distribution over cubes.</summary>
+        /// <param name="cubes">See <see cref="RegroupCubesJob.Cubes"/>.</param>
+        /// <param name="corner">The octree's corner.</param>
+        /// <param name="parts">Receives copies of the records for each cube, which <see cref="Return"/> takes back.</param>
+        public JobHandle Distribute(NativeArray<GridCube> cubes, Grid3 corner, NativeArray<RecordPages> parts)
+        {
+            var job = new RegroupCubesJob
+            {
+                Pages = m_pages,
+                Layout = m_build.Records,
+                Cubes = cubes,
+                Corner = corner,
+                Chunks = parts,
+                Pool = m_pool,
+            };
+            var all = default(JobHandle);
+            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesOfSlice)
+                all = job.Schedule(all);
+            return all;
+        }
+
+        /// <summary>Takes back a part.</summary>
+        public void Return(RecordPages part) => RecordPagePool.Of(m_pool).Return(ref part);
+
+        public void Dispose()
+        {
+            if (!m_pool.IsCreated)
+                return;
+            RecordPagePool.Of(m_pool).FreeAll();
+            m_pool.Dispose();
+        }
+
+        IEnumerator<Work> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
+        {
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var attribute in m_build.Attributes)
+                names.Add(attribute.Name);
+            var wanted = reader.Info.Schema.Select(names.ToArray());
+            if (reader.HasRunReads)
+            {
+                yield return Work.Of(ReadRuns(reader, grid, runs, wanted));
+                yield break;
+            }
+            int longest = SourceSample.LongestOf(runs);
+            var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
+                m_build.Settings.Workers, m_build.AheadMs);
+            using var consumer = new Taking(this, grid, longest);
+            yield return Work.Of(SourceScan.Run(reader, wanted, consumer, ahead, m_build.Settings.Workers, 0, runs.Count,
+                r => runs[r], longest, null));
+        }
+
+        /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
+        IEnumerator<Work> ReadRuns(PointReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
+        {
+            var batch = new PointBatch(wanted, RunPoints * RunsAtOnce, Allocator.Persistent);
+            var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
+            var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.Records, m_build.Map, batch);
+            try
+            {
+                for (int first = 0; first < runs.Count; first += RunsAtOnce)
+                {
+                    int count = Math.Min(RunsAtOnce, runs.Count - first), points = 0;
+                    for (int r = first; r < first + count; r++)
+                        points += runs[r].Count;
+                    yield return Work.Of(reader.ReadRuns(runs, first, count, batch, read =>
+                    {
+                        decoded.Value = new DecodeResult { Points = points };
+                        return slot.ScheduleGrouping(batch, decoded, grid, read);
+                    }));
+                    Take(slot);
+                }
+            }
+            finally
+            {
+                slot.Dispose();
+                batch.Dispose();
+                decoded.Dispose();
+            }
+        }
+
+        /// <summary>Copies records here and now, since they are few.</summary>
+        unsafe void Take(RecordSlot slot)
+        {
+            RecordPagePool.Of(m_pool).Append(ref m_pages,
+                (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
+                slot.FirstOfChunk[m_build.Map.Outside]);
+            var statistics = Statistics;
+            statistics.Include(slot.TakeStatistics(Attributes));
+            Statistics = statistics;
+        }
+
+        /// <summary>Takes runs that come as blocks.</summary>
+        sealed class Taking : IBlockConsumer, IDisposable
+        {
+            readonly ProvisionalSample m_sample;
+            readonly SourceGrid m_grid;
+            readonly int m_longest;
+            readonly List<RecordSlot> m_slots = new List<RecordSlot>();
+
+            public Taking(ProvisionalSample sample, SourceGrid grid, int longest)
+            {
+                m_sample = sample;
+                m_grid = grid;
+                m_longest = longest;
+            }
+
+            public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+            {
+                var build = m_sample.m_build;
+                if (slot == m_slots.Count)
+                    m_slots.Add(new RecordSlot(m_longest, build.Attributes, build.Records, build.Map, read.Points));
+                return m_slots[slot].ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
+            }
+
+            public void Completed(BlockRead read, int slot) => m_sample.Take(m_slots[slot]);
+
+            public void Dispose()
+            {
+                foreach (var slot in m_slots)
+                    slot.Dispose();
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Core;
+using FastPoints.Reading;
+
+namespace FastPoints.Build
+{
+    /// <summary>Reads all sources into the chunks of the first partition, from where a build that was killed had come, and writes
+    /// the journal as it goes.</summary>
+    internal sealed class ReadSources
+    {
+        readonly BuildContext m_build;
+        readonly ScatterPoints m_scatter;
+        readonly BuildCheckpoints m_checkpoints;
+        readonly BuildGenerations m_generations;
+        readonly Stopwatch m_watch = Stopwatch.StartNew();
+        WorkSteps m_first;
+        long m_sinceCheckpoint;
+        long m_resumedPoints;
+
+        /// <param name="generations">Shows a sample where reading takes long.</param>
+        public ReadSources(BuildContext build, ScatterPoints scatter, BuildCheckpoints checkpoints, BuildGenerations generations)
+        {
+            m_build = build;
+            m_scatter = scatter;
+            m_checkpoints = checkpoints;
+            m_generations = generations;
+        }
+
+        /// <summary>Work for a pump.</summary>
+        public IEnumerator<Work> Run()
+        {
+            var journal = m_checkpoints.Journal;
+            if (journal.At != BuildJournal.Stage.Read)
+                yield break;
+            m_resumedPoints = m_scatter.PointsDone;
+            try
+            {
+                for (int i = journal.Source; i < m_build.Readers.Count; i++)
+                {
+                    yield return Work.Of(Read(i));
+                    journal.Source = i + 1;
+                    journal.Block = 0;
+                }
+                yield return Work.Of(EndFirst());
+            }
+            finally
+            {
+                m_first?.Dispose();
+            }
+            if (UsesFiles())
+                yield return Work.Of(m_scatter.WriteAll());
+        }
+
+        /// <summary>Whether what was read can be resumed; what takes long goes to files from now on.</summary>
+        bool UsesFiles() => m_build.Files != null ||
+            m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
+
+        /// <summary>A build that goes to files as time passes has its first checkpoint early, which tells the pace.</summary>
+        long PointsToCheckpoint()
+        {
+            var settings = m_build.Settings;
+            if (m_build.Files == null && double.IsPositiveInfinity(settings.SecondsInMemory))
+                return settings.PointsPerCheckpoint;
+            long points = m_scatter.PointsDone - m_resumedPoints;
+            return points == 0 ? Math.Max(1, settings.PointsPerCheckpoint / 8) : (long)Math.Min(settings.PointsPerCheckpoint,
+                points / m_watch.Elapsed.TotalSeconds * settings.SecondsPerCheckpoint);
+        }
+
+        IEnumerator<Work> Read(int source)
+        {
+            var journal = m_checkpoints.Journal;
+            var reader = m_build.Readers[source];
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var attribute in m_build.Attributes)
+                names.Add(attribute.Name);
+            var wanted = reader.Info.Schema.Select(names.ToArray());
+            var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.AheadBytes,
+                m_build.Settings.Workers, m_build.AheadMs);
+            m_scatter.BeginSource(reader, m_build.Grid.Sources[source]);
+            if (journal.Statistics.Count <= source)
+                journal.Statistics.Add(PointStatistics.None);
+            for (int block = journal.Block; block < reader.BlockCount; block = journal.Block)
+            {
+                int end = block;
+                long wantedPoints = PointsToCheckpoint();
+                do
+                    m_sinceCheckpoint += reader.PointsInBlock(end);
+                while (++end < reader.BlockCount && m_sinceCheckpoint < wantedPoints);
+                using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, ahead, m_build.Settings.Workers, block,
+                    end, null)))
+                {
+                    while (scan.MoveNext())
+                    {
+                        yield return scan.Current;
+                        StepFirst();
+                    }
+                }
+                var found = journal.Statistics[source];
+                found.Include(m_scatter.TakeStatistics());
+                journal.Statistics[source] = found;
+                journal.Block = end;
+                if (m_sinceCheckpoint < wantedPoints)
+                    continue;
+                m_sinceCheckpoint = 0;
+                if (!UsesFiles())
+                    continue;
+                yield return Work.Of(m_scatter.WriteAll());
+                // Reading goes on while the disk takes in what was read.
+                yield return Work.Of(m_checkpoints.Begin());
+            }
+            yield return Work.Of(m_scatter.EndSource());
+        }
+
+        /// <summary>Where reading takes long, the first generation is made beside it; not for what is left of the second half,
+        /// since chunks follow soon.</summary>
+        void StepFirst()
+        {
+            if (m_first == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)
+                m_first = new WorkSteps(m_generations.WriteFirst());
+            if (m_first == null || !WorkPump.HasEnded(m_first.Current))
+                return;
+            m_first.Current.Complete();
+            m_first.MoveNext();
+        }
+
+        /// <summary>Ends the first generation if it was begun.</summary>
+        IEnumerator<Work> EndFirst()
+        {
+            for (bool more = m_first != null; more; more = m_first.MoveNext())
+            {
+                yield return m_first.Current;
+                m_first.Current.Complete();
+            }
+        }
+    }
+}

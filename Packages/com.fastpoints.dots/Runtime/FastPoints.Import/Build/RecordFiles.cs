@@ -1,0 +1,160 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+
+namespace FastPoints.Build
+{
+    /// <summary>The records that do not fit in memory: one file for each chunk in the target's folder, only appended to, by the
+    /// one writer thread, with one file open at a time. Written pages can be reused.</summary>
+    internal sealed class RecordFiles : IDisposable
+    {
+        struct Handed
+        {
+            public WriteTicket Ticket;
+            public RecordPages Pages;
+        }
+
+        readonly CloudFolderWriter m_folder;
+        readonly int m_strideBytes;
+        readonly List<long> m_recordsOfFile = new List<long>();
+        readonly List<int> m_usersOfFile = new List<int>();
+        readonly SortedSet<int> m_notSynced = new SortedSet<int>();
+        readonly Queue<Handed> m_handed = new Queue<Handed>();
+        RecordPages m_written;
+        long m_bytes;
+
+        public RecordFiles(CloudFolderWriter folder, int strideBytes)
+        {
+            m_folder = folder;
+            m_strideBytes = strideBytes;
+        }
+
+        /// <summary>Pages that are not written yet.</summary>
+        public long PagesWaiting { get; private set; }
+
+        /// <summary>Most bytes that the files had at one time.</summary>
+        public long PeakBytes { get; private set; }
+
+        public int FileCount => m_recordsOfFile.Count;
+
+        public string PathOf(int file) => m_folder.PathOf(BuildFiles.RecordPath(file));
+
+        public long RecordsOf(int file) => m_recordsOfFile[file];
+
+        /// <summary>Adds an empty file, which does not exist on disk before it has records.</summary>
+        public int Add()
+        {
+            m_recordsOfFile.Add(0);
+            m_usersOfFile.Add(1);
+            return m_recordsOfFile.Count - 1;
+        }
+
+        /// <summary>Takes over the files of a killed build, cut to the lengths that its journal knows; other files are
+        /// deleted.</summary>
+        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken over.</returns>
+        public bool TakeOver(BuildJournal journal)
+        {
+            var users = new int[journal.Records.Count];
+            bool isReading = journal.At == BuildJournal.Stage.Read;
+            foreach (var chunk in journal.Chunks)
+                foreach (var run in chunk.Runs)
+                    if (run.File < 0 || run.File >= users.Length || run.First < 0 || run.Count < 0 ||
+                        run.First > journal.Records[run.File] - run.Count)
+                        return false;
+                    else
+                        users[run.File]++;
+            var known = new HashSet<string>();
+            for (int file = 0; file < users.Length; file++)
+            {
+                long records = isReading || users[file] > 0 ? journal.Records[file] : 0;
+                if (!m_folder.Truncate(BuildFiles.RecordPath(file), records * m_strideBytes) &&
+                    journal.At != BuildJournal.Stage.Index)
+                    return false;
+                if (records > 0)
+                    known.Add(PathOf(file));
+            }
+            m_folder.DeleteOthers(BuildFiles.RecordFolderName, known);
+
+            PeakBytes = journal.PeakBytes;
+            for (int file = 0; file < users.Length; file++)
+            {
+                m_recordsOfFile.Add(isReading || users[file] > 0 ? journal.Records[file] : 0);
+                m_usersOfFile.Add(isReading ? 1 : users[file]);
+                Count(m_recordsOfFile[file]);
+            }
+            return true;
+        }
+
+        /// <summary>Hands pages to the writer.</summary>
+        public void Append(int file, RecordPages pages)
+        {
+            if (pages.Count == 0)
+                return;
+            var ticket = m_folder.WriteRecords(BuildFiles.RecordPath(file), pages, m_strideBytes,
+                m_recordsOfFile[file] * m_strideBytes);
+            m_handed.Enqueue(new Handed { Ticket = ticket, Pages = pages });
+            m_notSynced.Add(file);
+            m_recordsOfFile[file] += pages.Count;
+            PagesWaiting += pages.PageCount;
+            Count(pages.Count);
+        }
+
+        /// <summary>Queues a flush: everything handed over is on disk before the writer's next order.</summary>
+        public void Sync()
+        {
+            foreach (int file in m_notSynced)
+                m_folder.SyncRecords(BuildFiles.RecordPath(file));
+            m_notSynced.Clear();
+        }
+
+        /// <summary>Checks what is written by now.</summary>
+        /// <param name="waitMs">The longest wait for the next piece.</param>
+        /// <exception cref="Base.PointCloudException">Something could not be written.</exception>
+        public void Poll(int waitMs)
+        {
+            while (m_handed.Count > 0 && m_handed.Peek().Ticket.IsDone(waitMs))
+            {
+                var pages = m_handed.Dequeue().Pages;
+                PagesWaiting -= pages.PageCount;
+                m_written.Join(ref pages);
+                waitMs = 0;
+            }
+        }
+
+        /// <summary>Pages that were written, for the pool.</summary>
+        public RecordPages TakeWritten()
+        {
+            var pages = m_written;
+            m_written = default;
+            return pages;
+        }
+
+        /// <summary>Adds a user that reads a file and releases it.</summary>
+        public void Share(int file) => m_usersOfFile[file]++;
+
+        /// <summary>Ends one user's reading of a file; the last one deletes it.</summary>
+        public void Release(int file)
+        {
+            if (--m_usersOfFile[file] > 0 || m_recordsOfFile[file] == 0)
+                return;
+            Count(-m_recordsOfFile[file]);
+            m_recordsOfFile[file] = 0;
+            m_notSynced.Remove(file);
+            m_folder.Delete(BuildFiles.RecordPath(file));
+        }
+
+        /// <summary>Waits for what the writer has in hand.</summary>
+        public void Dispose()
+        {
+            while (m_handed.Count > 0)
+                m_handed.Dequeue().Ticket.Wait();
+        }
+
+        void Count(long records)
+        {
+            m_bytes += records * m_strideBytes;
+            PeakBytes = Math.Max(PeakBytes, m_bytes);
+        }
+    }
+}

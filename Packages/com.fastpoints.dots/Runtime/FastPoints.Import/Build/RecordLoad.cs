@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>Reads records of temporary files back into pages, in the background.</summary>
+    internal sealed unsafe class RecordLoad : IDisposable
+    {
+        readonly BuildContext m_build;
+        readonly List<ReadHandle> m_reads = new List<ReadHandle>();
+        readonly List<string> m_paths = new List<string>();
+
+        // The read manager keeps the pointer to its commands until the read has ended.
+        NativeArray<ReadCommand> m_commands;
+        RecordPages m_pages;
+
+        /// <param name="build">Has the files, and gives the pages.</param>
+        public RecordLoad(BuildContext build) => m_build = build;
+
+        /// <summary>Completes when everything is read; then call <see cref="Complete"/>.</summary>
+        public JobHandle Done { get; private set; }
+
+        /// <summary>The pages, which have their records when <see cref="Done"/> completes.</summary>
+        public RecordPages Pages => m_pages;
+
+        /// <summary>Starts a load; the one before is complete, and the records have been written.</summary>
+        /// <param name="runs">Ranges that together are one sequence of records.</param>
+        /// <param name="first">First record of that sequence.</param>
+        /// <param name="count">Number of records, at most as many as there are.</param>
+        public void Begin(IReadOnlyList<RecordRange> runs, long first, long count)
+        {
+            ref var pool = ref RecordPagePool.Of(m_build.Pool);
+            Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + runs.Count);
+            var commands = (ReadCommand*)m_commands.GetUnsafePtr();
+            int commandCount = 0;
+            Done = default;
+            foreach (var run in runs)
+            {
+                long skipped = Math.Min(first, run.Count);
+                first -= skipped;
+                long left = Math.Min(count, run.Count - skipped), offset = (run.First + skipped) * pool.StrideBytes;
+                if (left <= 0)
+                    continue;
+                count -= left;
+                int firstCommand = commandCount;
+                while (left > 0)
+                {
+                    var page = pool.Take();
+                    page->Count = (int)Math.Min(left, RecordPages.RecordsPerPage);
+                    long bytes = (long)page->Count * pool.StrideBytes;
+                    commands[commandCount++] = new ReadCommand
+                    {
+                        Buffer = RecordPages.RecordsOf(page),
+                        Offset = offset,
+                        Size = bytes
+                    };
+                    m_pages.AddPage(page);
+                    left -= page->Count;
+                    offset += bytes;
+                }
+                string path = m_build.Files.PathOf(run.File);
+                var read = FileReads.Once(path, commands + firstCommand, commandCount - firstCommand);
+                m_reads.Add(read);
+                m_paths.Add(path);
+                Done = JobHandle.CombineDependencies(Done, read.JobHandle);
+            }
+        }
+
+        /// <summary>Ends the load; the caller owns the pages.</summary>
+        /// <exception cref="PointCloudException">Not all of it could be read.</exception>
+        public RecordPages Complete()
+        {
+            Done.Complete();
+            PointCloudException failure = null;
+            for (int i = 0; i < m_reads.Count; i++)
+            {
+                var status = m_reads[i].Status;
+                m_reads[i].Dispose();
+                if (status != ReadStatus.Complete && failure == null)
+                    failure = new PointCloudException(FailureCode.ReadFailed, m_paths[i], -1, "the points that were set aside " +
+                        "there cannot be read back: the read ended as " + status);
+            }
+            m_reads.Clear();
+            m_paths.Clear();
+            if (failure != null)
+                throw failure;
+            var pages = m_pages;
+            m_pages = default;
+            return pages;
+        }
+
+        /// <summary>Returns pages that nobody took to their pool.</summary>
+        public void Dispose()
+        {
+            foreach (var read in m_reads)
+                read.Cancel();
+            Done.Complete();
+            foreach (var read in m_reads)
+                read.Dispose();
+            m_reads.Clear();
+            if (m_commands.IsCreated)
+                m_commands.Dispose();
+        }
+
+        void Reserve(int commands)
+        {
+            if (m_commands.IsCreated && m_commands.Length >= commands)
+                return;
+            if (m_commands.IsCreated)
+                m_commands.Dispose();
+            m_commands = new NativeArray<ReadCommand>(commands, Allocator.Persistent);
+        }
+    }
+}

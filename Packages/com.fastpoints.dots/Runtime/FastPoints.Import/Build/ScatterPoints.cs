@@ -1,0 +1,171 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>Takes every block of a source into the chunks of a partition: into memory, and on to files where that has no more
+    /// room. Owns the records in memory until they are handed over.</summary>
+    internal sealed class ScatterPoints : IThrottledConsumer, IDisposable
+    {
+        readonly BuildContext m_build;
+        readonly List<RecordSlot> m_slots = new List<RecordSlot>();
+        NativeArray<RecordPages> m_chunks;
+        NativeReference<long> m_pagesDetached;
+        SourceGrid m_grid;
+        PointReader m_reader;
+        JobHandle m_lastAppend;
+        long m_bytesDone;
+
+        public ScatterPoints(BuildContext build)
+        {
+            m_build = build;
+            m_chunks = new NativeArray<RecordPages>(build.Map.Chunks.Length + 1, Allocator.Persistent);
+            m_pagesDetached = new NativeReference<long>(Allocator.Persistent);
+            Attributes = new AttributeStatistics[build.Attributes.Count];
+            for (int a = 0; a < Attributes.Length; a++)
+                Attributes[a] = AttributeStatistics.None;
+        }
+
+        /// <summary>Points that were read, those of a build before this one with them.</summary>
+        public long PointsDone { get; private set; }
+
+        /// <summary>Of all that <see cref="TakeStatistics"/> took.</summary>
+        public PointStatistics Statistics { get; private set; } = PointStatistics.None;
+
+        /// <summary>By attribute, the same.</summary>
+        public AttributeStatistics[] Attributes { get; }
+
+        /// <summary>Records by chunk of the partition, the last those outside. Elements may be taken over and emptied.</summary>
+        public NativeArray<RecordPages> Chunks => m_chunks;
+
+        /// <summary>Whether the disk keeps up.</summary>
+        public bool IsReady
+        {
+            get
+            {
+                var files = m_build.Files;
+                if (files == null || files.PagesWaiting <= m_build.Plan.MostWaitingPages)
+                    return true;
+                files.Poll(1);
+                return files.PagesWaiting <= m_build.Plan.MostWaitingPages;
+            }
+        }
+
+        /// <summary>Before a source's scan.</summary>
+        public void BeginSource(PointReader reader, in SourceGrid grid)
+        {
+            m_grid = grid;
+            m_reader = reader;
+        }
+
+        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            while (m_slots.Count <= slot)
+                m_slots.Add(new RecordSlot(m_reader.MaxPointsPerBlock, m_build.Attributes, m_build.Records, m_build.Map,
+                    read.Points));
+            var s = m_slots[slot];
+            var grouped = s.ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
+            var files = m_build.Files;
+            files?.Poll(0);
+            m_lastAppend = new AppendRecordsJob
+            {
+                Records = s.Records,
+                FirstOfChunk = s.FirstOfChunk,
+                Chunks = m_chunks,
+                Pool = m_build.Pool,
+                Returned = files == null ? default : files.TakeWritten(),
+                MostPages = m_build.Plan.MostPages,
+                PagesDetached = m_pagesDetached,
+                Detached = s.Detached,
+                Slices = s.Slices,
+            }.Schedule(JobHandle.CombineDependencies(grouped, m_lastAppend));
+            return m_lastAppend;
+        }
+
+        public void Completed(BlockRead read, int slot)
+        {
+            foreach (var detached in m_slots[slot].Detached.AsArray())
+                m_build.Files.Append(detached.Chunk, detached.Pages);
+            PointsDone += read.Points.Count;
+            m_bytesDone += m_reader.BytesOfRange(read.Range);
+            m_build.Progress?.Report(PointsDone / (double)Math.Max(1, m_build.Points), PointsDone, m_bytesDone);
+        }
+
+        /// <summary>Takes in what a build before this one has read.</summary>
+        public void Resume(BuildJournal journal)
+        {
+            for (int a = 0; a < journal.Attributes.Length; a++)
+                Attributes[a] = journal.Attributes[a];
+            var all = Statistics;
+            foreach (var found in journal.Statistics)
+            {
+                PointsDone += found.Count + found.LeftOut;
+                all.Include(found);
+            }
+            Statistics = all;
+        }
+
+        /// <summary>When a scan has ended: takes in what it showed.</summary>
+        /// <returns>What is new.</returns>
+        public PointStatistics TakeStatistics()
+        {
+            m_lastAppend.Complete();
+            m_lastAppend = default;
+            var found = PointStatistics.None;
+            foreach (var slot in m_slots)
+                found.Include(slot.TakeStatistics(Attributes));
+            var all = Statistics;
+            all.Include(found);
+            Statistics = all;
+            return found;
+        }
+
+        /// <summary>Work for a pump, when a scan has ended: everything in memory goes to the files.</summary>
+        public IEnumerator<Work> WriteAll()
+        {
+            var files = m_build.Files;
+            for (int c = 0; c < m_chunks.Length; c++)
+            {
+                files.Append(c, m_chunks[c]);
+                m_chunks[c] = default;
+            }
+            while (files.PagesWaiting > 0)
+            {
+                files.Poll(1);
+                yield return default;
+            }
+            var written = files.TakeWritten();
+            RecordPagePool.Of(m_build.Pool).Return(ref written);
+            m_pagesDetached.Value = 0;
+        }
+
+        /// <summary>Work for a pump, after a source's scan: frees what the next source has no use for, a part a step.</summary>
+        public IEnumerator<Work> EndSource()
+        {
+            for (; m_slots.Count > 0; m_slots.RemoveAt(m_slots.Count - 1))
+            {
+                var slot = m_slots[m_slots.Count - 1];
+                m_build.Slices.Take(slot.Slices);
+                slot.Dispose();
+                yield return default;
+            }
+        }
+
+        public void Dispose()
+        {
+            m_lastAppend.Complete();
+            foreach (var slot in m_slots)
+                slot.Dispose();
+            m_slots.Clear();
+            if (!m_chunks.IsCreated)
+                return;
+            m_chunks.Dispose();
+            m_pagesDetached.Dispose();
+        }
+    }
+}

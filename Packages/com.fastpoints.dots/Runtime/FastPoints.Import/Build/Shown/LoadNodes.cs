@@ -1,0 +1,282 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Build
+{
+    /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
+    internal static class LoadNodes
+    {
+        /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
+        /// scattered over upper.bin, which grows with the cloud.</summary>
+        public const long MostBytesARead = 4 << 20;
+
+        /// <summary>Parts that are read while others are decoded.</summary>
+        const int PartsInFlight = 4;
+
+        /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
+        public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
+        {
+            var attributes = new List<PointAttribute>
+            {
+                new PointAttribute(AttributeNames.X, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
+            };
+            attributes.AddRange(folder.Manifest.Attributes.Select(wanted));
+            return new PointSchema(attributes);
+        }
+
+        /// <summary>Reads the nodes as work for a pump. Positions come as grid steps from the root's corner: see
+        /// <see cref="CloudGrid.FromCorner"/>.</summary>
+        /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
+        /// selection.</param>
+        /// <param name="mostBytes">The most bytes that are read at once.</param>
+        /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
+        public static IEnumerator<Work> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+            StageProgress progress, long mostBytes = MostBytesARead)
+        {
+            var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
+            var loads = new List<FileLoad>();
+            var decoded = default(JobHandle);
+            try
+            {
+                int points = 0;
+                foreach (int file in selection.Files)
+                {
+                    var load = new FileLoad(folder, selection, file, batch, points, mostBytes);
+                    loads.Add(load);
+                    points += load.Points;
+                    for (int part = 0; part < load.Parts.Count; part++)
+                    {
+                        StoreRead read = null;
+                        if (inFlight.Count == PartsInFlight)
+                        {
+                            yield return inFlight.Peek().Decoded;
+                            read = Complete(inFlight, selection, progress);
+                        }
+                        read ??= new StoreRead();
+                        read.Begin(selection.PathOf(file), load.Parts[part].FirstByte, load.Parts[part].ByteCount);
+                        decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
+                        inFlight.Enqueue((load, part, read, decoded));
+                    }
+                }
+                while (inFlight.Count > 0)
+                {
+                    yield return inFlight.Peek().Decoded;
+                    Complete(inFlight, selection, progress).Dispose();
+                }
+                batch.Count = points;
+            }
+            finally
+            {
+                decoded.Complete();
+                foreach (var left in inFlight)
+                    left.Read.Dispose();
+                foreach (var load in loads)
+                    load.Dispose();
+            }
+        }
+
+        /// <summary>Ends the oldest part.</summary>
+        /// <returns>Its read, which is free.</returns>
+        static StoreRead Complete(Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
+            NodeSelection selection, StageProgress progress)
+        {
+            // It stays in the queue, whose reads are disposed, until it is known to be sound.
+            var (load, part, read, decoded) = inFlight.Peek();
+            decoded.Complete();
+            read.Complete();
+            load.Check(part);
+            inFlight.Dequeue();
+            if (part == load.Parts.Count - 1)
+            {
+                load.Dispose();
+                progress?.Report(load.EndPoint / (double)Math.Max(1, selection.Points), load.EndPoint, 0);
+            }
+            return read;
+        }
+
+        /// <summary>Nodes whose planes lie near one another: one read around all of them, and one job.</summary>
+        struct Part
+        {
+            public int FirstNode;
+            public int NodeCount;
+            public long FirstByte;
+            public long ByteCount;
+        }
+
+        /// <summary>The nodes of one file, part by part.</summary>
+        sealed class FileLoad : IDisposable
+        {
+            readonly NodeSelection m_selection;
+            readonly int m_file;
+            readonly PointBatch m_batch;
+
+            /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
+            readonly int[] m_order;
+            NativeArray<ChosenNode> m_nodes;
+            NativeArray<PlaneRange> m_ranges;
+            NativeArray<PlaneShape> m_shapes;
+            NativeArray<StoredColumn> m_columns;
+            NativeArray<PointColumn> m_targets;
+
+            /// <summary>For each part that was scheduled.</summary>
+            readonly NativeArray<bool>[] m_isDamaged;
+
+            public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
+                long mostBytes)
+            {
+                m_selection = selection;
+                m_file = file;
+                m_batch = batch;
+                var planes = new List<int> { StoreLayout.PositionPlane };
+                var shapes = new List<PlaneShape>();
+                var columns = new List<StoredColumn>();
+                var targets = new List<PointColumn>();
+                for (int p = 1; p < folder.Layout.Planes.Count; p++)
+                {
+                    var plane = folder.Layout.Planes[p];
+                    if (plane.AverageOf >= 0)
+                        continue;
+                    // A plane is wanted if all its attributes are.
+                    int first = targets.Count;
+                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
+                    {
+                        int column = batch.Schema.IndexOf(folder.Layout.Attributes[folder.Layout.AttributeOfColumn[c]].Name);
+                        if (column >= 0)
+                            targets.Add(batch.Column(column));
+                    }
+                    if (targets.Count - first < plane.ColumnCount)
+                    {
+                        targets.RemoveRange(first, targets.Count - first);
+                        continue;
+                    }
+                    planes.Add(p);
+                    shapes.Add(plane.Shape);
+                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
+                        columns.Add(folder.Layout.Columns[c]);
+                }
+
+                var table = selection.TableOf(file);
+                var chosen = selection.NodesOf(file);
+                var nodes = new ChosenNode[chosen.Count];
+                var ranges = new PlaneRange[chosen.Count * planes.Count];
+                var begins = new long[nodes.Length];
+                var ends = new long[nodes.Length];
+                for (int i = 0; i < nodes.Length; i++)
+                {
+                    begins[i] = long.MaxValue;
+                    var node = table.Nodes[chosen[i]];
+                    var host = table.Nodes[node.Host];
+                    nodes[i] = new ChosenNode
+                    {
+                        FirstBlock = node.FirstBlock,
+                        BlockCount = node.BlockCount,
+                        HostedBlocks = host.HostedBlocks,
+                        IsWide = host.IsWide,
+                        Corner = host.Corner - folder.Manifest.Root.Corner,
+                        FirstPoint = firstPoint + Points,
+                        FirstRange = i * planes.Count,
+                    };
+                    Points += node.PointCount;
+                    // Points that represent others show their average, which has the same shape and types.
+                    bool isRefined = selection.IsRefined(file, chosen[i]);
+                    for (int p = 0; p < planes.Count; p++)
+                    {
+                        int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
+                        var range = table.Planes[node.Host * table.PlaneCount + (average >= 0 ? average : planes[p])];
+                        ranges[i * planes.Count + p] = range;
+                        begins[i] = Math.Min(begins[i], range.OffsetBytes);
+                        ends[i] = Math.Max(ends[i], range.OffsetBytes + range.LengthBytes);
+                    }
+                }
+                EndPoint = firstPoint + Points;
+                m_order = new int[nodes.Length];
+                for (int i = 0; i < m_order.Length; i++)
+                    m_order[i] = i;
+                Array.Sort(m_order, (a, b) => begins[a].CompareTo(begins[b]));
+                Parts = Cut(m_order, begins, ends, mostBytes);
+                m_nodes = new NativeArray<ChosenNode>(Array.ConvertAll(m_order, i => nodes[i]), Allocator.Persistent);
+                m_ranges = new NativeArray<PlaneRange>(ranges, Allocator.Persistent);
+                m_shapes = new NativeArray<PlaneShape>(shapes.ToArray(), Allocator.Persistent);
+                m_columns = new NativeArray<StoredColumn>(columns.ToArray(), Allocator.Persistent);
+                m_targets = new NativeArray<PointColumn>(targets.ToArray(), Allocator.Persistent);
+                m_isDamaged = new NativeArray<bool>[Parts.Count];
+            }
+
+            public List<Part> Parts { get; }
+            public int Points { get; }
+
+            /// <summary>The end of its points in the batch.</summary>
+            public int EndPoint { get; }
+
+            /// <param name="bytes">The part's bytes, after <paramref name="inputDeps"/>.</param>
+            public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
+            {
+                var part = Parts[number];
+                var schema = m_batch.Schema;
+                m_isDamaged[number] = new NativeArray<bool>(part.NodeCount, Allocator.Persistent);
+                return new DecodeNodesJob
+                {
+                    File = bytes,
+                    FileOffset = part.FirstByte,
+                    Nodes = m_nodes.GetSubArray(part.FirstNode, part.NodeCount),
+                    Ranges = m_ranges,
+                    Shapes = m_shapes,
+                    Columns = m_columns,
+                    Targets = m_targets,
+                    X = m_batch.Column(schema.IndexOf(AttributeNames.X)),
+                    Y = m_batch.Column(schema.IndexOf(AttributeNames.Y)),
+                    Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
+                    Batch = m_batch.Bytes,
+                    IsDamaged = m_isDamaged[number],
+                }.Schedule(part.NodeCount, 1, inputDeps);
+            }
+
+            /// <exception cref="PointCloudException">A node of the part is damaged.</exception>
+            public void Check(int number)
+            {
+                var part = Parts[number];
+                for (int i = 0; i < part.NodeCount; i++)
+                    if (m_isDamaged[number][i])
+                        throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
+                            m_ranges[m_nodes[part.FirstNode + i].FirstRange].OffsetBytes,
+                            "node " + m_selection.NodesOf(m_file)[m_order[part.FirstNode + i]] + " is damaged");
+            }
+
+            public void Dispose()
+            {
+                if (!m_nodes.IsCreated)
+                    return;
+                m_nodes.Dispose();
+                m_ranges.Dispose();
+                m_shapes.Dispose();
+                m_columns.Dispose();
+                m_targets.Dispose();
+                foreach (var isDamaged in m_isDamaged)
+                    if (isDamaged.IsCreated)
+                        isDamaged.Dispose();
+            }
+
+            static List<Part> Cut(int[] order, long[] begins, long[] ends, long mostBytes)
+            {
+                var parts = new List<Part>();
+                for (int i = 0; i < order.Length; i++)
+                {
+                    long begin = begins[order[i]], end = ends[order[i]];
+                    var part = parts.Count > 0 ? parts[parts.Count - 1] : default;
+                    if (parts.Count == 0 || end > part.FirstByte + Math.Max(part.ByteCount, mostBytes))
+                        parts.Add(part = new Part { FirstNode = i, FirstByte = begin });
+                    part.NodeCount++;
+                    part.ByteCount = Math.Max(part.ByteCount, end - part.FirstByte);
+                    parts[parts.Count - 1] = part;
+                }
+                return parts;
+            }
+        }
+    }
+}

@@ -1,0 +1,332 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Text;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+
+namespace FastPoints.Build
+{
+    /// <summary>Writes a cloud's folder under a temporary name, and renames it when it is complete. Each file is complete or
+    /// absent: it is written under another name, flushed, then renamed. One thread writes; callers never wait for a
+    /// disk.</summary>
+    /// <remarks>If disposed before <see cref="Complete"/>, it leaves nothing except what <see cref="Keep"/> keeps. A lock file
+    /// keeps out a second build of the same target.</remarks>
+    internal sealed unsafe class CloudFolderWriter : IDisposable
+    {
+        const string LockName = "build.lock";
+
+        readonly string m_target;
+        readonly string m_part;
+        readonly FolderLock m_lock;
+        readonly WriteQueue m_queue;
+        bool m_isLost;
+        bool m_isComplete;
+        bool m_isKept;
+
+        /// <param name="target">The final folder: absent, empty, or a cloud that the new one replaces.</param>
+        /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being built.</exception>
+        public CloudFolderWriter(string target)
+        {
+            m_target = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
+            m_part = m_target + StoreFormat.PartSuffix;
+            CheckReplaceable(target);
+            try
+            {
+                Directory.CreateDirectory(m_part);
+                m_lock = Lock();
+                using var entries = Directory.EnumerateFileSystemEntries(m_part).GetEnumerator();
+                // One is the lock.
+                HasLeftovers = entries.MoveNext() && entries.MoveNext();
+                MakeFolders();
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                m_lock?.Dispose();
+                throw e as PointCloudException ?? FileFailures.Writing(m_part, e);
+            }
+            m_queue = new WriteQueue(RenewLock, FolderLock.RenewAfter);
+        }
+
+        /// <summary>Whether a build of this target was killed before.</summary>
+        public bool HasLeftovers { get; }
+
+        /// <summary>Reads a text that a killed build left, or returns null if there is none.</summary>
+        public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;
+
+        /// <summary>Work for a pump: writes a small file behind everything queued, replacing the one of that name.</summary>
+        public IEnumerator<Work> WriteText(string name, string text)
+        {
+            using var bytes = new NativeArray<byte>(new UTF8Encoding(false).GetBytes(text), Allocator.Persistent);
+            var ticket = Write(name, bytes);
+            try
+            {
+                yield return Work.Of(Await(ticket));
+            }
+            finally
+            {
+                ticket.Wait();
+            }
+        }
+
+        /// <summary>Cuts a file to a size; 0 deletes it.</summary>
+        /// <returns>Whether it has that size now: false if it was shorter.</returns>
+        public bool Truncate(string name, long bytes)
+        {
+            string path = PathOf(name);
+            try
+            {
+                if (bytes == 0)
+                {
+                    FileChanges.Delete(path);
+                    return true;
+                }
+                if (!File.Exists(path))
+                    return false;
+                using var file = FileChanges.OpenToWrite(path, FileMode.Open);
+                if (file.Length < bytes)
+                    return false;
+                file.SetLength(bytes);
+                return true;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Deletes files in a folder of the build, before anything that is queued later.</summary>
+        /// <param name="kept">Paths to keep, which nobody changes any more.</param>
+        public void DeleteOthers(string folder, ICollection<string> kept) => m_queue.Do(PathOf(folder), () =>
+        {
+            foreach (string file in Directory.GetFiles(PathOf(folder)))
+                if (!kept.Contains(PathOf(folder + "/" + Path.GetFileName(file))))
+                    FileChanges.Delete(file);
+        });
+
+        /// <summary>Work for a pump: deletes everything in it, so that the build starts over.</summary>
+        public IEnumerator<Work> Clear() => Await(m_queue.Do(m_part, () =>
+        {
+            foreach (string folder in Directory.GetDirectories(m_part))
+                FileChanges.DeleteFolder(folder);
+            foreach (string file in Directory.GetFiles(m_part))
+                if (Path.GetFileName(file) != LockName)
+                    FileChanges.Delete(file);
+            MakeFolders();
+        }));
+
+        /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
+        public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
+
+        /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it. The bytes belong to the
+        /// writer until the ticket is done.</summary>
+        /// <param name="offset">Offset of the piece in the file.</param>
+        public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
+            m_queue.WritePiece(PathOf(name), bytes, offset);
+
+        /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
+        public WriteTicket Seal(string name, NativeArray<byte> bytes) => m_queue.Seal(PathOf(name), bytes);
+
+        /// <summary>Queues records for a temporary file. The pages belong to the writer until the ticket is done.</summary>
+        /// <param name="offset">The file's size so far.</param>
+        public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
+            m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
+
+        /// <summary>Queues a flush of a temporary file: when the ticket is done, everything queued for it before is on disk and
+        /// survives a loss of power.</summary>
+        public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
+
+        /// <summary>Path of a file of the folder while it is in the making.</summary>
+        public string PathOf(string name) => Path.Combine(m_part, name);
+
+        /// <summary>Deletes a file that the build no longer needs, behind everything queued. What somebody has open is deleted at
+        /// the end.</summary>
+        public void Delete(string name) => m_queue.Do(PathOf(name), () => FileChanges.DeleteRemains(PathOf(name), () => false));
+
+        /// <summary>Deletes the files of one generation of the cloud in the making, if they exist.</summary>
+        public void DeleteGeneration(long generation)
+        {
+            Delete(StoreFormat.GenerationName(StoreFormat.UpperName, generation));
+            Delete(StoreFormat.GenerationName(StoreFormat.HierarchyName, generation));
+        }
+
+        /// <summary>Bytes of the cloud when it is complete.</summary>
+        public long BytesOnDisk { get; private set; }
+
+        /// <summary>Free bytes on the target's disk; -1 if unknown.</summary>
+        public long FreeBytes()
+        {
+            try
+            {
+                return new DriveInfo(Path.GetFullPath(m_part)).AvailableFreeSpace;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return -1;
+            }
+        }
+
+        /// <summary>Work for a pump: gives the folder its final name, once streams have let go of it. Everything must be written,
+        /// cloud.json last of all.</summary>
+        /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
+        public IEnumerator<Work> Complete()
+        {
+            StreamFiles.Leave(m_part);
+            StreamFiles.Leave(m_target);
+            try
+            {
+                for (var watch = Stopwatch.StartNew();
+                    !StreamFiles.HasLeft && watch.ElapsedMilliseconds < FileChanges.PatienceMs;)
+                    yield return default;
+                yield return Work.Of(Await(m_queue.Do(m_target, Finish)));
+            }
+            finally
+            {
+                m_queue.End();
+                StreamFiles.Return(m_part);
+                StreamFiles.Return(m_target);
+            }
+        }
+
+        /// <summary>Keeps what was written when the writer is disposed, as if the process had been killed.</summary>
+        public void Keep() => m_isKept = true;
+
+        public void Dispose()
+        {
+            m_queue.End();
+            if (m_isComplete)
+                return;
+            m_isComplete = true;
+            if (!m_isKept && !m_isLost && m_lock.IsHeld)
+                Delete(m_part, m_lock);
+            else
+                m_lock.Dispose();
+        }
+
+        /// <summary>Takes what a build that ended early left of a target out of the way, unless it is being built now, and
+        /// deletes it on a thread of the pool.</summary>
+        public static void DeleteUnfinished(string target)
+        {
+            string part = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.PartSuffix;
+            if (!Directory.Exists(part))
+                return;
+            try
+            {
+                if (FolderLock.TryTake(Path.Combine(part, LockName), out var taken) != null)
+                    return;
+                Delete(part, taken);
+            }
+            catch (PointCloudException)
+            {
+                // This is the same as if it could not be deleted.
+            }
+        }
+
+        /// <summary>The lock goes with the folder. One that cannot be moved is cleared by the next build of the target.</summary>
+        static void Delete(string part, FolderLock taken)
+        {
+            StreamFiles.Leave(part);
+            FileChanges.BeginDelete(part, failure =>
+            {
+                StreamFiles.Return(part);
+                if (failure != null)
+                    taken.Dispose();
+            });
+        }
+
+        /// <summary>On the writing thread, which may wait.</summary>
+        void Finish()
+        {
+            m_isLost |= !m_lock.IsHeld;
+            if (m_isLost)
+                throw TakenOver();
+            string old = m_target + ".old";
+            try
+            {
+                FileChanges.Insist(() => Rename(old), m_queue.IsPatient);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                // All is there but the name: the next build of this target takes it up.
+                m_isKept = true;
+                if (!Directory.Exists(m_target) && Directory.Exists(old))
+                    FileChanges.MoveFolder(old, m_target);
+                throw new PointCloudException(FileFailures.Writing(m_target, e).Code, m_target, -1,
+                    "is converted but for its name: wanted to rename " + m_part + ", and the system said: " + e.Message +
+                    " Close what has files of it open, and convert again, which goes on from here", e);
+            }
+            m_isComplete = true;
+            // The lock was renamed with the folder.
+            foreach (string name in new[] { LockName, BuildFiles.JournalName })
+                FileChanges.DeleteRemains(Path.Combine(m_target, name), m_queue.IsPatient);
+            foreach (string file in Directory.GetFiles(m_target, "*", SearchOption.AllDirectories))
+                BytesOnDisk += new FileInfo(file).Length;
+            if (Directory.Exists(old))
+                FileChanges.BeginDelete(old, _ => { });
+        }
+
+        /// <summary>Any of its steps may be refused where somebody reads; it goes on with what is left to do.</summary>
+        void Rename(string old)
+        {
+            FileChanges.DeleteFolder(PathOf(BuildFiles.RecordFolderName));
+            FileChanges.DeleteFolder(PathOf(BuildFiles.TopFolderName));
+            foreach (string name in new[] { StoreFormat.UpperName, StoreFormat.HierarchyName })
+                foreach (string file in Directory.GetFiles(m_part, name.Replace(".bin", "-*.bin")))
+                    FileChanges.Delete(file);
+            if (Directory.Exists(m_target))
+            {
+                FileChanges.DeleteFolder(old);
+                FileChanges.MoveFolder(m_target, old);
+            }
+            FileChanges.MoveFolder(m_part, m_target);
+        }
+
+        void MakeFolders()
+        {
+            Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
+            Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
+            Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
+        }
+
+        static IEnumerator<Work> Await(WriteTicket ticket)
+        {
+            while (!ticket.IsDone(1))
+                yield return default;
+        }
+
+        void CheckReplaceable(string target)
+        {
+            if (File.Exists(m_target))
+                throw new PointCloudException(FailureCode.WriteFailed, target, -1, "is a file, wanted a folder to be made");
+            if (!Directory.Exists(m_target) || File.Exists(Path.Combine(m_target, StoreFormat.ManifestName)))
+                return;
+            using var entries = Directory.EnumerateFileSystemEntries(m_target).GetEnumerator();
+            if (entries.MoveNext())
+                throw new PointCloudException(FailureCode.WriteFailed, target, -1,
+                    "is a folder with other things in it: wanted none, or a cloud to replace");
+        }
+
+        FolderLock Lock()
+        {
+            string owner = FolderLock.TryTake(PathOf(LockName), out var taken);
+            return taken ?? throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by " + owner);
+        }
+
+        /// <summary>Renews the lock on the writing thread.</summary>
+        /// <returns>Why nothing may be written any more; null if the folder still belongs to this writer.</returns>
+        PointCloudException RenewLock()
+        {
+            m_isLost |= !m_lock.Renew(DateTime.UtcNow);
+            return m_isLost ? TakenOver() : null;
+        }
+
+        /// <summary>The failure when, after a long sleep of the machine, another writer has taken the folder over.</summary>
+        PointCloudException TakenOver() =>
+            new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
+    }
+}

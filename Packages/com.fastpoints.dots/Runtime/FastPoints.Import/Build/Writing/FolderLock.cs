@@ -1,0 +1,240 @@
+using System;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Store;
+
+namespace FastPoints.Build
+{
+    /// <summary>Keeps others from writing into the same folder, with a file that names its owner. A lock that a crash left is
+    /// taken over: on the same machine if the process is gone, on another if the owner has not renewed it for a while.</summary>
+    /// <remarks>It does not use the system's file locks, which do not hold between processes on every system and runtime that
+    /// Unity runs on (mono/mono#19763). If a runtime cannot tell processes apart, as with IL2CPP, it only keeps others out within
+    /// its own process.</remarks>
+    internal sealed class FolderLock : IDisposable
+    {
+        /// <summary>The owner renews it about this often.</summary>
+        public static readonly TimeSpan RenewAfter = TimeSpan.FromSeconds(20);
+
+        /// <summary>An owner on another machine that has not renewed it for this long counts as gone.</summary>
+        public static readonly TimeSpan GoneAfter = TimeSpan.FromMinutes(3);
+
+        const string Somebody = "another process";
+        const string NoNumber = "0";
+        const string GuardSuffix = ".taking";
+
+        /// <summary>If the start times of two processes with the same number differ by more than this, they are not the same:
+        /// runtimes report times less far apart.</summary>
+        const long SameBeginTicks = 10 * TimeSpan.TicksPerSecond;
+
+        /// <summary>Identifies the loaded scripts: one process loads them many times.</summary>
+        static readonly string s_load = Guid.NewGuid().ToString("N");
+
+        readonly string m_path;
+        readonly string m_owner;
+        DateTime m_renewed;
+
+        FolderLock(string path, string owner)
+        {
+            m_path = path;
+            m_owner = owner;
+            m_renewed = DateTime.UtcNow;
+        }
+
+        /// <summary>Whether the lock still belongs to this owner, according to the file.</summary>
+        public bool IsHeld
+        {
+            get
+            {
+                try
+                {
+                    return StoreFile.ReadText(m_path) == m_owner;
+                }
+                catch (PointCloudException e)
+                {
+                    // A disk that is unreachable for a while does not end the lock.
+                    return e.Code != FailureCode.NotFound;
+                }
+            }
+        }
+
+        /// <summary>Takes the lock if it is free.</summary>
+        /// <param name="path">Path of the file.</param>
+        /// <param name="taken">The lock, or null.</param>
+        /// <returns>Who holds it, for people; null if it was taken.</returns>
+        /// <exception cref="PointCloudException">The folder cannot be written.</exception>
+        public static string TryTake(string path, out FolderLock taken) =>
+            TryTake(path, Environment.MachineName, Self(), out taken);
+
+        /// <summary>The same on behalf of another process or machine.</summary>
+        /// <param name="process">The number of the process, and when it began in ticks of UTC.</param>
+        public static string TryTake(string path, string machine, (int Id, long Began) process, out FolderLock taken)
+        {
+            taken = null;
+            string owner = Describe(machine, process);
+            try
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                if (TryCreate(path, owner))
+                {
+                    taken = new FolderLock(path, owner);
+                    return null;
+                }
+                string other = StoreFile.ReadText(path);
+                if (!IsGone(path, other, machine))
+                    return ForPeople(other);
+                if (!TryTakeOver(path, machine, owner))
+                    return ForPeople(StoreFile.ReadText(path));
+                taken = new FolderLock(path, owner);
+                return null;
+            }
+            catch (PointCloudException e) when (e.Code == FailureCode.NotFound || e.Code == FailureCode.ReadFailed)
+            {
+                // It was released between two looks, or is being written: the next try decides.
+                return Somebody;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Renews the lock so that others know the owner is alive; at most every <see cref="RenewAfter"/>.</summary>
+        /// <returns>Whether the lock still belongs to this owner: false if another one took it, for example after a long
+        /// sleep.</returns>
+        public bool Renew(DateTime nowUtc)
+        {
+            if (nowUtc - m_renewed < RenewAfter)
+                return true;
+            m_renewed = nowUtc;
+            if (!IsHeld)
+                return false;
+            try
+            {
+                File.SetLastWriteTimeUtc(m_path, nowUtc);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                // This is the same as if it could not be read.
+            }
+            return true;
+        }
+
+        /// <summary>Releases it, if it still belongs to this owner.</summary>
+        public void Dispose()
+        {
+            try
+            {
+                if (StoreFile.ReadText(m_path) == m_owner)
+                    FileChanges.Delete(m_path);
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                // The file names this process: the next owner finds it gone.
+            }
+        }
+
+        /// <summary>This process; zeros if the runtime does not say.</summary>
+        public static (int Id, long Began) Self()
+        {
+            try
+            {
+                using var process = Process.GetCurrentProcess();
+                return (process.Id, process.StartTime.ToUniversalTime().Ticks);
+            }
+            catch (Exception e) when (IsOfTheRuntime(e))
+            {
+                return default;
+            }
+        }
+
+        static bool TryCreate(string path, string owner)
+        {
+            try
+            {
+                using (var file = FileChanges.OpenToWrite(path, FileMode.CreateNew))
+                using (var writer = new StreamWriter(file))
+                    writer.Write(owner);
+                return true;
+            }
+            catch (IOException e) when (FileFailures.Writing(path, e).Code == FailureCode.WriteFailed)
+            {
+                // Another owner has it, or had it a moment ago.
+                return false;
+            }
+        }
+
+        /// <summary>Lets only one of several that found it stale take it over: a file beside it keeps the others off
+        /// meanwhile.</summary>
+        static bool TryTakeOver(string path, string machine, string owner)
+        {
+            string guard = path + GuardSuffix;
+            if (!TryCreate(guard, owner))
+            {
+                // A crash in the middle of this left it.
+                if (DateTime.UtcNow - File.GetLastWriteTimeUtc(guard) > RenewAfter)
+                    FileChanges.Delete(guard);
+                return false;
+            }
+            try
+            {
+                if (!IsGone(path, StoreFile.ReadText(path), machine))
+                    return false;
+                FileChanges.Delete(path);
+                return TryCreate(path, owner);
+            }
+            finally
+            {
+                FileChanges.Delete(guard);
+            }
+        }
+
+        static bool IsGone(string path, string owner, string machine)
+        {
+            string[] lines = owner.Split('\n');
+            if (lines.Length < 3 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
+                !long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out long began))
+            {
+                // It is half-written: its writer completes it at once.
+                return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > RenewAfter;
+            }
+            bool isSilent = DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > GoneAfter;
+            if (lines[0] != machine)
+                return isSilent;
+            var self = Self();
+            if (id == 0 || id == self.Id && Math.Abs(began - self.Began) <= SameBeginTicks)
+                return lines.Length < 4 || lines[3] != s_load;
+            try
+            {
+                using var process = Process.GetProcessById(id);
+                return Math.Abs(process.StartTime.ToUniversalTime().Ticks - began) > SameBeginTicks;
+            }
+            catch (Exception e) when (e is ArgumentException || e is InvalidOperationException)
+            {
+                return true;
+            }
+            catch (System.ComponentModel.Win32Exception)
+            {
+                // There is such a process, owned by another user.
+                return false;
+            }
+            catch (Exception e) when (IsOfTheRuntime(e))
+            {
+                return isSilent;
+            }
+        }
+
+        static bool IsOfTheRuntime(Exception e) => e is NotSupportedException || e is NotImplementedException;
+
+        static string Describe(string machine, (int Id, long Began) process) => string.Format(CultureInfo.InvariantCulture,
+            "{0}\n{1}\n{2}\n{3}\n", machine, process.Id, process.Began, s_load);
+
+        static string ForPeople(string owner)
+        {
+            string[] lines = owner.Split('\n');
+            return lines.Length < 2 || lines[1] == NoNumber ? Somebody : "process " + lines[1] + " on " + lines[0];
+        }
+    }
+}

@@ -1,0 +1,235 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Build
+{
+    /// <summary>One thread that writes files in the order in which they are queued. Each file is complete or absent: it is
+    /// written under another name, flushed, then renamed. After a failure nothing more is written.</summary>
+    sealed unsafe class WriteQueue
+    {
+        const int PieceBytes = 1 << 20;
+
+        /// <summary>Ends the name of a file that is not whole.</summary>
+        public const string TemporarySuffix = ".tmp";
+
+        enum OrderKind
+        {
+            /// <summary>A file in one piece.</summary>
+            Whole,
+            /// <summary>A piece of a file that still has its temporary name.</summary>
+            Piece,
+            /// <summary>The first bytes of such a file, which complete it.</summary>
+            Seal,
+            /// <summary>Records at the end of a file that only the build reads.</summary>
+            Records,
+            /// <summary>A flush to disk of what was written to such a file so far.</summary>
+            Sync,
+            /// <summary>Something else that takes its turn.</summary>
+            Act,
+        }
+
+        struct Order
+        {
+            public OrderKind Kind;
+            public string Path;
+            public IntPtr Bytes;
+            public long Count;
+            public long Offset;
+            public RecordPages Pages;
+            public int StrideBytes;
+            public Action Act;
+            public WriteTicket Ticket;
+        }
+
+        readonly Queue<Order> m_orders = new Queue<Order>();
+        readonly Thread m_thread;
+        readonly Func<Exception> m_check;
+        readonly TimeSpan m_checkAfter;
+        readonly Action m_hurry;
+        volatile bool m_isEnding;
+        volatile bool m_isHurried;
+
+        /// <param name="check">Called on the thread before each file and while it waits for one; returns why nothing may be
+        /// written any more, or null.</param>
+        /// <param name="checkAfter">The longest time between two calls.</param>
+        public WriteQueue(Func<Exception> check, TimeSpan checkAfter)
+        {
+            m_check = check;
+            m_checkAfter = checkAfter;
+            // An editor stands still while it waits.
+            m_hurry = () => m_isHurried = true;
+            m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
+            m_thread.Start();
+        }
+
+        /// <summary>The failure, to be read after <see cref="End"/>; null if there was none.</summary>
+        public Exception Failure { get; private set; }
+
+        /// <summary>Queues a file in one piece. The bytes belong to the queue until the ticket is done, here and below.</summary>
+        public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
+
+        /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it.</summary>
+        /// <param name="offset">Offset of the piece in the file.</param>
+        public WriteTicket WritePiece(string path, NativeArray<byte> bytes, long offset) =>
+            Enqueue(OrderKind.Piece, path, bytes, offset);
+
+        /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
+        public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, path, bytes, 0);
+
+        /// <summary>Queues records at the end of a file that only the build reads.</summary>
+        /// <param name="offset">The file's size so far.</param>
+        public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
+        {
+            Kind = OrderKind.Records,
+            Path = path,
+            Pages = pages,
+            StrideBytes = strideBytes,
+            Offset = offset,
+            Ticket = new WriteTicket(m_hurry),
+        });
+
+        /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
+        public WriteTicket Sync(string path) => Enqueue(new Order
+        {
+            Kind = OrderKind.Sync,
+            Path = path,
+            Ticket = new WriteTicket(m_hurry),
+        });
+
+        /// <summary>Queues something else that is to be done with files.</summary>
+        /// <param name="path">For messages.</param>
+        public WriteTicket Do(string path, Action act) => Enqueue(new Order
+        {
+            Kind = OrderKind.Act,
+            Path = path,
+            Act = act,
+            Ticket = new WriteTicket(m_hurry),
+        });
+
+        /// <summary>Whether what the system refuses is to be tried again: nobody waits for the end.</summary>
+        public bool IsPatient() => !m_isEnding && !m_isHurried;
+
+
+        /// <summary>Waits for everything queued. May be called twice.</summary>
+        public void End()
+        {
+            lock (m_orders)
+            {
+                m_isEnding = true;
+                Monitor.PulseAll(m_orders);
+            }
+            m_thread.Join();
+        }
+
+        void WriteOrders()
+        {
+            while (true)
+            {
+                Order order;
+                lock (m_orders)
+                {
+                    if (m_orders.Count == 0 && !m_isEnding)
+                        Monitor.Wait(m_orders, m_checkAfter);
+                    if (m_orders.Count == 0 && m_isEnding)
+                        return;
+                    m_orders.TryDequeue(out order);
+                }
+                Failure = m_check() ?? Failure;
+                if (order.Ticket == null)
+                    continue;
+                // After a failure nothing more is written: later writes would rely on what is missing.
+                try
+                {
+                    if (Failure == null)
+                        FileChanges.Insist(() => Carry(order), IsPatient);
+                }
+                catch (Exception e)
+                {
+                    // Any exception is caught: if it ended the thread, waiting for the ticket would never end.
+                    Failure = FileFailures.IsFileFailure(e)
+                        ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
+                }
+                order.Ticket.Finish(Failure);
+            }
+        }
+
+        WriteTicket Enqueue(OrderKind kind, string path, NativeArray<byte> bytes, long offset) => Enqueue(new Order
+        {
+            Kind = kind,
+            Path = path,
+            Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
+            Count = bytes.Length,
+            Offset = offset,
+            Ticket = new WriteTicket(m_hurry),
+        });
+
+        WriteTicket Enqueue(Order order)
+        {
+            lock (m_orders)
+            {
+                m_orders.Enqueue(order);
+                Monitor.PulseAll(m_orders);
+            }
+            return order.Ticket;
+        }
+
+        /// <summary>May be begun again after any of its steps.</summary>
+        static void Carry(in Order order)
+        {
+            var bytes = (byte*)order.Bytes;
+            string temporary = order.Path + TemporarySuffix;
+            switch (order.Kind)
+            {
+                case OrderKind.Act:
+                    order.Act();
+                    break;
+                case OrderKind.Piece:
+                    using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))
+                        Write(file, bytes, order.Count);
+                    break;
+                case OrderKind.Whole:
+                case OrderKind.Seal:
+                    using (var file = Open(temporary, order.Kind == OrderKind.Whole ? FileMode.Create : FileMode.OpenOrCreate, 0))
+                    {
+                        Write(file, bytes, order.Count);
+                        file.Flush(true);
+                    }
+                    FileChanges.Replace(temporary, order.Path);
+                    break;
+                case OrderKind.Sync:
+                    using (var file = Open(order.Path, FileMode.Open, 0))
+                        file.Flush(true);
+                    break;
+                default:
+                    using (var file = Open(order.Path, FileMode.OpenOrCreate, order.Offset))
+                        for (var page = order.Pages.First; page != null; page = page->Next)
+                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * order.StrideBytes));
+                    break;
+            }
+        }
+
+        static FileStream Open(string path, FileMode mode, long offset)
+        {
+            var file = FileChanges.OpenToWrite(path, mode);
+            file.Position = offset;
+            return file;
+        }
+
+        static void Write(FileStream file, byte* bytes, long count)
+        {
+            for (long done = 0; done < count;)
+            {
+                int piece = (int)Math.Min(PieceBytes, count - done);
+                file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
+                done += piece;
+            }
+        }
+    }
+}

@@ -1,0 +1,327 @@
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.E57
+{
+    /// <summary>Decodes some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put
+    /// where they belong. A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> follows it.</summary>
+    [BurstCompile]
+    unsafe struct DecodeE57Job : IJob
+    {
+        public const int FieldsPerSlice = 16;
+        const int TileValues = 256;
+
+        /// <summary>Content of the extents, without checksums.</summary>
+        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<byte> IsDamaged;
+        [ReadOnly] public NativeArray<E57Extent> Extents;
+        public int ExtentCount;
+
+        /// <summary>Bytestreams of a packet.</summary>
+        public int StreamCount;
+
+        /// <summary>Fields, and where the bytes of each lie.</summary>
+        [ReadOnly] public NativeArray<E57FieldRead> Reads;
+        [ReadOnly] public NativeArray<E57StreamRange> Ranges;
+        public int FirstRead;
+        public int ReadCount;
+
+        public long FirstRecord;
+        public int Count;
+
+        public NativeArray<byte> Columns;
+
+        /// <summary>Rows of <see cref="RowLength"/> doubles.</summary>
+        public NativeArray<double> Vectors;
+        public int RowLength;
+
+        /// <summary>For each point, 0 or an <see cref="E57Drop"/>.</summary>
+        public NativeArray<byte> Drops;
+
+        /// <summary>Bytes of one field.</summary>
+        public NativeArray<byte> Scratch;
+        public NativeReference<DecodeResult> Result;
+        public NativeReference<E57Anomalies> Anomalies;
+
+        public void Execute()
+        {
+            var result = FirstRead == 0 ? new DecodeResult { Points = Count } : Result.Value;
+            var anomalies = FirstRead == 0 ? default : Anomalies.Value;
+            byte* drops = (byte*)Drops.GetUnsafePtr();
+            if (FirstRead == 0)
+                UnsafeUtility.MemClear(drops, Count);
+            for (int i = FirstRead; i < FirstRead + ReadCount; i++)
+            {
+                var read = Reads[i];
+                int there = read.Stream < 0 || read.Bits == 0 ? Count : Gather(read, Ranges[i], drops);
+                if (there < result.Points)
+                {
+                    result.Points = there;
+                    result.Error = E57Error.FileChanged;
+                    result.ErrorOffset = E57Pages.ToPhysical(Ranges[i].PacketOffset);
+                }
+                anomalies.Misfits += Decode(read, there, drops);
+            }
+            Result.Value = result;
+            Anomalies.Value = anomalies;
+        }
+
+        /// <returns>The number of values whose bytes are present.</returns>
+        int Gather(in E57FieldRead read, in E57StreamRange range, byte* drops)
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* scratch = (byte*)Scratch.GetUnsafePtr();
+            long firstBit = FirstRecord * read.Bits;
+            long first = firstBit >> 3, end = first + E57Bits.BytesOf(firstBit, read.Bits, Count);
+            int at = 0;
+            while (at < ExtentCount && Extents[at].LogicalEnd <= range.PacketOffset)
+                at++;
+            if (at == ExtentCount || Extents[at].LogicalStart > range.PacketOffset)
+                return 0;
+            var extent = Extents[at];
+            long stop = math.min(range.End, extent.LogicalEnd), position = range.PacketOffset, before = range.BytesBefore;
+            while (before < end && position < stop)
+            {
+                byte* packet = input + extent.ToBuffer + position;
+                int error = E57Packet.Read(packet, stop - position, stop - position, StreamCount, out var header, out _);
+                if (error != E57Error.None)
+                    break;
+                if (header.Kind == E57Packet.DataKind)
+                {
+                    long inPacket = header.HeaderBytes;
+                    for (int i = 0; i < read.Stream; i++)
+                        inPacket += E57Packet.StreamBytes(packet, i);
+                    int bytes = E57Packet.StreamBytes(packet, read.Stream);
+                    long from = math.max(first, before), to = math.min(end, before + bytes);
+                    if (from < to)
+                    {
+                        long logical = position + inPacket + (from - before);
+                        UnsafeUtility.MemCpy(scratch + (from - first), input + extent.ToBuffer + logical, to - from);
+                        MarkDamage(extent, logical, from, (int)(to - from), read.Bits, drops);
+                    }
+                    before += bytes;
+                }
+                position += header.Bytes;
+            }
+            if (before >= end)
+                return Count;
+            long whole = (before * 8 - firstBit) / read.Bits;
+            return (int)math.clamp(whole, 0, Count);
+        }
+
+        /// <summary>Marks points that have bits in damaged pages to be left out.</summary>
+        /// <param name="logical">Logical offset of the bytes.</param>
+        /// <param name="inStream">Their offset in the bytestream.</param>
+        void MarkDamage(in E57Extent extent, long logical, long inStream, int bytes, int bits, byte* drops)
+        {
+            long firstPage = logical / E57Pages.DataBytes, lastPage = (logical + bytes - 1) / E57Pages.DataBytes;
+            for (long page = firstPage; page <= lastPage; page++)
+            {
+                if (IsDamaged[(int)(page - extent.FirstPage) + extent.BufferPage] == 0)
+                    continue;
+                long from = math.max(logical, page * E57Pages.DataBytes) - logical + inStream;
+                long to = math.min(logical + bytes, (page + 1) * E57Pages.DataBytes) - logical + inStream;
+                long first = math.max(from * 8 / bits - FirstRecord, 0);
+                long end = math.min((to * 8 + bits - 1) / bits - FirstRecord, Count);
+                for (long i = first; i < end; i++)
+                    drops[i] = E57Drop.Damaged;
+            }
+        }
+
+        /// <returns>The number of integers that were too large.</returns>
+        int Decode(in E57FieldRead read, int count, byte* drops)
+        {
+            ulong* raw = stackalloc ulong[TileValues];
+            double* reals = stackalloc double[TileValues];
+            byte* scratch = (byte*)Scratch.GetUnsafePtr();
+            byte* columns = (byte*)Columns.GetUnsafePtr();
+            double* vectors = (double*)Vectors.GetUnsafePtr();
+            if (IsCopy(read))
+            {
+                int bytes = read.Bits / 8;
+                UnsafeUtility.MemCpy(columns + read.ColumnOffsetBytes, scratch, (long)count * bytes);
+                return 0;
+            }
+            long firstBit = FirstRecord * read.Bits & 7;
+            bool canMisfit = read.Range != E57Bits.Mask(read.Bits);
+            long minimum = read.Kind == E57FieldKind.Integer ? read.Minimum : 0;
+            int misfits = 0;
+            for (int first = 0; first < count; first += TileValues)
+            {
+                int tile = math.min(TileValues, count - first);
+                if (read.Bits == 0)
+                    UnsafeUtility.MemClear(raw, tile * 8);
+                else
+                    E57Bits.Unpack(scratch, firstBit + (long)first * read.Bits, read.Bits, tile, raw);
+                if (read.Kind == E57FieldKind.Integer && canMisfit)
+                    misfits += Limit(raw, tile, read.Range);
+                if (read.Target == E57Target.Integers)
+                {
+                    if (read.Steps != 1)
+                        Multiply((long*)raw, tile, read.Steps);
+                    StoreIntegers((long*)raw, tile, minimum * read.Steps + read.Bias, columns + read.ColumnOffsetBytes,
+                        read.ColumnType, first);
+                    continue;
+                }
+                if (read.Target == E57Target.Invalid && read.Kind == E57FieldKind.Integer)
+                {
+                    for (int i = 0; i < tile; i++)
+                        if ((long)raw[i] + minimum != 0 && drops[first + i] == 0)
+                            drops[first + i] = E57Drop.Invalid;
+                    continue;
+                }
+                ToReals(raw, tile, read, reals);
+                switch (read.Target)
+                {
+                    case E57Target.Vector:
+                        UnsafeUtility.MemCpy(vectors + (long)read.Row * RowLength + first, reals, tile * 8);
+                        break;
+                    case E57Target.Invalid:
+                        for (int i = 0; i < tile; i++)
+                            if (reals[i] != 0 && drops[first + i] == 0)
+                                drops[first + i] = E57Drop.Invalid;
+                        break;
+                    case E57Target.Shares:
+                        StoreShares(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
+                        break;
+                    default:
+                        StoreReals(reals, tile, columns + read.ColumnOffsetBytes, read.ColumnType, first);
+                        break;
+                }
+            }
+            return misfits;
+        }
+
+        /// <summary>Whether the field's bytes are those of its column.</summary>
+        static bool IsCopy(in E57FieldRead read)
+        {
+            if (read.Bits != read.ColumnType.SizeOf() * 8)
+                return false;
+            if (read.Kind == E57FieldKind.Integer)
+                return read.Target == E57Target.Integers && read.Steps == 1 && read.Minimum + read.Bias == 0
+                    && read.Range == E57Bits.Mask(read.Bits);
+            return read.Target == E57Target.Reals && read.Factor == 1 && read.Addend == 0;
+        }
+
+        static int Limit(ulong* raw, int count, ulong range)
+        {
+            int misfits = 0;
+            for (int i = 0; i < count; i++)
+            {
+                ulong value = raw[i];
+                misfits += value > range ? 1 : 0;
+                raw[i] = math.min(value, range);
+            }
+            return misfits;
+        }
+
+        static void ToReals(ulong* raw, int count, in E57FieldRead read, double* reals)
+        {
+            double factor = read.Factor, addend = read.Addend;
+            if (read.Kind == E57FieldKind.Integer)
+            {
+                for (int i = 0; i < count; i++)
+                    reals[i] = ((long)raw[i] + read.Minimum) * factor + addend;
+                return;
+            }
+            if (read.Kind == E57FieldKind.Float32)
+                for (int i = 0; i < count; i++)
+                    reals[i] = math.asfloat((uint)raw[i]);
+            else
+                for (int i = 0; i < count; i++)
+                    reals[i] = math.asdouble(raw[i]);
+            if (factor == 1 && addend == 0)
+                return;
+            for (int i = 0; i < count; i++)
+                reals[i] = reals[i] * factor + addend;
+        }
+
+        static void Multiply(long* values, int count, long factor)
+        {
+            for (int i = 0; i < count; i++)
+                values[i] *= factor;
+        }
+
+        static void StoreIntegers(long* values, int count, long bias, byte* column, AttributeType type, int first)
+        {
+            switch (type)
+            {
+                case AttributeType.UInt8:
+                case AttributeType.Int8:
+                    for (int i = 0; i < count; i++)
+                        column[first + i] = (byte)(values[i] + bias);
+                    break;
+                case AttributeType.UInt16:
+                case AttributeType.Int16:
+                    for (int i = 0; i < count; i++)
+                        ((ushort*)column)[first + i] = (ushort)(values[i] + bias);
+                    break;
+                case AttributeType.UInt32:
+                case AttributeType.Int32:
+                    for (int i = 0; i < count; i++)
+                        ((uint*)column)[first + i] = (uint)(values[i] + bias);
+                    break;
+                default:
+                    for (int i = 0; i < count; i++)
+                        ((long*)column)[first + i] = values[i] + bias;
+                    break;
+            }
+        }
+
+        static void StoreReals(double* values, int count, byte* column, AttributeType type, int first)
+        {
+            if (type == AttributeType.Float32)
+                for (int i = 0; i < count; i++)
+                    ((float*)column)[first + i] = (float)values[i];
+            else
+                UnsafeUtility.MemCpy((double*)column + first, values, count * 8);
+        }
+
+        /// <summary>Stores shares; NaN becomes 0.</summary>
+        static void StoreShares(double* values, int count, ushort* column)
+        {
+            for (int i = 0; i < count; i++)
+                column[i] = (ushort)(values[i] > 0 ? math.min(values[i] + 0.5, ushort.MaxValue) : 0);
+        }
+    }
+
+    /// <summary>Why a point is left out.</summary>
+    static class E57Drop
+    {
+        public const byte Invalid = 1;
+        public const byte Damaged = 2;
+    }
+
+    /// <summary>What a range contained besides points. Jobs write it; the main thread reports it.</summary>
+    struct E57Anomalies
+    {
+        /// <summary>Points left out because their scan marks them as invalid.</summary>
+        public int Invalid;
+
+        /// <summary>Points left out because a page that holds some of them has a wrong checksum.</summary>
+        public int Damaged;
+        public int DamagedPages;
+        public long FirstDamagedPage;
+
+        /// <summary>Integers above the maximum of their field, which were kept.</summary>
+        public int Misfits;
+    }
+
+    /// <summary>Where the bytes lie that a range takes from a bytestream. Blittable, for jobs.</summary>
+    struct E57StreamRange
+    {
+        /// <summary>Logical offset of a packet at or before the first byte.</summary>
+        public long PacketOffset;
+
+        /// <summary>Bytes of the bytestream in the packets before that.</summary>
+        public long BytesBefore;
+
+        /// <summary>Logical offset at which the packets that are read end.</summary>
+        public long End;
+    }
+}

@@ -1,0 +1,164 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.E57
+{
+    /// <summary>A slot of <see cref="E57Reader"/>: it reads the pages of a range, checks them, decodes them field by field and
+    /// places the points.</summary>
+    sealed class E57BlockRead : SlotRead
+    {
+        const int VectorRows = 6;
+
+        readonly E57Blocks m_blocks;
+        readonly E57PagesRead m_pages;
+        readonly bool[] m_isWanted = new bool[E57Scan.MaxFields];
+        readonly long[] m_firstPages = new long[E57Scan.MaxFields];
+        readonly long[] m_endPages = new long[E57Scan.MaxFields];
+        NativeArray<E57FieldRead> m_reads;
+        NativeArray<E57StreamRange> m_ranges;
+        NativeArray<PointColumn> m_columns;
+        NativeArray<double> m_vectors;
+        NativeArray<byte> m_drops;
+        NativeArray<byte> m_scratch;
+        NativeReference<E57Anomalies> m_anomalies;
+        int m_readCount;
+        E57Section m_section;
+        PlaceE57PointsJob m_place;
+
+        public E57BlockRead(PointReader reader, E57Blocks blocks, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_blocks = blocks;
+            m_pages = new E57PagesRead(blocks.File, blocks.MaxPages, E57Scan.MaxFields, allocator);
+            // Wanted columns, invalid states, and rows that no column is made of.
+            int reads = wanted.Count + VectorRows + 1;
+            m_reads = new NativeArray<E57FieldRead>(reads, allocator);
+            m_ranges = new NativeArray<E57StreamRange>(reads, allocator);
+            var columns = new PointColumn[wanted.Count];
+            for (int i = 0; i < columns.Length; i++)
+                columns[i] = Points.Column(i);
+            m_columns = new NativeArray<PointColumn>(columns, allocator);
+            m_vectors = new NativeArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator,
+                NativeArrayOptions.UninitializedMemory);
+            m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
+            m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
+            m_anomalies = new NativeReference<E57Anomalies>(allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            m_pages.Clear();
+            var section = m_blocks.SectionOf(range.Block);
+            if (section != m_section)
+                TakeSection(section);
+            long first = (long)(range.Block - section.FirstBlock) * section.BlockPoints + range.First;
+            return Schedule(first, range.Count);
+        }
+
+        /// <summary>Plans what is read of the scan's fields.</summary>
+        void TakeSection(E57Section section)
+        {
+            m_section = section;
+            var reads = m_blocks.Schema.ReadsOf(section.Index, Points);
+            m_readCount = reads.Count;
+            Array.Clear(m_isWanted, 0, m_isWanted.Length);
+            bool hasPositions = false, hasNormals = false;
+            for (int i = 0; i < reads.Count; i++)
+            {
+                m_reads[i] = reads[i];
+                if (reads[i].Stream >= 0)
+                    m_isWanted[reads[i].Stream] = true;
+                hasPositions |= reads[i].Target == E57Target.Vector && reads[i].Row < 3;
+                hasNormals |= reads[i].Target == E57Target.Vector && reads[i].Row >= 3;
+            }
+            var schema = Points.Schema;
+            m_place = new PlaceE57PointsJob
+            {
+                Vectors = m_vectors,
+                RowLength = Points.Capacity,
+                Drops = m_drops,
+                IsDamaged = m_pages.IsDamaged,
+                Extents = m_pages.Extents,
+                ColumnTable = m_columns,
+                Columns = Points.Bytes,
+                Result = Result,
+                Anomalies = m_anomalies,
+                HasPositions = hasPositions,
+                IsSpherical = !section.Scan.IsCartesian,
+                HasNormals = hasNormals,
+                Pose = section.Scan.Pose,
+                PositionColumns = new int3(schema.IndexOf(AttributeNames.X), schema.IndexOf(AttributeNames.Y),
+                    schema.IndexOf(AttributeNames.Z)),
+                NormalColumns = new int3(schema.IndexOf(AttributeNames.NormalX), schema.IndexOf(AttributeNames.NormalY),
+                    schema.IndexOf(AttributeNames.NormalZ)),
+            };
+        }
+
+        JobHandle Schedule(long first, int count)
+        {
+            int runs = m_section.PagesOf(first, first + count, m_isWanted, m_firstPages, m_endPages);
+            for (int i = 0; i < runs; i++)
+                m_pages.Add(m_firstPages[i], (int)(m_endPages[i] - m_firstPages[i]));
+            for (int i = 0; i < m_readCount; i++)
+            {
+                if (m_reads[i].Stream < 0 || m_reads[i].Bits == 0)
+                    continue;
+                var mark = m_section.MarkOf(m_reads[i].Stream, first);
+                m_ranges[i] = new E57StreamRange
+                {
+                    PacketOffset = mark.PacketOffset,
+                    BytesBefore = mark.BytesBefore,
+                    End = m_section.EndOf(m_reads[i].Stream, first + count),
+                };
+            }
+            var decode = new DecodeE57Job
+            {
+                Input = m_pages.Buffer,
+                IsDamaged = m_pages.IsDamaged,
+                Extents = m_pages.Extents,
+                ExtentCount = m_pages.ExtentCount,
+                StreamCount = m_section.Scan.Fields.Count,
+                Reads = m_reads,
+                Ranges = m_ranges,
+                FirstRecord = first,
+                Count = count,
+                Columns = Points.Bytes,
+                Vectors = m_vectors,
+                RowLength = Points.Capacity,
+                Drops = m_drops,
+                Scratch = m_scratch,
+                Result = Result,
+                Anomalies = m_anomalies,
+            };
+            var done = Behind(m_pages.Begin());
+            for (int i = 0; i == 0 || i < m_readCount; i += DecodeE57Job.FieldsPerSlice)
+            {
+                decode.FirstRead = i;
+                decode.ReadCount = Math.Min(DecodeE57Job.FieldsPerSlice, m_readCount - i);
+                done = decode.Schedule(done);
+            }
+            m_place.ExtentCount = m_pages.ExtentCount;
+            return m_place.Schedule(done);
+        }
+
+        protected override void EndRead() => m_pages.End();
+
+        protected override void Warn(DecodeResult result) => m_blocks.Warn(Range, result, m_anomalies.Value);
+
+        protected override void DisposeMemory()
+        {
+            m_pages.Dispose();
+            m_reads.Dispose();
+            m_ranges.Dispose();
+            m_columns.Dispose();
+            m_vectors.Dispose();
+            m_drops.Dispose();
+            m_scratch.Dispose();
+            m_anomalies.Dispose();
+        }
+    }
+}

@@ -1,0 +1,165 @@
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Mathematics;
+
+namespace FastPoints.E57
+{
+    /// <summary>Turns the contents of the XML section into facts, claims and warnings.</summary>
+    static class E57Facts
+    {
+        /// <summary>This many scans are listed with all that is known of them; later ones with names and counts only.</summary>
+        const int MaxWholeScans = 50;
+        const int MaxScans = 1000;
+        const int MaxImages = 50;
+        const int MaxFieldsLeftOut = 20;
+
+        // Sensor, weather and times, as the standard names them.
+        static readonly string[] s_texts =
+        {
+            "guid", "description", "sensorVendor", "sensorModel", "sensorSerialNumber", "sensorHardwareVersion",
+            "sensorSoftwareVersion", "sensorFirmwareVersion",
+        };
+        static readonly string[] s_numbers = { "temperature", "relativeHumidity", "atmosphericPressure" };
+        static readonly string[] s_times = { "acquisitionStart", "acquisitionEnd" };
+
+        public static void AddFile(E57Node root, SourceInfo info)
+        {
+            if (root.TextOf("formatName") != "ASTM E57 3D Imaging Data File")
+                info.Warn(-1, "formatName: wanted \"ASTM E57 3D Imaging Data File\", got \"" + root.TextOf("formatName") + "\"");
+            Text(info, "guid", root, "guid");
+            Text(info, "library", root, "e57LibraryVersion");
+            var created = root.Child("creationDateTime");
+            double seconds = created?.NumberOf("dateTimeValue") ?? 0;
+            if (seconds > 0)
+                info.Fact("created", E57Text.GpsTime(seconds));
+            AddCrs(root.Child("coordinateMetadata")?.Text, info);
+            info.Fact("scans", NumberText.Of(root.Child("data3D")?.Children.Count ?? 0));
+            AddImages(root.Child("images2D"), info);
+            foreach (var child in root.Children)
+                if (child.Name.IndexOf(':') >= 0)
+                    info.Fact("extension (left out)", E57Text.OneLine(child.Name));
+        }
+
+        public static void AddScan(E57Node node, E57Scan scan, SourceInfo info)
+        {
+            if (scan.Index >= MaxScans)
+                return;
+            string label = scan.Label;
+            string count = scan.RecordsClaimed.ToString(System.Globalization.CultureInfo.InvariantCulture) + " points";
+            info.Fact(label, scan.Name != null ? scan.Name + ", " + count : count);
+            if (scan.Index >= MaxWholeScans)
+                return;
+            foreach (string name in s_texts)
+                Text(info, "  " + name, node, name);
+            foreach (string name in s_numbers)
+                if (node.Child(name) != null)
+                    info.Fact("  " + name, NumberText.Of(node.NumberOf(name)));
+            foreach (string name in s_times)
+                if (node.Child(name)?.NumberOf("dateTimeValue") > 0)
+                    info.Fact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
+            AddPose(scan, info);
+            if (!scan.BoundsClaimed.IsEmpty)
+                info.Fact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " +
+                    NumberText.Of(scan.BoundsClaimed.Max) +
+                    " (the scanner's coordinates)");
+            if (math.all(math.isfinite(scan.IntensityLimits)))
+                info.Fact("  intensityLimits", NumberText.Of(scan.IntensityLimits.x) + " to "
+                    + NumberText.Of(scan.IntensityLimits.y));
+            if (math.all(math.isfinite(scan.ColorLimits[0])))
+                info.Fact("  colorLimits", NumberText.Of(scan.ColorLimits[0].x) + " to " + NumberText.Of(scan.ColorLimits[0].y) +
+                    " (red)");
+            var groups = node.Child("pointGroupingSchemes");
+            if (groups != null && groups.Children.Count > 0)
+                info.Fact("  pointGroupingSchemes", "left out");
+            foreach (var field in scan.Fields)
+                info.Fact("  field", E57Text.OneLine(field.Name) + ": " + field.Summary());
+        }
+
+        public static void AddSchema(E57Schema schema, List<E57Scan> scans, SourceInfo info)
+        {
+            info.Fact("positions", schema.PositionSummary);
+            if (schema.HasScaledColors)
+                info.Fact("colors", "scaled to 0 to 65,535 by their limits");
+            if (info.Schema.Has(AttributeNames.ReturnNumber))
+                info.Fact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
+            for (int i = 0; i < schema.LeftOut.Count && i < MaxFieldsLeftOut; i++)
+                info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, " +
+                    "or there are more than " + E57Scan.MaxFields);
+            if (schema.LeftOut.Count > MaxFieldsLeftOut)
+                info.Warn(-1, NumberText.Of(schema.LeftOut.Count) + " fields are left out");
+            AddMissing(scans, info);
+            info.HasBoundsClaimed = scans.Count > 0;
+            foreach (var scan in scans)
+            {
+                if (scan.RecordsClaimed == 0)
+                    continue;
+                info.HasBoundsClaimed &= scan.Pose.IsShift && !scan.BoundsClaimed.IsEmpty;
+                info.BoundsClaimed.Include(new BoundsGeo(scan.BoundsClaimed.Min + scan.Pose.Translation,
+                    scan.BoundsClaimed.Max + scan.Pose.Translation));
+            }
+            info.HasBoundsClaimed &= !info.BoundsClaimed.IsEmpty;
+        }
+
+        /// <summary>Warns that an attribute of some scans is 0 in the points of the others.</summary>
+        static void AddMissing(List<E57Scan> scans, SourceInfo info)
+        {
+            var scansWith = new Dictionary<string, int>();
+            foreach (var scan in scans)
+                foreach (var field in scan.Fields)
+                {
+                    string attribute = E57Names.AttributeOf(field.Name);
+                    scansWith.TryGetValue(attribute, out int count);
+                    scansWith[attribute] = count + 1;
+                }
+            int told = 0;
+            foreach (var attribute in info.Schema)
+                if (scansWith.TryGetValue(attribute.Name, out int with) && with < scans.Count && told++ < MaxFieldsLeftOut)
+                    info.Warn(-1, attribute.Name + " is there in " + with + " of " + scans.Count +
+                        " scans: it is 0 in the points of the others");
+        }
+
+        static void AddPose(E57Scan scan, SourceInfo info)
+        {
+            var pose = scan.Pose;
+            if (pose.IsIdentity)
+                return;
+            string text = "translation " + NumberText.Of(pose.Translation);
+            if (!pose.IsShift)
+                text += ", axes " + NumberText.Of(pose.AxisX) + " | " + NumberText.Of(pose.AxisY) + " | "
+                    + NumberText.Of(pose.AxisZ);
+            info.Fact("  pose", text);
+        }
+
+        static void AddCrs(string metadata, SourceInfo info)
+        {
+            // Lengths are metres (ASTM E2807, 8.2). The text is free-form, by custom well-known text.
+            info.Crs.MetresPerUnit = 1;
+            if (string.IsNullOrWhiteSpace(metadata))
+                return;
+            double unit = info.Crs.MetresPerUnit;
+            if (WktCoordinateSystem.Read(metadata, info.Crs))
+                info.Crs.MetresPerUnit = info.Crs.MetresPerUnit == 0 ? unit : info.Crs.MetresPerUnit;
+            else
+                info.Crs.Name = E57Text.OneLine(metadata);
+            info.Fact("coordinateMetadata", E57Text.OneLine(metadata));
+        }
+
+        static void AddImages(E57Node images, SourceInfo info)
+        {
+            if (images == null || images.Children.Count == 0)
+                return;
+            info.Fact("images (left out)", NumberText.Of(images.Children.Count));
+            for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
+                info.Fact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
+                    images.Children[i].TextOf("guid") ?? "without a name");
+        }
+
+        static void Text(SourceInfo info, string fact, E57Node node, string name)
+        {
+            string text = node.TextOf(name);
+            if (text != null)
+                info.Fact(fact, text);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+namespace FastPoints.E57
+{
+    /// <summary>Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number
+    /// of bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.</summary>
+    unsafe struct E57Packet
+    {
+        public const int DataKind = 1;
+        public const int IgnoredKind = 2;
+
+        /// <summary>Bytes of kind, flags, length and number of bytestreams.</summary>
+        public const int LeastBytes = 4;
+        public const int DataHeaderBytes = 6;
+        const int RestartFlag = 1;
+        const int MaxPaddingBytes = 3;
+
+        public int Kind;
+        public bool IsRestart;
+        public int Bytes;
+
+        /// <summary>Bytes in front of the bytestreams; 0 for packets without data.</summary>
+        public int HeaderBytes;
+
+        /// <summary>Reads a header and checks it against its surroundings.</summary>
+        /// <param name="available">Bytes at <paramref name="p"/>; if they may not hold the whole header, it sets <paramref
+        /// name="needsMore"/>.</param>
+        /// <param name="toEnd">Bytes of the section from here.</param>
+        /// <returns>0, or an <see cref="E57Error"/>.</returns>
+        public static int Read(byte* p, long available, long toEnd, int streams, out E57Packet packet, out bool needsMore)
+        {
+            packet = default;
+            needsMore = false;
+            if (toEnd < LeastBytes)
+                return E57Error.SectionEnds;
+            int full = DataHeaderBytes + 2 * streams;
+            if (available < (full < toEnd ? full : toEnd))
+            {
+                needsMore = true;
+                return E57Error.None;
+            }
+            packet.Kind = p[0];
+            packet.Bytes = (p[2] | p[3] << 8) + 1;
+            if (packet.Kind > IgnoredKind)
+                return E57Error.PacketKind;
+            if ((packet.Bytes & 3) != 0 || packet.Bytes > toEnd)
+                return E57Error.PacketLength;
+            if (packet.Kind != DataKind)
+                return E57Error.None;
+            packet.IsRestart = (p[1] & RestartFlag) != 0;
+            if (packet.Bytes < DataHeaderBytes)
+                return E57Error.PacketLength;
+            if ((p[4] | p[5] << 8) != streams)
+                return E57Error.StreamCount;
+            if (packet.Bytes < full)
+                return E57Error.PacketLength;
+            packet.HeaderBytes = full;
+            long bytes = full;
+            for (int i = 0; i < streams; i++)
+                bytes += StreamBytes(p, i);
+            return bytes > packet.Bytes || bytes + MaxPaddingBytes < packet.Bytes ? E57Error.StreamLengths : E57Error.None;
+        }
+
+        public static int StreamBytes(byte* packet, int stream)
+        {
+            byte* p = packet + DataHeaderBytes + 2 * stream;
+            return p[0] | p[1] << 8;
+        }
+    }
+}

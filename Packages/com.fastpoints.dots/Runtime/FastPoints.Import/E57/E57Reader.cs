@@ -1,0 +1,141 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+
+namespace FastPoints.E57
+{
+    /// <summary>Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put
+    /// them. Blocks are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.</summary>
+    /// <remarks>Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is
+    /// read is checked against its checksum: points in a damaged one are left out with a warning. Images are named, not
+    /// read.</remarks>
+    internal sealed class E57Reader : PointReader
+    {
+        const int MostScansTold = 20;
+
+        readonly E57Blocks m_blocks;
+
+        E57Reader(E57Blocks blocks)
+        {
+            Info = blocks.Info;
+            m_blocks = blocks;
+        }
+
+        /// <inheritdoc cref="Open(FileSource)"/>
+        public static E57Reader Open(string path)
+        {
+            using var source = FileSource.Open(path);
+            return Open(source);
+        }
+
+        /// <summary>Opens an E57 file: its header, its XML section and the headers of its scans' sections are read.</summary>
+        /// <exception cref="PointCloudException">The header or the XML section is invalid, or none of the file's scans can be
+        /// read.</exception>
+        public static E57Reader Open(FileSource source)
+        {
+            var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };
+            var crc = new Crc32C(Allocator.Persistent);
+            try
+            {
+                var header = E57Header.Read(source, info);
+                info.Version = header.MajorVersion + "." + header.MinorVersion;
+                byte[] xml = E57Pages.Read(source, crc, header.XmlLogicalOffset, header.XmlBytes, "the XML section",
+                    out long damagedPage);
+                if (damagedPage >= 0)
+                    throw new PointCloudException(FailureCode.BadInput, source.Path, damagedPage * E57Pages.PageBytes,
+                        "the checksum of page " + NumberText.Of(damagedPage)
+                            + " is wrong, which holds a part of the XML section");
+                var root = E57XmlTree.Parse(xml, source.Path, E57Pages.ToPhysical(header.XmlLogicalOffset));
+                if (root.Name != "e57Root")
+                    throw PointCloudException.Wanted(FailureCode.BadInput, source.Path,
+                        E57Pages.ToPhysical(header.XmlLogicalOffset), "root of the XML section", "e57Root",
+                        E57Text.OneLine(root.Name));
+                E57Facts.AddFile(root, info);
+                var sections = ReadScans(root, source, crc, info);
+                var scans = sections.ConvertAll(section => section.Scan);
+                var schema = new E57Schema(scans);
+                info.Schema = schema.Schema;
+                info.Transform = schema.Transform;
+                E57Facts.AddSchema(schema, scans, info);
+                return new E57Reader(new E57Blocks(new E57File(info, crc), info, schema, sections));
+            }
+            catch
+            {
+                crc.Dispose();
+                throw;
+            }
+        }
+
+        public override bool BlocksAreKnown => m_blocks.AreKnown;
+
+        /// <summary>Fixed within a few thousand records and a packet or two.</summary>
+        public override bool HasFixedStride => true;
+
+        public override int BlockCount => m_blocks.Count;
+
+        public override int MaxPointsPerBlock => m_blocks.MaxPoints;
+
+        public override long FirstPointOfBlock(int block)
+        {
+            var section = m_blocks.SectionOf(block);
+            return section.FirstPoint + (long)(block - section.FirstBlock) * section.BlockPoints;
+        }
+
+        public override int PointsInBlock(int block) => m_blocks.PointsOf(block);
+
+        /// <summary>Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.</summary>
+        public override long BytesOfRange(BlockRange range)
+        {
+            var section = m_blocks.SectionOf(range.Block);
+            return (long)((section.End - section.DataStart) * (range.Count / (double)Math.Max(1, section.Records)));
+        }
+
+        public override IEnumerator<Work> FindBlocks() => m_blocks.Find();
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new E57BlockRead(this, m_blocks, wanted, capacity, allocator);
+
+        public override void CloseFile() => m_blocks.File.Handle.Close();
+
+        public override void DisposeUnread() => m_blocks.File.Crc.Dispose();
+
+        static List<E57Section> ReadScans(E57Node root, FileSource source, Crc32C crc, SourceInfo info)
+        {
+            var sections = new List<E57Section>();
+            var data = root.Child("data3D");
+            PointCloudException first = null;
+            int count = data?.Children.Count ?? 0, leftOut = 0;
+            for (int i = 0; i < count; i++)
+            {
+                var scan = E57Scan.Read(data.Children[i], i, out string problem, out string remark);
+                info.PointsClaimed = Sum(info.PointsClaimed, scan.RecordsClaimed);
+                if (remark != null)
+                    info.Warn(-1, scan.Label + ": " + remark);
+                long offset = -1;
+                E57Section section = null;
+                if (problem == null)
+                    section = E57Section.Read(scan, source, crc, info, out problem, out offset);
+                E57Facts.AddScan(data.Children[i], scan, info);
+                if (problem == null)
+                {
+                    section.Index = sections.Count;
+                    sections.Add(section);
+                    continue;
+                }
+                first = first ?? new PointCloudException(FailureCode.BadInput, info.Path, offset, scan.Label + ": " + problem);
+                leftOut++;
+                if (leftOut <= MostScansTold)
+                    info.Warn(offset, scan.Label + " is left out: " + problem);
+            }
+            if (leftOut > MostScansTold)
+                info.Warn(-1, NumberText.Of(leftOut) + " of " + NumberText.Of(count) + " scans are left out");
+            if (sections.Count == 0 && first != null)
+                throw first;
+            return sections;
+        }
+
+        static ulong Sum(ulong a, ulong b) => a > ulong.MaxValue - b ? ulong.MaxValue : a + b;
+    }
+}

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.E57
+{
+    /// <summary>Walks through the packets of one scan's binary section, reading little more than their headers: most writers make
+    /// packets of nearly the same length, so that the places of the next ones can be guessed and read together. If the guesses
+    /// fail, everything is read.</summary>
+    sealed class E57Walk : IDisposable
+    {
+        const int BufferPages = 2048;
+
+        /// <summary>The first read; it covers all of a small file.</summary>
+        const int FirstPages = 256;
+
+        /// <summary>A guess covers one page before the expected one to two behind it.</summary>
+        const int GuessPages = 4;
+        const int Guesses = BufferPages / GuessPages;
+
+        /// <summary>For shorter packets, reading everything between their headers is faster.</summary>
+        const int LeastGuessedBytes = 16 * E57Pages.DataBytes;
+
+        /// <summary>This many guesses must hold; otherwise the walk makes as many steps without guessing.</summary>
+        const int LeastHits = 32;
+        const int StepsWithoutGuess = 8;
+
+        readonly SourceInfo m_info;
+        readonly E57Section m_section;
+        readonly E57PagesRead m_read;
+        NativeArray<E57StreamWalk> m_streams;
+        NativeReference<E57WalkState> m_state;
+        NativeList<E57Mark> m_marks;
+        JobHandle m_walked;
+        bool m_isFirst = true;
+        bool m_isGuess;
+        int m_stepsWithoutGuess;
+
+        public E57Walk(E57File file, E57Section section, SourceInfo info)
+        {
+            m_info = info;
+            m_section = section;
+            var fields = section.Scan.Fields;
+            m_read = new E57PagesRead(file, (int)Math.Min(BufferPages, file.Pages), Guesses, Allocator.Persistent);
+            m_streams = new NativeArray<E57StreamWalk>(fields.Count, Allocator.Persistent);
+            m_marks = new NativeList<E57Mark>(64, Allocator.Persistent);
+            long records = section.RecordsPossible;
+            int left = 0;
+            for (int i = 0; i < fields.Count; i++)
+            {
+                if (fields[i].Bits <= 0)
+                    continue;
+                m_streams[i] = new E57StreamWalk
+                {
+                    Bits = fields[i].Bits,
+                    BytesWanted = records / 8 * fields[i].Bits + (records % 8 * fields[i].Bits + 7) / 8,
+                    MarkStep = section.MarkRecords / 8 * fields[i].Bits,
+                };
+                left++;
+            }
+            m_state = new NativeReference<E57WalkState>(new E57WalkState
+            {
+                Position = section.DataStart,
+                StreamsLeft = records == 0 ? 0 : left,
+            }, Allocator.Persistent);
+        }
+
+        /// <summary>Work for a pump; afterwards the section has its marks and knows its number of records.</summary>
+        public IEnumerator<Work> Run()
+        {
+            while (!m_state.Value.IsDone)
+            {
+                Plan(m_state.Value);
+                var read = m_read.Begin();
+                m_walked = new WalkE57Job
+                {
+                    Input = m_read.Buffer,
+                    IsDamaged = m_read.IsDamaged,
+                    Extents = m_read.Extents,
+                    ExtentCount = m_read.ExtentCount,
+                    SectionEnd = m_section.End,
+                    Streams = m_streams,
+                    StreamCount = m_streams.Length,
+                    State = m_state,
+                    Marks = m_marks,
+                }.Schedule(read);
+                yield return m_walked;
+                m_walked.Complete();
+                m_read.End();
+                TakeMarks();
+            }
+            Settle();
+        }
+
+        void Plan(E57WalkState state)
+        {
+            m_read.Clear();
+            long page = state.Position / E57Pages.DataBytes;
+            long lastPage = (m_section.End + E57Pages.DataBytes - 1) / E57Pages.DataBytes;
+            if (m_isGuess && state.Packets < LeastHits)
+                m_stepsWithoutGuess = StepsWithoutGuess;
+            m_isGuess = !m_isFirst && state.LastPacketBytes >= LeastGuessedBytes && m_stepsWithoutGuess == 0;
+            if (m_isGuess)
+            {
+                for (int i = 0; i < Guesses; i++)
+                {
+                    long guess = (state.Position + (long)i * state.LastPacketBytes) / E57Pages.DataBytes - (i > 0 ? 1 : 0);
+                    if (guess >= lastPage || !m_read.Add(guess, GuessPages))
+                        break;
+                }
+                return;
+            }
+            m_stepsWithoutGuess = Math.Max(0, m_stepsWithoutGuess - 1);
+            m_read.Add(page, (int)Math.Min(m_isFirst ? FirstPages : BufferPages, lastPage - page));
+            m_isFirst = false;
+        }
+
+        void TakeMarks()
+        {
+            for (int i = 0; i < m_marks.Length; i++)
+                m_section.MarksOfStream[m_marks[i].Stream].Add(m_marks[i]);
+            m_marks.Clear();
+        }
+
+        void Settle()
+        {
+            var state = m_state.Value;
+            var scan = m_section.Scan;
+            long records = m_section.RecordsPossible;
+            for (int i = 0; i < m_streams.Length; i++)
+            {
+                var stream = m_streams[i];
+                if (stream.Bits == 0)
+                    continue;
+                m_section.EndOfStream[i] = stream.EndOffset != 0 ? stream.EndOffset : state.Position;
+                if (stream.Bytes < stream.BytesWanted)
+                    records = Math.Min(records, stream.Bytes * 8 / stream.Bits);
+            }
+            m_section.Records = records;
+            if ((ulong)records < scan.RecordsClaimed)
+                m_info.Warn(E57Pages.ToPhysical(state.Position), scan.Label + ": wanted " +
+                    NumberText.Of(scan.RecordsClaimed) + " points, got " + NumberText.Of(records) + ": " +
+                    E57Error.Text(state.Error == E57Error.None ? E57Error.SectionEnds : state.Error));
+            if (state.DamagedHeaders > 0)
+                m_info.Warn(state.FirstDamagedPage * E57Pages.PageBytes, scan.Label + ": the checksum of page " +
+                    NumberText.Of(state.FirstDamagedPage) + " is wrong, which holds a packet's header (" + state.DamagedHeaders +
+                    " such headers); they are read as they are");
+        }
+
+        public void Dispose()
+        {
+            m_walked.Complete();
+            m_read.Dispose();
+            m_streams.Dispose();
+            m_state.Dispose();
+            m_marks.Dispose();
+        }
+    }
+}

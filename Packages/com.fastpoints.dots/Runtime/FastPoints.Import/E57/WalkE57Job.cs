@@ -1,0 +1,159 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.E57
+{
+    /// <summary>Steps from packet header to packet header as far as the pages at hand reach, and marks where ranges of records
+    /// begin in the bytestreams.</summary>
+    [BurstCompile]
+    unsafe struct WalkE57Job : IJob
+    {
+        /// <summary>Content without checksums, as <see cref="CheckE57PagesJob"/> leaves it.</summary>
+        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<byte> IsDamaged;
+        [ReadOnly] public NativeArray<E57Extent> Extents;
+        public int ExtentCount;
+        public long SectionEnd;
+        public NativeArray<E57StreamWalk> Streams;
+        public int StreamCount;
+        public NativeReference<E57WalkState> State;
+        public NativeList<E57Mark> Marks;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            var streams = (E57StreamWalk*)Streams.GetUnsafePtr();
+            var state = State.Value;
+            state.Packets = 0;
+            int at = 0;
+            while (!state.IsDone)
+            {
+                while (at < ExtentCount && Extents[at].LogicalEnd <= state.Position)
+                    at++;
+                long toEnd = SectionEnd - state.Position;
+                if (toEnd < E57Packet.LeastBytes)
+                {
+                    state.Error = E57Error.SectionEnds;
+                    break;
+                }
+                if (at == ExtentCount || Extents[at].LogicalStart > state.Position)
+                    break;
+                var extent = Extents[at];
+                byte* p = input + extent.ToBuffer + state.Position;
+                int error = E57Packet.Read(p, extent.LogicalEnd - state.Position, toEnd, StreamCount, out var packet,
+                    out bool needsMore);
+                if (needsMore)
+                    break;
+                if (error == E57Error.None && packet.IsRestart && IsWithinValue(streams))
+                    error = E57Error.Restart;
+                if (error != E57Error.None)
+                {
+                    state.Error = error;
+                    break;
+                }
+                CheckHeader(ref state, extent, packet.Kind == E57Packet.DataKind ? packet.HeaderBytes : E57Packet.LeastBytes);
+                if (packet.Kind == E57Packet.DataKind)
+                {
+                    for (int i = 0; i < StreamCount; i++)
+                        Follow(ref state, streams + i, i, E57Packet.StreamBytes(p, i), packet.Bytes);
+                    state.Packets++;
+                    state.LastPacketBytes = packet.Bytes;
+                }
+                state.Position += packet.Bytes;
+            }
+            State.Value = state;
+        }
+
+        void Follow(ref E57WalkState state, E57StreamWalk* stream, int index, int bytes, int packetBytes)
+        {
+            if (stream->Bytes >= stream->BytesWanted)
+                return;
+            while (stream->NextMark < stream->Bytes + bytes && stream->NextMark < stream->BytesWanted)
+            {
+                Marks.Add(new E57Mark
+                {
+                    Stream = index,
+                    PacketBytes = packetBytes,
+                    PacketOffset = state.Position,
+                    BytesBefore = stream->Bytes,
+                });
+                stream->NextMark += stream->MarkStep;
+            }
+            stream->Bytes += bytes;
+            if (stream->Bytes < stream->BytesWanted)
+                return;
+            stream->EndOffset = state.Position + packetBytes;
+            state.StreamsLeft--;
+        }
+
+        /// <summary>A restart changes nothing if every bytestream is at a value's end.</summary>
+        bool IsWithinValue(E57StreamWalk* streams)
+        {
+            for (int i = 0; i < StreamCount; i++)
+                if (streams[i].BytesWanted > 0 && streams[i].Bytes < streams[i].BytesWanted && streams[i].Bits > 0
+                    && streams[i].Bytes * 8 % streams[i].Bits != 0)
+                    return true;
+            return false;
+        }
+
+        void CheckHeader(ref E57WalkState state, in E57Extent extent, int headerBytes)
+        {
+            long firstPage = state.Position / E57Pages.DataBytes;
+            long lastPage = (state.Position + headerBytes - 1) / E57Pages.DataBytes;
+            for (long page = firstPage; page <= lastPage; page++)
+            {
+                if (IsDamaged[(int)(page - extent.FirstPage + extent.BufferPage)] == 0)
+                    continue;
+                if (state.DamagedHeaders == 0)
+                    state.FirstDamagedPage = page;
+                state.DamagedHeaders++;
+                return;
+            }
+        }
+    }
+
+    /// <summary>Progress of a walk through packets in one bytestream.</summary>
+    struct E57StreamWalk
+    {
+        /// <summary>Bits of one value.</summary>
+        public int Bits;
+
+        /// <summary>Bytes in the packets so far.</summary>
+        public long Bytes;
+
+        /// <summary>Bytes that all records take; 0 for a stream that need not be followed.</summary>
+        public long BytesWanted;
+
+        /// <summary>Bytes from mark to mark, and where the next one is due.</summary>
+        public long MarkStep;
+        public long NextMark;
+
+        /// <summary>Logical offset behind the packet with the last wanted byte; 0 until it has come.</summary>
+        public long EndOffset;
+    }
+
+    /// <summary>Progress of a walk through the packets of one scan.</summary>
+    struct E57WalkState
+    {
+        /// <summary>Logical offset of the next packet.</summary>
+        public long Position;
+
+        /// <summary>Number of streams that are still incomplete.</summary>
+        public int StreamsLeft;
+
+        /// <summary>Data packets in this step, and the length of the last one.</summary>
+        public int Packets;
+        public int LastPacketBytes;
+
+        /// <summary>An <see cref="E57Error"/>, at <see cref="Position"/>.</summary>
+        public int Error;
+
+        /// <summary>Headers whose page has a wrong checksum, and the first such page.</summary>
+        public int DamagedHeaders;
+        public long FirstDamagedPage;
+
+        public bool IsDone => StreamsLeft == 0 || Error != E57Error.None;
+    }
+}

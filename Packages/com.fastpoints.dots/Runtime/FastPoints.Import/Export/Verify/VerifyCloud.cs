@@ -1,0 +1,300 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Reading;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Export
+{
+    /// <summary>Verifies a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum.
+    /// Compared with its sources, it also proves that the points are the same as a multiset, over position and every
+    /// attribute.</summary>
+    public sealed class VerifyCloud : IDisposable
+    {
+        /// <summary>Memory of the files in flight, unless one takes more: enough for half a second's work of a worker.</summary>
+        const long MostBytes = 96L << 20;
+
+        const int TablesAhead = 8;
+
+        readonly CloudFolder m_folder;
+        readonly VerifyResult m_result;
+        readonly NativeStoreLayout m_store;
+
+        /// <summary>For each level, sampled points that other chunks' points may be close to.</summary>
+        readonly List<NativeList<double3>> m_atSides = new List<NativeList<double3>>();
+        ulong m_firstSum;
+        ulong m_secondSum;
+        long m_nodes;
+
+        VerifyCloud(CloudFolder folder, VerifyResult result)
+        {
+            m_folder = folder;
+            m_result = result;
+            m_store = new NativeStoreLayout(folder.Layout);
+        }
+
+        /// <summary>Verifies as work for a pump. Problems of the cloud are in the result and throw nothing.</summary>
+        /// <param name="against">The sources to compare with; none to skip that.</param>
+        /// <exception cref="PointCloudException">The path is not a cloud at all, or a source cannot be read.</exception>
+        public static IEnumerator<Work> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
+            StageProgress progress)
+        {
+            if (!CloudFolder.IsCloud(path))
+                throw new PointCloudException(FailureCode.NotFound, path, -1, "no cloud: wanted a folder with " +
+                    StoreFormat.ManifestName);
+            CloudFolder folder;
+            try
+            {
+                folder = CloudFolder.Open(path);
+            }
+            catch (PointCloudException e)
+            {
+                result.Add(e.Message);
+                yield break;
+            }
+            result.IsBuilding = folder.Manifest.IsBuilding;
+            using (folder)
+            using (var verify = new VerifyCloud(folder, result))
+            {
+                progress?.Begin("verify");
+                yield return Work.Of(verify.CheckFiles(progress));
+                if (result.Ok)
+                    yield return Work.Of(CrossCheck.Run(verify.m_atSides, result.Levels));
+                verify.CheckTotals();
+                if (against.Count > 0)
+                {
+                    progress?.Begin("compare");
+                    yield return Work.Of(verify.Compare(against, progress));
+                }
+                progress?.End();
+            }
+        }
+
+        public void Dispose()
+        {
+            foreach (var points in m_atSides)
+                points.Dispose();
+            m_atSides.Clear();
+            m_store.Dispose();
+        }
+
+        /// <summary>Checks the files in their order, several ahead of the one whose result is taken next.</summary>
+        IEnumerator<Work> CheckFiles(StageProgress progress)
+        {
+            var tables = new Queue<PoolWork<NodeTable>>();
+            var inFlight = new Queue<(FileCheck Check, string Problem)>();
+            FileCheck next = null;
+            int file = m_folder.Upper.Nodes.Length > 0 ? -1 : 0, asked = 0, taken = file;
+            long bytes = 0;
+            try
+            {
+                while (taken < m_folder.Chunks.Length)
+                {
+                    for (; asked < m_folder.Chunks.Length && tables.Count < TablesAhead; asked++)
+                        tables.Enqueue(Load(asked));
+                    if (next == null && file < m_folder.Chunks.Length && (file < 0 || tables.Peek().IsDone))
+                    {
+                        try
+                        {
+                            next = new FileCheck(m_folder, file, m_store, file < 0 ? m_folder.Upper : tables.Dequeue().Take());
+                        }
+                        catch (PointCloudException e)
+                        {
+                            inFlight.Enqueue((null, e.Message));
+                        }
+                        file++;
+                    }
+                    if (next != null && (inFlight.Count == 0 || bytes + next.Bytes <= MostBytes))
+                    {
+                        var begun = next;
+                        inFlight.Enqueue((begun, null));
+                        next = null;
+                        bytes += begun.Bytes;
+                        yield return Work.Of(begun.Begin());
+                        continue;
+                    }
+                    if (inFlight.Count == 0)
+                    {
+                        yield return default;
+                        continue;
+                    }
+                    var (oldest, problem) = inFlight.Peek();
+                    if (problem != null)
+                    {
+                        m_result.Add(problem);
+                    }
+                    else
+                    {
+                        yield return oldest.Done;
+                        Take(oldest);
+                        bytes -= oldest.Bytes;
+                        oldest.Dispose();
+                    }
+                    inFlight.Dequeue();
+                    taken++;
+                    if (taken > 0)
+                        progress?.Report(taken / (double)m_folder.Chunks.Length, m_result.Points, 0);
+                    // What was freed took milliseconds, as the next check's memory does.
+                    yield return default;
+                }
+            }
+            finally
+            {
+                next?.Dispose();
+                foreach (var (check, _) in inFlight)
+                    check?.Dispose();
+                foreach (var table in tables)
+                    table.Dispose();
+            }
+        }
+
+        PoolWork<NodeTable> Load(int chunk)
+        {
+            var folder = m_folder;
+            var record = folder.Chunks[chunk];
+            string path = folder.ChunkPath(chunk);
+            return PoolWork.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
+        }
+
+        void Take(FileCheck check)
+        {
+            try
+            {
+                string problem = check.FindProblem();
+                if (problem != null)
+                {
+                    m_result.Add(check.Path + ": " + problem);
+                    return;
+                }
+            }
+            catch (PointCloudException e)
+            {
+                m_result.Add(e.Message);
+                return;
+            }
+            int node = 0;
+            foreach (var verdict in check.Verdicts())
+                Take(check.Path, node++, check.Table, verdict);
+            if (m_result.Ok)
+                check.TakeDistances(m_result.Levels, m_atSides);
+        }
+
+        void Take(string path, int index, NodeTable table, in NodeCheckResult verdict)
+        {
+            var node = table.Nodes[index];
+            if (verdict.What != NodeCheckResult.Fault.None)
+            {
+                var range = table.Planes[node.Host * table.PlaneCount + verdict.Plane];
+                m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: at byte {1}: node {2}, plane \"{3}\": {4}", path,
+                    range.OffsetBytes, index, m_folder.Layout.Planes[verdict.Plane].Name, Describe(verdict.What)));
+                return;
+            }
+            m_nodes++;
+            m_result.Points += node.PointCount;
+            m_firstSum += verdict.FirstSum;
+            m_secondSum += verdict.SecondSum;
+            int level = m_folder.Manifest.Root.SideLog2 - node.SideLog2;
+            while (m_result.Levels.Count <= level)
+                m_result.Levels.Add(VerifyResult.Level.None);
+            var at = m_result.Levels[level];
+            at.Nodes++;
+            at.Points += node.PointCount;
+            if (node.HasSpacing)
+            {
+                at.SampledPoints += node.PointCount;
+                double spacing = math.cmin(m_folder.Manifest.Grid.Step) * math.pow(2.0, node.CellLog2);
+                at.Spacing = at.Spacing == 0 ? spacing : Math.Min(at.Spacing, spacing);
+            }
+            m_result.Levels[level] = at;
+        }
+
+        static string Describe(NodeCheckResult.Fault fault) => fault switch
+        {
+            NodeCheckResult.Fault.PlaneHash => "is damaged: its hash does not fit",
+            NodeCheckResult.Fault.PlaneShape => "its blocks do not lie inside it one after the other",
+            NodeCheckResult.Fault.BlockCounts => "its blocks have other numbers of points than the node",
+            NodeCheckResult.Fault.OutsideCube => "a point outside of the node's cube",
+            NodeCheckResult.Fault.Bounds => "the node's bounds are not its points'",
+            _ => "a value that its attribute's type cannot have",
+        };
+
+        void CheckTotals()
+        {
+            var manifest = m_folder.Manifest;
+            if (!m_result.Ok)
+                return;
+            if (m_result.Points != manifest.Points || m_nodes != manifest.NodeCount)
+            {
+                m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: wanted {1} points in {2} nodes, got {3} in {4}",
+                    m_folder.FolderPath, manifest.Points, manifest.NodeCount, m_result.Points, m_nodes));
+            }
+            if (m_firstSum != manifest.Checksum)
+            {
+                m_result.Add(string.Format(CultureInfo.InvariantCulture,
+                    "{0}: checksum of all points: wanted {1:x16}, got {2:x16}",
+                    m_folder.FolderPath, manifest.Checksum, m_firstSum));
+            }
+        }
+
+        IEnumerator<Work> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
+        {
+            var manifest = m_folder.Manifest;
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var attribute in manifest.Attributes)
+                names.Add(attribute.Name);
+            long points = 0, leftOut = 0;
+            ulong firstSum = 0, secondSum = 0;
+            var attributes = new AttributeStatistics[manifest.Attributes.Count];
+            for (int a = 0; a < attributes.Length; a++)
+                attributes[a] = AttributeStatistics.None;
+            foreach (var reader in readers)
+            {
+                if (!HasAttributes(reader))
+                    yield break;
+                if (!reader.BlocksAreKnown)
+                    yield return Work.Of(reader.FindBlocks());
+                var wanted = reader.Info.Schema.Select(names.ToArray());
+                using var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
+                    reader.MaxPointsPerBlock);
+                yield return Work.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
+                var found = sums.TakeStatistics(out ulong second, attributes);
+                points += found.Count;
+                leftOut += found.LeftOut;
+                firstSum += found.Checksum;
+                secondSum += second;
+            }
+            if (points != manifest.Points || leftOut != manifest.PointsLeftOut)
+            {
+                m_result.Add(string.Format(CultureInfo.InvariantCulture,
+                    "against the sources: wanted {0} points and {1} left out, got {2} and {3}", points, leftOut, manifest.Points,
+                    manifest.PointsLeftOut));
+            }
+            else if (m_result.Ok && (firstSum != m_firstSum || secondSum != m_secondSum))
+            {
+                m_result.Add(string.Format(CultureInfo.InvariantCulture,
+                    "against the sources: the points are not the same: hash sums {0:x16}{1:x16}, got {2:x16}{3:x16}", firstSum,
+                        secondSum,
+                    m_firstSum, m_secondSum));
+            }
+        }
+
+        bool HasAttributes(PointReader reader)
+        {
+            foreach (var attribute in m_folder.Manifest.Attributes)
+            {
+                int column = reader.Info.Schema.IndexOf(attribute.Name);
+                if (column >= 0 && reader.Info.Schema[column].Equals(attribute))
+                    continue;
+                m_result.Add(reader.Info.Path + ": wanted the attribute " + attribute + ", got " +
+                    (column < 0 ? "none" : reader.Info.Schema[column].ToString()));
+                return false;
+            }
+            return true;
+        }
+    }
+}

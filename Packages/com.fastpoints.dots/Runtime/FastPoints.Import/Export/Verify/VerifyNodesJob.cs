@@ -1,0 +1,249 @@
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Export
+{
+    /// <summary>A slice of checking a file's nodes, whose table must have been checked: first the planes' hashes and shapes, then
+    /// every point's cube, bounds and sums.</summary>
+    /// <remarks>Slices of either kind run side by side and write to different elements.</remarks>
+    [BurstCompile]
+    internal unsafe struct VerifyNodesJob : IJob
+    {
+        /// <summary>Points of a slice: about 2 ms. A node may have some times as many.</summary>
+        public const int PointsPerSlice = 64 * PlaneShape.MaxPointsPerBlock;
+
+        /// <summary>Whether planes of nodes are checked, or points of parts.</summary>
+        public bool ChecksPlanes;
+
+        /// <summary>The range of nodes, or of <see cref="Parts"/>.</summary>
+        public int First;
+        public int End;
+
+        [ReadOnly] public NativeArray<byte> File;
+        [ReadOnly] public NativeArray<NodeRecord> Nodes;
+        [ReadOnly] public NativeArray<PlaneRange> Planes;
+        public int PlaneCount;
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+        [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+
+        /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
+        [ReadOnly] public NativeArray<int> AverageOf;
+        public int AttributeBytes;
+        public double3 Step;
+
+        /// <summary>The origin that <see cref="Sampled"/> counts from.</summary>
+        public Grid3 Origin;
+
+        /// <summary>By node: where its points go in <see cref="Sampled"/>; -1 for leaves and points at one place, which have no
+        /// spacing.</summary>
+        [ReadOnly] public NativeArray<int> FirstSampled;
+
+        /// <summary>Out: positions of the sampled points in CRS units.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<double3> Sampled;
+
+        /// <summary>Of nodes in their order; none has more points than a slice.</summary>
+        [ReadOnly] public NativeArray<NodePart> Parts;
+
+        /// <summary>Indexed by node: what its own planes showed.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> PlaneResults;
+
+        /// <summary>Indexed by part.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> Results;
+
+        public void Execute()
+        {
+            for (int i = First; i < End; i++)
+                if (ChecksPlanes)
+                    PlaneResults[i] = CheckPlanes(i);
+                else
+                    Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].Host]);
+        }
+
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+
+        PlaneView ViewOf(int host, int plane)
+        {
+            var node = Nodes[host];
+            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Planes[host * PlaneCount + plane].OffsetBytes,
+                ShapeOf(plane, node.IsWide), node.HostedBlocks);
+        }
+
+        NodeCheckResult CheckPlanes(int index)
+        {
+            var verdict = NodeCheckResult.Empty;
+            if (Nodes[index].Host != index)
+                return verdict;
+            var file = (byte*)File.GetUnsafeReadOnlyPtr();
+            for (int p = 0; p < PlaneCount && verdict.What == NodeCheckResult.Fault.None; p++)
+            {
+                var range = Planes[index * PlaneCount + p];
+                verdict.Plane = p;
+                if (ContentHash.Of(file + range.OffsetBytes, range.LengthBytes) != range.Hash)
+                    verdict.What = NodeCheckResult.Fault.PlaneHash;
+                else if (!PlaneView.IsSound(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
+                    Nodes[index].HostedBlocks))
+                    verdict.What = NodeCheckResult.Fault.PlaneShape;
+            }
+            return verdict;
+        }
+
+        NodeCheckResult CheckPoints(NodePart part, NodeCheckResult verdict)
+        {
+            int index = part.Node;
+            if (verdict.What != NodeCheckResult.Fault.None)
+                return verdict;
+            var node = Nodes[index];
+            var host = Nodes[node.Host];
+            var points = FirstSampled[index] >= 0 ? (double3*)Sampled.GetUnsafePtr() + FirstSampled[index] : null;
+            ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
+            var records = (byte*)UnsafeUtility.Malloc(math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock, 16,
+                Allocator.Temp);
+            UnsafeUtility.MemClear(records, math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock);
+            // Blocks before are full, or their part has the fault.
+            int done = (part.FirstBlock - node.FirstBlock) * PlaneShape.MaxPointsPerBlock;
+            for (int b = part.FirstBlock; b < part.EndBlock && verdict.What == NodeCheckResult.Fault.None; b++)
+            {
+                var position = ViewOf(node.Host, 0);
+                int count = position.PointsOf(b);
+                if (count != math.min(PlaneShape.MaxPointsPerBlock, node.PointCount - done))
+                {
+                    verdict.What = NodeCheckResult.Fault.BlockCounts;
+                    verdict.Plane = 0;
+                    break;
+                }
+                for (int c = 0; c < 3; c++)
+                    position.UnpackWide(b, c, places + c * PlaneShape.MaxPointsPerBlock);
+                LoadAttributes(node.Host, b, count, values, records, recordBytes, ref verdict);
+                if (verdict.What != NodeCheckResult.Fault.None)
+                    break;
+                for (int i = 0; i < count; i++)
+                {
+                    var place = host.Corner + new Grid3((long)places[i], (long)places[PlaneShape.MaxPointsPerBlock + i],
+                        (long)places[2 * PlaneShape.MaxPointsPerBlock + i]);
+                    if (!node.Cube.Contains(place))
+                    {
+                        verdict.What = NodeCheckResult.Fault.OutsideCube;
+                        verdict.Plane = 0;
+                        break;
+                    }
+                    var offset = place - node.Corner;
+                    verdict.Min = Grid3.Min(verdict.Min, offset);
+                    verdict.Max = Grid3.Max(verdict.Max, offset);
+                    if (points != null)
+                    {
+                        var fromOrigin = place - Origin;
+                        points[done + i] = new double3(fromOrigin.X, fromOrigin.Y, fromOrigin.Z) * Step;
+                    }
+                    verdict.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
+                    verdict.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
+                }
+                done += count;
+            }
+            UnsafeUtility.Free(records, Allocator.Temp);
+            return verdict;
+        }
+
+        void LoadAttributes(int host, int block, int count, ulong* values, byte* records, int recordBytes,
+            ref NodeCheckResult verdict)
+        {
+            for (int p = 1; p < PlaneCount; p++)
+            {
+                var plane = ViewOf(host, p);
+                verdict.Plane = p;
+                if (plane.PointsOf(block) != count)
+                {
+                    verdict.What = NodeCheckResult.Fault.BlockCounts;
+                    return;
+                }
+                for (int c = 0; c < plane.Shape.ColumnCount; c++)
+                {
+                    var column = Columns[FirstColumnOfPlane[p - 1] + c];
+                    plane.UnpackWide(block, c, values);
+                    int bits = column.Type.SizeOf() * 8;
+                    for (int i = 0; i < count; i++)
+                    {
+                        ulong value = values[i] * (ulong)column.Divisor;
+                        if (bits < 64 && value >> bits != 0)
+                            verdict.What = NodeCheckResult.Fault.Value;
+                        // Averages are not part of the point.
+                        if (AverageOf[p - 1] < 0)
+                            OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
+                    }
+                }
+            }
+        }
+    }
+
+    /// <summary>Some of a node's blocks. Blittable.</summary>
+    internal struct NodePart
+    {
+        public int Node;
+        public int FirstBlock;
+        public int EndBlock;
+    }
+
+    /// <summary>What reading a node, or some of its points, showed. Blittable.</summary>
+    internal struct NodeCheckResult
+    {
+        /// <summary>What can be wrong with a node; 0 means nothing.</summary>
+        public enum Fault
+        {
+            None,
+            PlaneHash,
+            PlaneShape,
+            BlockCounts,
+            OutsideCube,
+            Bounds,
+            Value,
+        }
+
+        public Fault What;
+
+        /// <summary>The faulty plane.</summary>
+        public int Plane;
+
+        /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
+        public ulong FirstSum;
+        public ulong SecondSum;
+
+        /// <summary>Bounds of the points from the node's corner.</summary>
+        public Grid3 Min;
+        public Grid3 Max;
+
+        public static NodeCheckResult Empty => new NodeCheckResult
+        {
+            Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
+            Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+        };
+
+        /// <summary>Takes the next part of the same node along.</summary>
+        public void Include(in NodeCheckResult part)
+        {
+            if (What == Fault.None)
+            {
+                What = part.What;
+                Plane = part.Plane;
+            }
+            FirstSum += part.FirstSum;
+            SecondSum += part.SecondSum;
+            Min = Grid3.Min(Min, part.Min);
+            Max = Grid3.Max(Max, part.Max);
+        }
+
+        /// <summary>Whether the node claims these bounds.</summary>
+        public bool HasBoundsOf(in NodeRecord node)
+        {
+            int shift = node.BoundsShift;
+            return node.MinX == Min.X >> shift && node.MinY == Min.Y >> shift && node.MinZ == Min.Z >> shift &&
+                node.MaxX == Max.X >> shift && node.MaxY == Max.Y >> shift && node.MaxZ == Max.Z >> shift;
+        }
+    }
+}

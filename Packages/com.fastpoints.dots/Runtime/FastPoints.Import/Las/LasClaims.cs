@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Mathematics;
+
+namespace FastPoints.Las
+{
+    /// <summary>Checks a header's claims against what the file can hold. Differences are warnings; the file wins.</summary>
+    internal static class LasClaims
+    {
+        /// <summary>Points that fit into the file's size, at most those claimed.</summary>
+        /// <exception cref="PointCloudException">Truncated: points are claimed, but there are none.</exception>
+        public static long CountReadable(LasHeader header, long fileBytes, SourceInfo info)
+        {
+            ulong claimed = header.PointsClaimed;
+            if (header.Has64BitCount && header.LegacyCount != 0 && header.LegacyCount != header.Count)
+                info.Warn(LasHeader.At.LegacyCount, "the 32-bit point count is " + NumberText.Of(header.LegacyCount)
+                    + ", the 64-bit one " + NumberText.Of(header.Count) + ": " + NumberText.Of(claimed) + " is used");
+            if (header.PointsOffset < header.HeaderBytes)
+                info.Warn(LasHeader.At.PointsOffset, "the points start at byte " + NumberText.Of(header.PointsOffset)
+                    + ", inside the header of " + NumberText.Of((ulong)header.HeaderBytes) + " bytes");
+
+            long start = header.PointsOffset;
+            long room = Math.Max(0, fileBytes - start);
+            if (claimed <= (ulong)(room / header.RecordBytes))
+            {
+                CheckRest(header, start + (long)claimed * header.RecordBytes, fileBytes, info);
+                return (long)claimed;
+            }
+
+            long end = Math.Min(NextSection(header.WaveformOffset, start, fileBytes),
+                NextSection(header.EvlrCount > 0 ? header.EvlrOffset : 0, start, fileBytes));
+            long bytes = Math.Max(0, end - start);
+            long readable = bytes / header.RecordBytes;
+            long cut = bytes % header.RecordBytes;
+            string story = "the header claims " + NumberText.Of(claimed) + " points, the file holds "
+                + NumberText.Of((ulong)readable)
+                + (cut == 0 ? "" : " and " + NumberText.Of((ulong)cut) + " of the " + NumberText.Of((ulong)header.RecordBytes)
+                    + " bytes of the next");
+            if (readable == 0)
+                throw new PointCloudException(FailureCode.Truncated, info.Path, start, story);
+            info.Warn(header.PointsClaimedAt, story);
+            return readable;
+        }
+
+        /// <summary>Compares the claimed box with what integers, scale and offset can express, and with a few points.</summary>
+        /// <param name="readable">Points that can be read; the first, middle and last are checked.</param>
+        public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
+        {
+            var records = new List<long>();
+            if (readable > 0)
+                foreach (long index in new[] { 0, readable / 2, readable - 1 })
+                    records.Add(header.PointsOffset + index * header.RecordBytes);
+            CheckBounds(header, source, records, info);
+        }
+
+        /// <summary>The same, with points whose records start at these bytes of the file.</summary>
+        public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
+        {
+            int readable = records.Count;
+            var claimed = new BoundsGeo(header.Min, header.Max);
+            if (!claimed.IsFinite || claimed.IsEmpty)
+            {
+                if (readable > 0)
+                    info.Warn(LasHeader.At.Bounds, "bounds: wanted a box, got " + Text(claimed) + ": left out");
+                return;
+            }
+            if (readable > 0 && math.all(claimed.Min == 0) && math.all(claimed.Max == 0))
+            {
+                info.Warn(LasHeader.At.Bounds, "the bounds are all zero: left out");
+                return;
+            }
+            info.HasBoundsClaimed = true;
+            info.BoundsClaimed = claimed;
+            if (readable == 0)
+                return;
+
+            var raw = BoundsGeo.Empty;
+            foreach (long offset in records)
+            {
+                var record = source.Read(offset, 12, "point");
+                raw.Include(new double3(record.Int32(0, "X"), record.Int32(4, "Y"), record.Int32(8, "Z")));
+            }
+            var seen = BoundsGeo.Empty;
+            seen.Include(info.Transform.ToGeo(raw.Min));
+            seen.Include(info.Transform.ToGeo(raw.Max));
+            if (Contains(claimed, seen, math.abs(info.Transform.Scale)))
+                return;
+            if (claimed.Contains(raw.Min) && claimed.Contains(raw.Max))
+            {
+                info.BoundsClaimed = BoundsGeo.Empty;
+                info.BoundsClaimed.Include(info.Transform.ToGeo(claimed.Min));
+                info.BoundsClaimed.Include(info.Transform.ToGeo(claimed.Max));
+                info.Warn(LasHeader.At.Bounds, "the bounds are in raw integers, without scale and offset: read as "
+                    + Text(info.BoundsClaimed));
+                return;
+            }
+            info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(seen.Min));
+        }
+
+        /// <summary>Checks what lies between the last claimed point and the next part that the header names.</summary>
+        static void CheckRest(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
+        {
+            long end = fileBytes;
+            Section(header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data", header, pointsEnd, ref end, info);
+            if (header.EvlrCount > 0)
+                Section(header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR", header, pointsEnd, ref end, info);
+            long rest = end - pointsEnd;
+            if (rest >= header.RecordBytes)
+                info.Warn(header.PointsClaimedAt, "behind the " + NumberText.Of(header.PointsClaimed)
+                    + " points that the header claims lie " + NumberText.Of((ulong)rest) + " bytes, room for "
+                    + NumberText.Of((ulong)(rest / header.RecordBytes)) + " more");
+            else if (rest > 0)
+                info.Fact("bytes behind the points", NumberText.Of((ulong)rest));
+        }
+
+        static void Section(ulong at, int field, string name, LasHeader header, long pointsEnd, ref long end, SourceInfo info)
+        {
+            if (at > header.PointsOffset && at < (ulong)pointsEnd)
+                info.Warn(field, name + " would start at byte " + NumberText.Of(at)
+                    + ", among the points: the point count is believed");
+            else if (at >= (ulong)pointsEnd && at < (ulong)end)
+                end = (long)at;
+        }
+
+        static long NextSection(ulong at, long start, long fileBytes) =>
+            at > (ulong)start && at < (ulong)fileBytes ? (long)at : fileBytes;
+
+        // Writers round the box to the step, or print it with few digits: two steps are not a contradiction.
+        static bool Contains(BoundsGeo box, BoundsGeo seen, double3 step) =>
+            math.all(seen.Min >= box.Min - 2 * step) && math.all(seen.Max <= box.Max + 2 * step);
+
+        static string Text(BoundsGeo box) => Text(box.Min) + " .. " + Text(box.Max);
+
+        static string Text(double3 point) => "(" + NumberText.Of(point) + ")";
+    }
+}

@@ -1,0 +1,213 @@
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+
+namespace FastPoints.Las
+{
+    /// <summary>The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into
+    /// a record of doubles and one of text. What is wrong with them is a warning, since points need no keys.</summary>
+    internal static class LasGeoKeys
+    {
+        const int ModelTypeKey = 1024;
+        const int CitationKey = 1026;
+        const int GeographicTypeKey = 2048;
+        const int GeographicCitationKey = 2049;
+        const int ProjectedTypeKey = 3072;
+        const int ProjectedCitationKey = 3073;
+        const int LinearUnitsKey = 3076;
+        const int LinearUnitSizeKey = 3077;
+        const int VerticalTypeKey = 4096;
+
+        const int ProjectedModel = 1;
+        const int GeographicModel = 2;
+        const int GeocentricModel = 3;
+        const int UserDefined = 32767;
+        const int EntryBytes = 8;
+
+        /// <summary>EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).</summary>
+        static readonly Dictionary<int, double> s_metresOfUnit = new Dictionary<int, double>
+        {
+            { 9001, 1 }, { 9002, 0.3048 }, { 9003, 1200.0 / 3937 }, { 9005, 0.3047972654 }, { 9014, 1.8288 },
+            { 9030, 1852 }, { 9036, 1000 }, { 9093, 1609.344 },
+        };
+
+        /// <summary>Fills <paramref name="crs"/> where the file has keys that say something.</summary>
+        public static void Read(LasVlrTable vlrs, SourceInfo info, CoordinateSystem crs)
+        {
+            var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord);
+            if (record == null || record.DataBytes == 0)
+                return;
+            var directory = vlrs.Payload(record);
+            var doubles = PayloadOf(vlrs, LasVlr.GeoDoubleParamsRecord, directory);
+            var text = PayloadOf(vlrs, LasVlr.GeoAsciiParamsRecord, directory);
+            if (!directory.Has(0, EntryBytes))
+            {
+                info.Warn(record.DataOffset, "GeoTIFF keys: wanted at least 8 bytes, got " + NumberText.Of(directory.Length));
+                return;
+            }
+            int count = CountOf(directory, record, info);
+            var keys = new Keys { VerticalEpsg = crs.VerticalEpsg };
+            for (int i = 1; i <= count; i++)
+                keys.Read(i, directory, doubles, text, record.DataOffset, info);
+            if (keys.Empty > 0)
+                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + NumberText.Of(keys.Empty)
+                    + " times among " + NumberText.Of(count) + " keys: left out");
+            keys.Fill(crs);
+        }
+
+        /// <summary>A directory of the codes alone.</summary>
+        public static byte[] Directory(CoordinateSystem crs)
+        {
+            bool isGeographic = double.IsNaN(crs.MetresPerUnit);
+            var keys = new List<(int Key, int Value)>();
+            if (crs.Epsg != 0)
+            {
+                keys.Add((ModelTypeKey, isGeographic ? GeographicModel : 1));
+                keys.Add((isGeographic ? GeographicTypeKey : ProjectedTypeKey, crs.Epsg));
+            }
+            if (crs.VerticalEpsg != 0)
+                keys.Add((VerticalTypeKey, crs.VerticalEpsg));
+            var directory = new byte[EntryBytes * (1 + keys.Count)];
+            LasHeader.Put(directory, 0, 2, 1);
+            LasHeader.Put(directory, 2, 2, 1);
+            LasHeader.Put(directory, 6, 2, (ulong)keys.Count);
+            for (int i = 0; i < keys.Count; i++)
+            {
+                LasHeader.Put(directory, EntryBytes * (i + 1), 2, (ulong)keys[i].Key);
+                LasHeader.Put(directory, EntryBytes * (i + 1) + 4, 2, 1);
+                LasHeader.Put(directory, EntryBytes * (i + 1) + 6, 2, (ulong)keys[i].Value);
+            }
+            return directory;
+        }
+
+        /// <summary>Keys that the directory has, and has room for.</summary>
+        static int CountOf(ByteReader directory, LasVlr record, SourceInfo info)
+        {
+            int version = directory.UInt16(0, "GeoTIFF key directory version");
+            int count = directory.UInt16(6, "GeoTIFF key count");
+            if (version != 1)
+                info.Warn(record.DataOffset, "GeoTIFF keys: wanted directory version 1, got " + NumberText.Of(version));
+            if (directory.Has(EntryBytes, count * EntryBytes))
+                return count;
+            int room = directory.Length / EntryBytes - 1;
+            info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + NumberText.Of(count)
+                + " keys, there is room for " + NumberText.Of(room));
+            return room;
+        }
+
+        /// <summary>What the keys say; 0 and null where they say nothing.</summary>
+        struct Keys
+        {
+            public int Empty;
+            public int VerticalEpsg;
+            int m_model;
+            int m_geographic;
+            int m_projected;
+            bool m_isProjected;
+            int m_unit;
+            double m_unitSize;
+            string m_name;
+            string m_citation;
+
+            public void Read(int entry, ByteReader directory, ByteReader doubles, ByteReader text, long offset, SourceInfo info)
+            {
+                int key = directory.UInt16(entry * EntryBytes, "GeoTIFF key");
+                int location = directory.UInt16(entry * EntryBytes + 2, "GeoTIFF key location");
+                int length = directory.UInt16(entry * EntryBytes + 4, "GeoTIFF key count");
+                int value = directory.UInt16(entry * EntryBytes + 6, "GeoTIFF key value");
+                long at = offset + entry * EntryBytes;
+                switch (key)
+                {
+                    case 0:
+                        Empty++;
+                        break;
+                    case ModelTypeKey:
+                        m_model = Code(location, value, key, at, info);
+                        break;
+                    case GeographicTypeKey:
+                        m_geographic = Code(location, value, key, at, info);
+                        break;
+                    case ProjectedTypeKey:
+                        m_projected = Code(location, value, key, at, info);
+                        m_isProjected = location == 0 && value != 0;
+                        break;
+                    case VerticalTypeKey:
+                        VerticalEpsg = Code(location, value, key, at, info);
+                        break;
+                    case LinearUnitsKey:
+                        m_unit = Code(location, value, key, at, info);
+                        break;
+                    case LinearUnitSizeKey:
+                        if (location == LasVlr.GeoDoubleParamsRecord && doubles.Has(8 * value, 8))
+                            m_unitSize = doubles.Float64(8 * value, "GeoTIFF unit size");
+                        else
+                            Misplaced(key, location, value, at, info);
+                        break;
+                    case ProjectedCitationKey:
+                        m_name = Citation(text, location, length, value, key, at, info);
+                        break;
+                    case CitationKey:
+                    case GeographicCitationKey:
+                        m_citation = m_citation ?? Citation(text, location, length, value, key, at, info);
+                        break;
+                }
+            }
+
+            public void Fill(CoordinateSystem crs)
+            {
+                // In projected and geocentric systems the geographic key names what they are derived from.
+                bool isDerived = m_model == ProjectedModel || m_model == GeocentricModel || m_model == 0 && m_isProjected;
+                crs.Epsg = isDerived ? m_projected : m_geographic;
+                crs.VerticalEpsg = VerticalEpsg;
+                crs.Name = m_name ?? m_citation;
+                if (m_model == GeographicModel || !isDerived && m_geographic != 0 && m_unit == 0 && m_unitSize == 0)
+                    crs.MetresPerUnit = double.NaN;
+                else if (m_unit != 0 && s_metresOfUnit.TryGetValue(m_unit, out double metres))
+                    crs.MetresPerUnit = metres;
+                else if (m_unitSize > 0 && !double.IsInfinity(m_unitSize))
+                    crs.MetresPerUnit = m_unitSize;
+                else if (m_model == GeocentricModel || IsUtm(m_projected))
+                    crs.MetresPerUnit = 1;
+            }
+        }
+
+        /// <summary>UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.</summary>
+        static bool IsUtm(int epsg) =>
+            epsg >= 32601 && epsg <= 32660 || epsg >= 32701 && epsg <= 32760 || epsg >= 25828 && epsg <= 25838
+            || epsg >= 26901 && epsg <= 26923 || epsg >= 26701 && epsg <= 26722;
+
+        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader otherwise)
+        {
+            var record = vlrs.Find(LasVlr.ProjectionUser, recordId);
+            return record != null
+                ? vlrs.Payload(record)
+                : new ByteReader(System.Array.Empty<byte>(), otherwise.Path, otherwise.FileOffset);
+        }
+
+        static int Code(int location, int value, int key, long at, SourceInfo info)
+        {
+            if (location != 0)
+            {
+                Misplaced(key, location, value, at, info);
+                return 0;
+            }
+            return value == UserDefined ? 0 : value;
+        }
+
+        static string Citation(ByteReader text, int location, int length, int value, int key, long at, SourceInfo info)
+        {
+            if (location != LasVlr.GeoAsciiParamsRecord || !text.Has(value, length))
+            {
+                Misplaced(key, location, value, at, info);
+                return null;
+            }
+            string citation = text.Text(value, length, "GeoTIFF citation").TrimEnd('|', ' ');
+            return citation.Length > 0 ? citation : null;
+        }
+
+        static void Misplaced(int key, int location, int value, long at, SourceInfo info) =>
+            info.Warn(at, "GeoTIFF key " + NumberText.Of(key) + " points to " + NumberText.Of(location) + "/"
+                + NumberText.Of(value)
+                + ", where the file has nothing: left out");
+    }
+}

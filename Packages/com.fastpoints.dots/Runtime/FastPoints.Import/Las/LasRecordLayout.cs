@@ -1,0 +1,43 @@
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+
+namespace FastPoints.Las
+{
+    /// <summary>Everything that a record of one file holds: the fields of its point format, then extra bytes.</summary>
+    internal sealed class LasRecordLayout
+    {
+        /// <param name="recordBytes">According to the header; at least the format's own.</param>
+        /// <param name="extra">Described extra bytes, with offsets from the record's start. The rest of the record becomes
+        /// columns of single bytes named <c>ExtraBytes[i]</c>, so that no part of a record is lost.</param>
+        public LasRecordLayout(LasPointFormat format, int recordBytes, IEnumerable<PointField> extra)
+        {
+            Format = format;
+            RecordBytes = recordBytes;
+            foreach (var field in format.Fields)
+                Fields.Add(field);
+            int end = format.RecordBytes;
+            foreach (var field in extra)
+            {
+                Fields.Add(field);
+                end = field.ByteOffset + field.Type.SizeOf();
+            }
+            DescribedBytes = end;
+            for (int i = end; i < recordBytes; i++)
+                Fields.Add(new PointField("ExtraBytes[" + NumberText.Of(i - end) + "]", AttributeType.UInt8, i));
+
+            Schema = Fields.ToSchema();
+        }
+
+        public LasPointFormat Format { get; }
+        public int RecordBytes { get; }
+
+        /// <summary>End of the last byte that the format or a description covers.</summary>
+        public int DescribedBytes { get; }
+
+        public PointFields Fields { get; } = new PointFields();
+
+        /// <summary>One attribute for each field, in the same order.</summary>
+        public PointSchema Schema { get; }
+    }
+}

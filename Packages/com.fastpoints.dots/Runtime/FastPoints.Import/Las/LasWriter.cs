@@ -1,0 +1,257 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Las
+{
+    /// <summary>Writes a LAS file as points come; counts and bounds go into the header at the end. The file has a temporary name
+    /// until <see cref="Complete"/>: if disposed before that, nothing of it stays, and an existing file of that name is
+    /// unchanged.</summary>
+    internal sealed unsafe class LasWriter : IDisposable
+    {
+        const int BufferBytes = 1 << 20;
+        const ushort WktEncodingBit = 1 << 4;
+        const string TemporarySuffix = ".partial";
+
+        readonly string m_path;
+        readonly string m_temporaryPath;
+        readonly LasHeader m_header;
+        readonly LasRecordLayout m_layout;
+        readonly byte[] m_buffer;
+        readonly int m_bufferPoints;
+        readonly ulong[] m_byReturn = new ulong[16];
+        FileStream m_stream;
+        bool m_isComplete;
+        bool m_isGivenUp;
+        int3 m_min = new int3(int.MaxValue, int.MaxValue, int.MaxValue);
+        int3 m_max = new int3(int.MinValue, int.MinValue, int.MinValue);
+
+        LasWriter(string path, LasWriterSettings settings)
+        {
+            m_path = path;
+            m_temporaryPath = path + TemporarySuffix;
+            var format = LasPointFormat.Of(settings.PointFormat);
+            var extra = new List<PointField>();
+            int recordBytes = format.RecordBytes;
+            foreach (var attribute in settings.ExtraBytes)
+            {
+                extra.Add(new PointField(attribute.Name, attribute.Type, recordBytes, attribute.Scale, attribute.Offset));
+                recordBytes += attribute.Type.SizeOf();
+            }
+            m_layout = new LasRecordLayout(format, recordBytes, extra);
+            m_header = new LasHeader
+            {
+                VersionMinor = settings.VersionMinor,
+                PointFormat = settings.PointFormat,
+                RecordBytes = recordBytes,
+                HeaderBytes = LasHeader.BytesOf(settings.VersionMinor),
+                Scale = settings.Scale,
+                Offset = settings.Offset,
+                SystemIdentifier = settings.SystemIdentifier ?? "",
+                GeneratingSoftware = settings.GeneratingSoftware ?? "",
+                CreationDay = (ushort)settings.CreationDay,
+                CreationYear = (ushort)settings.CreationYear,
+                GlobalEncoding = settings.Wkt != null && settings.VersionMinor >= 4 ? WktEncodingBit : (ushort)0,
+            };
+            m_bufferPoints = Math.Max(1, BufferBytes / recordBytes);
+            m_buffer = new byte[m_bufferPoints * recordBytes];
+        }
+
+        /// <summary>All attributes of the file's records. A batch to append may have any selection of them.</summary>
+        public PointSchema Schema => m_layout.Schema;
+
+        public int RecordBytes => m_header.RecordBytes;
+
+        /// <summary>Creates the temporary file.</summary>
+        /// <exception cref="ArgumentException">The settings do not describe a valid LAS file.</exception>
+        /// <exception cref="PointCloudException">The file cannot be created.</exception>
+        public static LasWriter Create(string path, LasWriterSettings settings)
+        {
+            Check(settings);
+            var writer = new LasWriter(path, settings);
+            var vlrs = Vlrs(settings);
+            writer.m_header.VlrCount = (uint)vlrs.Count;
+            long pointsOffset = writer.m_header.HeaderBytes;
+            foreach (var vlr in vlrs)
+                pointsOffset += vlr.Length;
+            writer.m_header.PointsOffset = (uint)pointsOffset;
+            try
+            {
+                writer.m_stream = FileChanges.OpenToWrite(writer.m_temporaryPath, FileMode.Create);
+                var header = writer.m_header.ToBytes();
+                writer.m_stream.Write(header, 0, header.Length);
+                foreach (var vlr in vlrs)
+                    writer.m_stream.Write(vlr, 0, vlr.Length);
+                return writer;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                writer.Dispose();
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Appends the batch's valid points. Attributes that it lacks are zero.</summary>
+        /// <exception cref="ArgumentException">The records lack an attribute of the batch, or have it in another
+        /// type.</exception>
+        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        public void Append(PointBatch batch)
+        {
+            var copies = FieldCopyPlan.Make(m_layout.Fields, batch);
+            byte* columns = (byte*)batch.Bytes.GetUnsafeReadOnlyPtr();
+            for (int first = 0; first < batch.Count; first += m_bufferPoints)
+            {
+                int count = Math.Min(m_bufferPoints, batch.Count - first);
+                Array.Clear(m_buffer, 0, count * RecordBytes);
+                fixed (byte* records = m_buffer)
+                fixed (FieldCopy* plan = copies)
+                    PointRecords.FromColumns(columns, first, count, plan, copies.Length, records, RecordBytes);
+                Write(m_buffer, count);
+            }
+        }
+
+        /// <summary>Appends points that are records already, of <see cref="RecordBytes"/> each.</summary>
+        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        public void AppendRecords(byte[] records, int count)
+        {
+            if (count < 0 || (long)count * RecordBytes > records.Length)
+                throw new ArgumentOutOfRangeException(nameof(count), count, "more records than bytes");
+            Write(records, count);
+        }
+
+        /// <summary>Writes the header, and gives the file its name; not for the main thread of an editor.</summary>
+        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        public void Complete()
+        {
+            m_header.SetPoints(m_path, m_byReturn, m_min, m_max);
+            try
+            {
+                var header = m_header.ToBytes();
+                m_stream.Position = 0;
+                m_stream.Write(header, 0, header.Length);
+                m_stream.Flush(true);
+                m_stream.Dispose();
+                m_stream = null;
+                FileChanges.Insist(() => FileChanges.Replace(m_temporaryPath, m_path));
+                m_isComplete = true;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(m_path, e);
+            }
+        }
+
+        /// <summary>If <see cref="Complete"/> was not called, gives up and leaves nothing.</summary>
+        public void Dispose()
+        {
+            if (m_isComplete || m_isGivenUp)
+                return;
+            m_isGivenUp = true;
+            m_stream?.Dispose();
+            m_stream = null;
+            // The failure that led here is the one to report; a file that cannot be deleted could not be made either.
+            FileChanges.DeleteRemains(m_temporaryPath, () => false);
+        }
+
+        void Write(byte[] records, int count)
+        {
+            if (m_stream == null)
+                throw new InvalidOperationException("the writer is complete");
+            fixed (byte* first = records)
+                Account(first, count);
+            try
+            {
+                m_stream.Write(records, 0, count * RecordBytes);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(m_path, e);
+            }
+        }
+
+        void Account(byte* record, int count)
+        {
+            int returnMask = m_layout.Format.IsExtended ? 15 : 7;
+            for (int i = 0; i < count; i++, record += RecordBytes)
+            {
+                var position = new int3(((int*)record)[0], ((int*)record)[1], ((int*)record)[2]);
+                m_min = math.min(m_min, position);
+                m_max = math.max(m_max, position);
+                m_byReturn[record[14] & returnMask]++;
+            }
+            m_header.Count += (ulong)count;
+        }
+
+        static void Check(LasWriterSettings settings)
+        {
+            if (settings.VersionMinor < 0 || settings.VersionMinor > LasHeader.MaxMinorVersion)
+                throw new ArgumentException("LAS 1." + settings.VersionMinor + " is not known: wanted 1.0 to 1.5");
+            if (settings.PointFormat < 0 || settings.PointFormat >= LasPointFormat.Count)
+                throw new ArgumentException("point format " + settings.PointFormat + " is not known: wanted 0 to 10");
+            for (int axis = 0; axis < 3; axis++)
+                if (!math.isfinite(settings.Scale[axis]) || settings.Scale[axis] == 0 || !math.isfinite(settings.Offset[axis]))
+                    throw new ArgumentException("scale and offset must be finite, and the scale not 0");
+        }
+
+        static List<byte[]> Vlrs(LasWriterSettings settings)
+        {
+            var vlrs = new List<byte[]>();
+            if (settings.Wkt != null)
+                vlrs.Add(Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", Encoding.UTF8.GetBytes(settings.Wkt + "\0")));
+            if (settings.ExtraBytes.Length == 0)
+                return vlrs;
+            var entries = new byte[settings.ExtraBytes.Length * LasExtraBytes.EntryBytes];
+            for (int i = 0; i < settings.ExtraBytes.Length; i++)
+                LasExtraBytes.Entry(settings.ExtraBytes[i]).CopyTo(entries, i * LasExtraBytes.EntryBytes);
+            vlrs.Add(Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", entries));
+            return vlrs;
+        }
+
+        /// <exception cref="ArgumentException">It is too long.</exception>
+        internal static byte[] Vlr(string userId, ushort recordId, string description, byte[] payload)
+        {
+            if (payload.Length > ushort.MaxValue)
+                throw new ArgumentException(description + ": wanted at most 65535 bytes, got " + payload.Length);
+            var vlr = new byte[LasVlr.HeaderBytes + payload.Length];
+            LasHeader.PutText(vlr, 2, 16, userId);
+            LasHeader.Put(vlr, 18, 2, recordId);
+            LasHeader.Put(vlr, 20, 2, (ulong)payload.Length);
+            LasHeader.PutText(vlr, 22, 32, description);
+            payload.CopyTo(vlr, LasVlr.HeaderBytes);
+            return vlr;
+        }
+    }
+
+    /// <summary>Settings of a LAS file to be written.</summary>
+    internal sealed class LasWriterSettings
+    {
+        /// <summary>LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.</summary>
+        public int VersionMinor = 4;
+
+        /// <summary>0 to 10.</summary>
+        public int PointFormat = 7;
+
+        /// <summary>Position = stored * scale + offset; all finite, and the scale not 0.</summary>
+        public double3 Scale = new double3(0.001, 0.001, 0.001);
+
+        public double3 Offset;
+
+        /// <summary>The CRS as OGC well-known text, or null.</summary>
+        public string Wkt;
+
+        public string SystemIdentifier = "OTHER";
+        public string GeneratingSoftware = "FastPoints";
+
+        /// <summary>Day of the year and year; 0 if not stated, so that equal clouds give equal files.</summary>
+        public int CreationDay;
+        public int CreationYear;
+
+        /// <summary>Attributes beyond the point format's, in the order of the record.</summary>
+        public PointAttribute[] ExtraBytes = Array.Empty<PointAttribute>();
+    }
+}

@@ -1,0 +1,62 @@
+namespace FastPoints.Laz
+{
+    /// <summary>A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; only
+    /// <see cref="Offset"/> is kept, since the input may lie elsewhere the next time.</summary>
+    internal unsafe struct RangeStream
+    {
+        public uint Value;
+        public uint Length;
+        public byte* Next;
+
+        /// <summary>Points behind the stream's last byte: a decoder that has passed it has read foreign bytes.</summary>
+        public byte* End;
+
+        /// <summary>Offset of <see cref="Next"/> from the input's start.</summary>
+        public long Offset;
+
+        public bool IsBeyondEnd => Next > End;
+
+        public bool IsAtEnd => Next >= End;
+
+        /// <summary>Whether an encoder can have ended here: it adds a part of its interval to the base, writes the one or two
+        /// bytes that the part leaves above zero, and three or two zeros, so that a decoder ends with the stream. Of a stream
+        /// that goes on at most the points that take no byte, less than eight bits together, leave it so.</summary>
+        /// <param name="input">No byte before it is looked at.</param>
+        public bool CanEnd(byte* input)
+        {
+            if (Next != End)
+                return false;
+            const uint Least = RangeCode.MinLength;
+            bool isLong = Length > 2 * Least;
+            for (int i = 1; i <= (isLong ? 3 : 2) && Next - i >= input; i++)
+                if (Next[-i] != 0)
+                    return false;
+            return isLong ? Value > 0 && Value <= Least : Value <= Least >> 1 && Value > (Least >> 1) - (1 << 16);
+        }
+
+        /// <summary>Starts at a stream's first byte.</summary>
+        public void Start(byte* first, byte* end)
+        {
+            Next = first;
+            End = end;
+            RangeCode.Start(out Value, out Length, ref Next);
+        }
+
+        /// <summary>Starts to write at a stream's first byte: <see cref="Value"/> is where the interval begins.</summary>
+        public void StartWriting(byte* first)
+        {
+            Next = first;
+            Value = 0;
+            Length = uint.MaxValue;
+        }
+
+        /// <summary>Resumes where <see cref="Suspend"/> left off, with the input now at <paramref name="input"/>.</summary>
+        public void Resume(byte* input, byte* end)
+        {
+            Next = input + Offset;
+            End = end;
+        }
+
+        public void Suspend(byte* input) => Offset = Next - input;
+    }
+}

@@ -1,0 +1,261 @@
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Decodes a slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file
+    /// of its own. A chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not
+    /// needed.</summary>
+    [BurstCompile]
+    unsafe struct DecodeLazFileJob : IJob
+    {
+        /// <summary>The file, with <see cref="RangeCode.PaddingBytes"/> behind it.</summary>
+        [ReadOnly] public NativeArray<byte> Input;
+
+        public int InputBytes;
+
+        /// <summary>The grid of the columns: a file with another scale or offset is placed on it if that is exact.</summary>
+        public PositionTransform Transform;
+
+        /// <summary>Whether an offset that is not a whole number of steps from the grid's is rounded to the nearest that
+        /// is.</summary>
+        public bool RoundsOffset;
+
+        /// <summary>The LASzip VLR's list of items, from their number on, as it must be; none for LAS.</summary>
+        [ReadOnly] public NativeArray<byte> Items;
+
+        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured; anything for LAS.</summary>
+        public NativeArray<byte> Decoder;
+
+        /// <summary>Records of a tile.</summary>
+        public NativeArray<byte> Tile;
+
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        public NativeArray<byte> Columns;
+        public NativeReference<LazFileState> State;
+        public NativeReference<DecodeResult> Result;
+
+        /// <summary>None for LAS.</summary>
+        public LazCompressor Compressor;
+        public int PointFormat;
+        public int RecordBytes;
+        public int TilePoints;
+
+        /// <summary>First point of the slice, counted from the file's start; 0 starts the file.</summary>
+        public long First;
+        public int Count;
+
+        /// <summary>Points before the range, which are decoded because the others depend on them, but not kept.</summary>
+        public long Skip;
+
+        bool IsPlain => Compressor == LazCompressor.None;
+
+        bool IsLayered => Compressor == LazCompressor.LayeredChunked;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            var result = First == 0 ? default : Result.Value;
+            var state = First == 0 ? default : State.Value;
+            if (First == 0 && !ReadHeader(input, ref state))
+                result.Error = LazError.NoChunk;
+            else if (First == 0 && !LazFilePlacing.TryMake(input, Transform, RoundsOffset, out state.Placing))
+                result.Error = LazError.OffGrid;
+            int done = 0;
+            while (done < Count && result.Error == LazError.None)
+            {
+                if (state.ChunkDone == state.ChunkPoints && !StartChunk(input, ref state))
+                {
+                    Stop(ref result, state.ChunkOffset);
+                    break;
+                }
+                long left = state.ChunkPoints - state.ChunkDone;
+                int wanted = Count - done < TilePoints ? Count - done : TilePoints;
+                wanted = left < wanted ? (int)left : wanted;
+                int got = Decode(input, state, wanted);
+                int placed = state.Placing.IsSame ? got : Place(state.Placing, got);
+                Keep(First + done, placed, ref result);
+                if (placed < got)
+                {
+                    result.Error = LazError.OffGrid;
+                    result.ErrorOffset = state.ChunkOffset;
+                    break;
+                }
+                done += got;
+                state.ChunkDone += got;
+                if (got < wanted)
+                {
+                    Stop(ref result, state.ChunkOffset);
+                    if (!IsLayered && !IsPlain)
+                        result.Points = result.Points > Pointwise->PointsInDoubt ? result.Points - Pointwise->PointsInDoubt : 0;
+                }
+                else if (state.ChunkDone == state.ChunkPoints)
+                    state.ChunkOffset = IsPlain ? state.End : IsLayered ? state.ChunkEnd
+                        : state.ChunkOffset + Pointwise->InputOffset;
+            }
+            State.Value = state;
+            Result.Value = result;
+        }
+
+        LayeredChunk* Layered => (LayeredChunk*)Decoder.GetUnsafePtr();
+
+        PointwiseChunk* Pointwise => (PointwiseChunk*)Decoder.GetUnsafePtr();
+
+        int Decode(byte* input, in LazFileState state, int count)
+        {
+            byte* chunk = input + state.ChunkOffset;
+            byte* tile = (byte*)Tile.GetUnsafePtr();
+            if (IsPlain)
+            {
+                long left = (state.End - state.ChunkOffset) / RecordBytes - state.ChunkDone;
+                count = left < count ? (int)left : count;
+                UnsafeUtility.MemCpy(tile, chunk + state.ChunkDone * RecordBytes, (long)count * RecordBytes);
+                return count;
+            }
+            return IsLayered ? LayeredChunk.Decode(Layered, chunk, tile, count)
+                : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
+        }
+
+        /// <summary>Moves the tile's positions, which begin its records, onto the columns' grid.</summary>
+        /// <returns>The number of points before the first that does not fit into 32 bits there.</returns>
+        int Place(in LazFilePlacing placing, int count)
+        {
+            byte* record = (byte*)Tile.GetUnsafePtr();
+            for (int i = 0; i < count; i++, record += RecordBytes)
+                if (!placing.TryPlace((int*)record))
+                    return i;
+            return count;
+        }
+
+        /// <summary>Copies the tile's points to the columns, except those before the range.</summary>
+        void Keep(long first, int count, ref DecodeResult result)
+        {
+            int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
+            if (count <= skipped)
+                return;
+            PointRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
+                (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
+                (int)(first + skipped - Skip));
+            result.Points = (int)(first + count - Skip);
+        }
+
+        static void Stop(ref DecodeResult result, long offset)
+        {
+            result.Error = LazError.Short;
+            result.ErrorOffset = offset;
+        }
+
+        /// <returns>Whether there is a chunk.</returns>
+        bool StartChunk(byte* input, ref LazFileState state)
+        {
+            long room = state.End - state.ChunkOffset;
+            if (room < RecordBytes)
+                return false;
+            state.ChunkDone = 0;
+            state.ChunkPoints = state.PointsOfChunks > 0 ? state.PointsOfChunks : state.PointsInFile;
+            if (IsPlain)
+                return state.ChunkPoints > 0;
+            if (!IsLayered)
+            {
+                PointwiseChunk.Start(Pointwise);
+                return state.ChunkPoints > 0;
+            }
+            byte* chunk = input + state.ChunkOffset;
+            LayeredChunk.Start(Layered, chunk, room, true, state.ChunkPoints);
+            long bytes = LayeredChunk.BytesOf(Layered, chunk, room, out long points);
+            if (points > 0)
+                state.ChunkPoints = points;
+            state.ChunkEnd = state.ChunkOffset + bytes;
+            return bytes > 0 && state.ChunkPoints > 0;
+        }
+
+        /// <returns>Whether the file is like the reader's other nodes.</returns>
+        bool ReadHeader(byte* input, ref LazFileState state)
+        {
+            if (InputBytes < LasHeader.LeastBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
+                return false;
+            const int CompressionBits = 0xC0;
+            if ((input[LasHeader.At.PointFormat] & ~CompressionBits) != PointFormat
+                || (input[LasHeader.At.PointFormat] & CompressionBits) == 0 != IsPlain
+                || *(ushort*)(input + LasHeader.At.RecordBytes) != RecordBytes)
+                return false;
+            long headerBytes = *(ushort*)(input + LasHeader.At.HeaderBytes);
+            state.PointsInFile = *(uint*)(input + LasHeader.At.LegacyCount);
+            if (state.PointsInFile == 0 && headerBytes >= LasHeader.At.ByReturn && InputBytes >= LasHeader.At.ByReturn)
+                state.PointsInFile = *(long*)(input + LasHeader.At.Count);
+            if (IsPlain)
+            {
+                state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset);
+                state.End = InputBytes;
+                return true;
+            }
+            state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset)
+                + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetBytes);
+            state.End = EndOfChunks(input, state.ChunkOffset);
+            return ReadVlrs(input, headerBytes > LasHeader.LeastBytes ? headerBytes : LasHeader.LeastBytes, ref state);
+        }
+
+        /// <summary>The chunk table's offset, if there is one: it ends the last chunk, whatever a count claims.</summary>
+        long EndOfChunks(byte* input, long firstChunk)
+        {
+            if (Compressor == LazCompressor.Pointwise || firstChunk > InputBytes)
+                return InputBytes;
+            long table = *(long*)(input + firstChunk - LazChunkTable.TableOffsetBytes);
+            return table > firstChunk && table <= InputBytes ? table : InputBytes;
+        }
+
+        /// <returns>Whether there is a LASzip VLR, and its items are those that the decoder supports.</returns>
+        bool ReadVlrs(byte* input, long at, ref LazFileState state)
+        {
+            const int UserId = 2, LastOfUserId = UserId + 13;
+            long end = state.ChunkOffset < InputBytes ? state.ChunkOffset : InputBytes;
+            for (uint i = *(uint*)(input + LasHeader.At.VlrCount); i > 0 && at + LasVlr.HeaderBytes <= end; i--)
+            {
+                byte* vlr = input + at;
+                long bytes = *(ushort*)(vlr + 20);
+                byte* data = vlr + LasVlr.HeaderBytes;
+                at += LasVlr.HeaderBytes + bytes;
+                // "laszip encoded" is the only user id that begins and ends so and has this record id.
+                bool isLaszip = *(ushort*)(vlr + 18) == LazFormat.RecordId && vlr[UserId] == 'l' && vlr[LastOfUserId] == 'd';
+                if (!isLaszip || at > end || bytes < LazFormat.ItemsAt + Items.Length)
+                    continue;
+                uint chunkPoints = *(uint*)(data + 12);
+                state.PointsOfChunks = Compressor == LazCompressor.Pointwise || chunkPoints == LazFormat.VariableChunkPoints
+                    ? 0 : chunkPoints;
+                return *(ushort*)data == (int)Compressor && *(ushort*)(data + 2) == 0
+                    && UnsafeUtility.MemCmp(data + LazFormat.ItemsAt, Items.GetUnsafeReadOnlyPtr(), Items.Length) == 0;
+            }
+            return false;
+        }
+    }
+
+    /// <summary>Progress of decoding a whole LAZ file in memory, from slice to slice.</summary>
+    struct LazFileState
+    {
+        /// <summary>Points according to its header.</summary>
+        public long PointsInFile;
+
+        /// <summary>Points of every chunk except the last; 0 if chunks say so themselves.</summary>
+        public long PointsOfChunks;
+
+        /// <summary>Offset of the current chunk.</summary>
+        public long ChunkOffset;
+
+        /// <summary>Offset behind it; known in advance for layered chunks only.</summary>
+        public long ChunkEnd;
+
+        /// <summary>Points of the current chunk, and those that are done; both 0 before a chunk is started.</summary>
+        public long ChunkPoints;
+        public long ChunkDone;
+
+        /// <summary>Offset behind the last chunk.</summary>
+        public long End;
+
+        public LazFilePlacing Placing;
+    }
+}

@@ -1,0 +1,130 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Wave packets of 29 bytes: item WAVEPACKET13, and the layer of WAVEPACKET14. The record's descriptor index comes
+    /// first; the offset into the waveforms follows the last packet, repeats it, or steps. HPC#.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct WavePacketItem
+    {
+        public const int RecordBytes = 29;
+
+        const int IndexAt = 64;
+        const int OffsetKindAt = IndexAt + SymbolModel.Bytes256;
+        const int OffsetAt = OffsetKindAt + 4 * SymbolModel.Bytes4;
+        const int OneIntegerBytes = 64 + SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int SizeAt = OffsetAt + OneIntegerBytes;
+        const int LocationAt = SizeAt + OneIntegerBytes;
+        const int DirectionAt = LocationAt + OneIntegerBytes;
+        public const int StateBytes = DirectionAt + 64 + 3 * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+
+        const int SameOffset = 0;
+        const int FollowingOffset = 1;
+        const int SteppedOffset = 2;
+
+        int m_step;
+        int m_offsetKind;
+
+        /// <summary>The last packet's 28 bytes behind the descriptor index.</summary>
+        public fixed byte Last[RecordBytes - 1];
+
+        public static void Start(WavePacketItem* state, byte* record)
+        {
+            *state = default;
+            for (int i = 0; i < RecordBytes - 1; i++)
+                state->Last[i] = record[i + 1];
+            byte* place = (byte*)state;
+            SymbolModel.Initialize(place + IndexAt, 256);
+            for (int i = 0; i < 4; i++)
+                SymbolModel.Initialize(place + OffsetKindAt + i * SymbolModel.Bytes4, 4);
+            IntegerModel.Initialize(place + OffsetAt, 32, 1);
+            IntegerModel.Initialize(place + SizeAt, 32, 1);
+            IntegerModel.Initialize(place + LocationAt, 32, 1);
+            IntegerModel.Initialize(place + DirectionAt, 32, 3);
+        }
+
+        /// <summary>Decodes a packet after <paramref name="last"/> (28 bytes), which becomes it.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Decode(WavePacketItem* state, byte* last, RangeStream* stream, byte* record)
+        {
+            uint value = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            byte* place = (byte*)state;
+
+            record[0] = (byte)SymbolModel.Decode(place + IndexAt, 256, ref value, ref length, ref next);
+
+            ulong lastOffset = *(ulong*)last;
+            uint lastSize = *(uint*)(last + 8);
+            state->m_offsetKind = (int)SymbolModel.Decode(place + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4,
+                ref value, ref length, ref next);
+            ulong offset;
+            if (state->m_offsetKind == SameOffset)
+            {
+                offset = lastOffset;
+            }
+            else if (state->m_offsetKind == FollowingOffset)
+            {
+                offset = lastOffset + lastSize;
+            }
+            else if (state->m_offsetKind == SteppedOffset)
+            {
+                state->m_step += IntegerModel.Decode(place + OffsetAt, 32, 1, 0, ref value, ref length, ref next);
+                offset = lastOffset + (ulong)(long)state->m_step;
+            }
+            else
+            {
+                uint low = RangeCode.UInt32(ref value, ref length, ref next);
+                offset = (ulong)RangeCode.UInt32(ref value, ref length, ref next) << 32 | low;
+            }
+            stream->Value = value;
+            stream->Length = length;
+            stream->Next = next;
+
+            *(ulong*)last = offset;
+            *(uint*)(last + 8) = lastSize + (uint)IntegerModel.Decode(place + SizeAt, 32, 1, 0, stream);
+            *(int*)(last + 12) += IntegerModel.Decode(place + LocationAt, 32, 1, 0, stream);
+            for (int i = 0; i < 3; i++)
+                *(int*)(last + 16 + 4 * i) += IntegerModel.Decode(place + DirectionAt, 32, 3, i, stream);
+            for (int i = 0; i < RecordBytes - 1; i++)
+                record[i + 1] = last[i];
+        }
+
+        /// <summary>Codes a packet after <paramref name="last"/> (28 bytes), which becomes it.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Encode(WavePacketItem* state, byte* last, RangeStream* stream, byte* record)
+        {
+            uint low = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            byte* place = (byte*)state;
+            byte* packet = record + 1;
+            SymbolModel.Encode(place + IndexAt, 256, record[0], ref low, ref length, ref next);
+            long difference = *(long*)packet - *(long*)last;
+            int kind = difference == 0 ? SameOffset : difference == *(uint*)(last + 8) ? FollowingOffset
+                : difference == (int)difference ? SteppedOffset : SteppedOffset + 1;
+            SymbolModel.Encode(place + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4, (uint)kind, ref low,
+                ref length, ref next);
+            state->m_offsetKind = kind;
+            if (kind == SteppedOffset)
+            {
+                IntegerModel.Encode(place + OffsetAt, 32, 1, 0, (int)difference - state->m_step, out _, ref low, ref length,
+                    ref next);
+                state->m_step = (int)difference;
+            }
+            else if (kind > SteppedOffset)
+            {
+                RangeCode.PutUInt32(*(uint*)packet, ref low, ref length, ref next);
+                RangeCode.PutUInt32(*(uint*)(packet + 4), ref low, ref length, ref next);
+            }
+            stream->Value = low;
+            stream->Length = length;
+            stream->Next = next;
+            IntegerModel.Encode(place + SizeAt, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
+            IntegerModel.Encode(place + LocationAt, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
+            for (int i = 16; i < RecordBytes - 1; i += 4)
+                IntegerModel.Encode(place + DirectionAt, 32, 3, (i - 16) / 4, *(int*)(packet + i) - *(int*)(last + i), stream);
+            for (int i = 0; i < RecordBytes - 1; i++)
+                last[i] = packet[i];
+        }
+    }
+}

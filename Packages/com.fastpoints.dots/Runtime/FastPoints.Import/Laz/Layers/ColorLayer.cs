@@ -1,0 +1,149 @@
+namespace FastPoints.Laz
+{
+    /// <summary>The layers of colour and near infrared. HPC#. In version 3 a point whose scanner channel changes to one that came
+    /// before is predicted from, and remembered as, the last colour of the channel that it leaves.</summary>
+    static unsafe class ColorLayer
+    {
+        public const int RgbContextBytes = RgbItem.StateBytes;
+
+        const int InfraredUsedAt = 64;
+        const int InfraredByteAt = InfraredUsedAt + SymbolModel.Bytes4;
+        public const int InfraredContextBytes = InfraredByteAt + 2 * SymbolModel.Bytes256;
+
+        public static void StartInfraredContext(byte* place, ushort last)
+        {
+            *(ushort*)place = last;
+            SymbolModel.Initialize(place + InfraredUsedAt, 4);
+            SymbolModel.Initialize(place + InfraredByteAt, 256);
+            SymbolModel.Initialize(place + InfraredByteAt + SymbolModel.Bytes256, 256);
+        }
+
+        public static int DecodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint value = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            byte* end = layer->Stream.End;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * RgbContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                ushort* last = ((RgbItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * RgbContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        RgbItem.Start((RgbItem*)place, (byte*)last);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((RgbItem*)place)->Last;
+                }
+                RgbItem.Decode(place, last, field, ref value, ref length, ref next);
+                if (next > end)
+                    break;
+                field += stride;
+            }
+            layer->Keep(current, value, length, next);
+            return done;
+        }
+
+        public static int DecodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint value = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            byte* end = layer->Stream.End;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * InfraredContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                ushort* last = (ushort*)place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * InfraredContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        StartInfraredContext(place, *last);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = (ushort*)place;
+                }
+                uint used = SymbolModel.Decode(place + InfraredUsedAt, 4, ref value, ref length, ref next);
+                int low = *last & 255, high = *last >> 8;
+                if ((used & 1) != 0)
+                    low = low + (int)SymbolModel.Decode(place + InfraredByteAt, 256, ref value, ref length, ref next) & 255;
+                if ((used & 2) != 0)
+                    high = high + (int)SymbolModel.Decode(place + InfraredByteAt + SymbolModel.Bytes256, 256,
+                        ref value, ref length, ref next) & 255;
+                if (next > end)
+                    break;
+                *last = (ushort)(high << 8 | low);
+                *(ushort*)field = *last;
+                field += stride;
+            }
+            layer->Keep(current, value, length, next);
+            return done;
+        }
+
+        public static void EncodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * RgbContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                ushort* last = ((RgbItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * RgbContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        RgbItem.Start((RgbItem*)place, (byte*)last);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((RgbItem*)place)->Last;
+                }
+                RgbItem.Encode(place, last, field, ref low, ref length, ref next);
+            }
+            layer->Keep(current, low, length, next);
+        }
+
+        public static void EncodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * InfraredContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                byte* last = place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * InfraredContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        StartInfraredContext(place, *(ushort*)last);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = place;
+                }
+                uint used = (field[0] != last[0] ? 1u : 0) | (field[1] != last[1] ? 2u : 0);
+                SymbolModel.Encode(place + InfraredUsedAt, 4, used, ref low, ref length, ref next);
+                for (int b = 0; b < 2; b++)
+                {
+                    if ((used >> b & 1) != 0)
+                        SymbolModel.Encode(place + InfraredByteAt + b * SymbolModel.Bytes256, 256,
+                            (uint)(field[b] - last[b] & 255), ref low, ref length, ref next);
+                    last[b] = field[b];
+                }
+            }
+            layer->Keep(current, low, length, next);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+
+namespace FastPoints.Laz
+{
+    /// <summary>One layer within a <see cref="LayeredChunk"/>'s state: its stream, and its contexts, one a scanner channel, made
+    /// when the channel first comes as a copy of what the last point had. HPC#.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct LayerState
+    {
+        public RangeStream Stream;
+
+        /// <summary>Offset behind the stream's last byte, from the start of the chunk's input.</summary>
+        public long EndOffset;
+
+        public LazLayerKind Kind;
+        public int RecordOffset;
+        public int RecordBytes;
+        public int MaxInputBytesPerPoint;
+        public int FollowsChannel;
+        public int IsWanted;
+
+        /// <summary>Whether the chunk has the layer; if not, all points equal the first.</summary>
+        public int HasBytes;
+
+        /// <summary>Offset of the contexts from the start of the chunk's state.</summary>
+        public long ContextsOffset;
+
+        /// <summary>Bit c is set if context c has been made.</summary>
+        public int Made;
+
+        /// <summary>Context of the last point.</summary>
+        public int Current;
+
+        /// <returns>Whether a context is new: it is made from what the last point had.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public bool Make(int context)
+        {
+            bool isNew = (Made >> context & 1) == 0;
+            Made |= 1 << context;
+            return isNew;
+        }
+
+        /// <summary>Keeps where a coder stops.</summary>
+        public void Keep(int context, uint value, uint length, byte* next)
+        {
+            Current = context;
+            Stream.Value = value;
+            Stream.Length = length;
+            Stream.Next = next;
+        }
+    }
+
+    /// <summary>
+    /// What the first layer says of a point that other layers need, packed into 32 bits:
+    /// <code>
+    /// bits 0-1 scanner channel   2 channel differs from the last point's   3 GPS time changed   4 scan angle changed
+    ///      5 point source changed   6-7 place in the pulse   8-10 level   11-15 context of Z
+    /// </code>
+    /// </summary>
+    static class PointContext
+    {
+        public const uint ChannelMask = 3;
+        public const uint ChannelChangedBit = 4;
+        public const int TimeShift = 3;
+        public const uint TimeChangedBit = 8;
+        public const uint AngleChangedBit = 16;
+        public const uint SourceChangedBit = 32;
+        public const int PlaceShift = 6;
+        public const int LevelShift = 8;
+        public const int ZShift = 11;
+
+        /// <summary>The context that a layer takes for a point.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int Of(uint point, int followsChannel) =>
+            followsChannel != 0 || (point & ChannelChangedBit) != 0 ? (int)(point & ChannelMask) : 0;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int Place(uint point) => (int)(point >> PlaceShift & 3);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int Level(uint point) => (int)(point >> LevelShift & 7);
+    }
+}

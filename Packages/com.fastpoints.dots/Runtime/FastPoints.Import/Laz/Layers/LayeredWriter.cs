@@ -1,0 +1,181 @@
+using System.Runtime.InteropServices;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Laz
+{
+    /// <summary>The encoder of layered chunks, of items of version 3: one layer after another, each over all points, so that only
+    /// one needs memory. HPC#.</summary>
+    /// <remarks>All state is this struct and what lies behind it: a <see cref="PointContext"/> for each point, then the contexts
+    /// of the layer that is written.</remarks>
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct LayeredWriter
+    {
+        int m_layerCount;
+        int m_recordBytes;
+        int m_layer;
+
+        /// <summary>Points of the layer that are written, or -1 before its first.</summary>
+        int m_done;
+        long m_end;
+        long m_contextsOffset;
+        fixed ushort m_returnContexts[256];
+        fixed byte m_lasts[4 * 32];
+        LayerState m_now;
+
+        static int PointsOffset => (UnsafeUtility.SizeOf<LayeredWriter>() + 63) / 64 * 64;
+
+        static long ContextsOffset(int points) => (PointsOffset + 4L * points + 63) / 64 * 64;
+
+        /// <summary>Bytes of state for chunks of at most so many points.</summary>
+        public static long StateBytes(LazLayer[] layers, int points)
+        {
+            long most = 0;
+            foreach (var layer in layers)
+            {
+                long bytes = 4L * LayeredChunk.ContextBytes(layer.Kind);
+                most = most > bytes ? most : bytes;
+            }
+            return ContextsOffset(points) + most;
+        }
+
+        /// <summary>Begins a chunk: the first point as it is, the number of points, and room for the layers' sizes.</summary>
+        /// <param name="output">Has room for <see cref="LazLayer.MaxInputBytes"/> and
+        /// <see cref="RangeCode.PaddingBytes"/>.</param>
+        public static void Start(LayeredWriter* writer, int layerCount, int recordBytes, byte* records, int points, byte* output)
+        {
+            *writer = default;
+            writer->m_layerCount = layerCount;
+            writer->m_recordBytes = recordBytes;
+            writer->m_done = -1;
+            writer->m_contextsOffset = ContextsOffset(points);
+            ReturnContexts.WriteExtended(writer->m_returnContexts);
+            UnsafeUtility.MemCpy(writer->m_lasts + 32 * (records[15] >> 4 & 3), records, 30);
+            UnsafeUtility.MemCpy(output, records, recordBytes);
+            *(uint*)(output + recordBytes) = (uint)points;
+            writer->m_end = LazLayer.ChunkHeaderBytes(recordBytes, layerCount);
+        }
+
+        /// <summary>Goes on for so many points of layers.</summary>
+        /// <returns>Bytes of the whole chunk, once it is; 0 before.</returns>
+        public static long Encode(LayeredWriter* writer, LazLayer* layers, byte* records, int points, byte* output, int count)
+        {
+            int coded = points - 1;
+            while (writer->m_layer < writer->m_layerCount && count > 0)
+            {
+                var layer = layers[writer->m_layer];
+                if (writer->m_done < 0)
+                {
+                    count -= 1 + coded / 16;
+                    if (writer->m_layer > 1 && !IsChanged(layer, records, writer->m_recordBytes, points))
+                    {
+                        End(writer, output, writer->m_end);
+                        continue;
+                    }
+                    Begin(writer, layer, records, output);
+                }
+                int some = coded - writer->m_done;
+                some = some < count ? some : count > 0 ? count : 1;
+                some = some < coded - writer->m_done ? some : coded - writer->m_done;
+                writer->m_now.Stream.Resume(output, null);
+                Encode(writer, records + (long)(1 + writer->m_done) * writer->m_recordBytes, some);
+                writer->m_now.Stream.Suspend(output);
+                writer->m_done += some;
+                count -= some;
+                if (writer->m_done < coded)
+                    continue;
+                var stream = writer->m_now.Stream;
+                stream.Resume(output, null);
+                RangeCode.End(stream.Value, stream.Length, ref stream.Next);
+                End(writer, output, stream.Next - output);
+            }
+            return writer->m_layer == writer->m_layerCount ? writer->m_end : 0;
+        }
+
+        static void Begin(LayeredWriter* writer, LazLayer layer, byte* records, byte* output)
+        {
+            int channel = records[15] >> 4 & 3;
+            writer->m_done = 0;
+            writer->m_now = new LayerState
+            {
+                Kind = layer.Kind,
+                RecordOffset = layer.RecordOffset,
+                FollowsChannel = layer.FollowsChannel ? 1 : 0,
+                Made = 1 << channel,
+                Current = channel,
+            };
+            writer->m_now.Stream.StartWriting(output + writer->m_end);
+            writer->m_now.Stream.Suspend(output);
+            byte* contexts = (byte*)writer + writer->m_contextsOffset;
+            LayeredChunk.StartContext(layer.Kind, contexts + (long)channel * LayeredChunk.ContextBytes(layer.Kind),
+                records + layer.RecordOffset);
+        }
+
+        /// <summary>Ends a layer at a byte of the output: where it begins if nothing changes in it.</summary>
+        static void End(LayeredWriter* writer, byte* output, long end)
+        {
+            *(uint*)(output + writer->m_recordBytes + 4 + 4 * writer->m_layer) = (uint)(end - writer->m_end);
+            writer->m_end = end;
+            writer->m_layer++;
+            writer->m_done = -1;
+        }
+
+        static bool IsChanged(in LazLayer layer, byte* records, int recordBytes, int points)
+        {
+            byte* first = records + layer.RecordOffset;
+            // The channel lies among the flags, and comes with the first layer.
+            int mask = layer.Kind == LazLayerKind.Flags ? 0xCF : 0xFF;
+            byte* field = first;
+            for (int i = 1; i < points; i++)
+            {
+                field += recordBytes;
+                for (int b = 0; b < layer.RecordBytes; b++)
+                    if (((field[b] ^ first[b]) & mask) != 0)
+                        return true;
+            }
+            return false;
+        }
+
+        static void Encode(LayeredWriter* writer, byte* records, int count)
+        {
+            LayerState* layer = &writer->m_now;
+            byte* contexts = (byte*)writer + writer->m_contextsOffset;
+            uint* points = (uint*)((byte*)writer + PointsOffset) + writer->m_done;
+            byte* field = records + layer->RecordOffset;
+            int stride = writer->m_recordBytes;
+            switch (layer->Kind)
+            {
+                case LazLayerKind.ReturnsAndXY:
+                    ReturnsLayer.Encode(layer, contexts, writer->m_returnContexts, points, writer->m_lasts, field, stride, count);
+                    break;
+                case LazLayerKind.Z:
+                    ZLayer.Encode(layer, contexts, points, field, stride, count);
+                    break;
+                case LazLayerKind.Classification:
+                case LazLayerKind.Flags:
+                case LazLayerKind.UserData:
+                    SymbolLayer.Encode(layer, contexts, points, field, stride, count);
+                    break;
+                case LazLayerKind.Intensity:
+                case LazLayerKind.ScanAngle:
+                case LazLayerKind.PointSource:
+                    Integer16Layer.Encode(layer, contexts, points, field, stride, count);
+                    break;
+                case LazLayerKind.GpsTime:
+                    GpsTimeLayer.Encode(layer, contexts, points, field, stride, count);
+                    break;
+                case LazLayerKind.Rgb:
+                    ColorLayer.EncodeRgb(layer, contexts, points, field, stride, count);
+                    break;
+                case LazLayerKind.NearInfrared:
+                    ColorLayer.EncodeInfrared(layer, contexts, points, field, stride, count);
+                    break;
+                case LazLayerKind.WavePacket:
+                    WaveAndByteLayers.EncodeWaves(layer, contexts, points, field, stride, count);
+                    break;
+                default:
+                    WaveAndByteLayers.EncodeBytes(layer, contexts, points, field, stride, count);
+                    break;
+            }
+        }
+    }
+}

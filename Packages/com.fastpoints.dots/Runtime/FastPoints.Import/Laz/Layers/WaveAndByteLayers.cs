@@ -1,0 +1,127 @@
+namespace FastPoints.Laz
+{
+    /// <summary>The layers of wave packets, and of each extra byte. HPC#. Version 3 mixes up contexts as colours do.</summary>
+    static unsafe class WaveAndByteLayers
+    {
+        public const int WaveContextBytes = (WavePacketItem.StateBytes + 63) / 64 * 64;
+
+        const int ByteModelAt = 64;
+        public const int ByteContextBytes = ByteModelAt + SymbolModel.Bytes256;
+
+        public static void StartByteContext(byte* place, byte last)
+        {
+            *place = last;
+            SymbolModel.Initialize(place + ByteModelAt, 256);
+        }
+
+        public static int DecodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            int current = layer->Current;
+            byte* place = contexts + (long)current * WaveContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                byte* last = ((WavePacketItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * WaveContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        // The item's first byte, the descriptor, is not predicted: only the 28 behind it count.
+                        WavePacketItem.Start((WavePacketItem*)place, last - 1);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((WavePacketItem*)place)->Last;
+                }
+                WavePacketItem.Decode((WavePacketItem*)place, last, &layer->Stream, field);
+                if (layer->Stream.IsBeyondEnd)
+                    break;
+                field += stride;
+            }
+            layer->Current = current;
+            return done;
+        }
+
+        public static int DecodeBytes(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint value = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            byte* end = layer->Stream.End;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * ByteContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                byte* last = place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * ByteContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        StartByteContext(place, *last);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = place;
+                }
+                *last += (byte)SymbolModel.Decode(place + ByteModelAt, 256, ref value, ref length, ref next);
+                if (next > end)
+                    break;
+                *field = *last;
+                field += stride;
+            }
+            layer->Keep(current, value, length, next);
+            return done;
+        }
+
+        public static void EncodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            int current = layer->Current;
+            byte* place = contexts + (long)current * WaveContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                byte* last = ((WavePacketItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * WaveContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        WavePacketItem.Start((WavePacketItem*)place, last - 1);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((WavePacketItem*)place)->Last;
+                }
+                WavePacketItem.Encode((WavePacketItem*)place, last, &layer->Stream, field);
+            }
+            layer->Current = current;
+        }
+
+        public static void EncodeBytes(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint low = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * ByteContextBytes;
+            for (int i = 0; i < count; i++, field += stride)
+            {
+                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                byte* last = place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * ByteContextBytes;
+                    bool isNew = layer->Make(current);
+                    if (isNew)
+                        StartByteContext(place, *last);
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = place;
+                }
+                SymbolModel.Encode(place + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
+                *last = *field;
+            }
+            layer->Keep(current, low, length, next);
+        }
+    }
+}

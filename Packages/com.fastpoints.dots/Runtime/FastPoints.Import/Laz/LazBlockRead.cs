@@ -1,0 +1,282 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Reads one range of a block (for a layered chunk only the wanted layers: first the header that says where they
+    /// are, then a read that a job has planned), then decodes it in a chain of slices.</summary>
+    sealed unsafe class LazBlockRead : SlotRead
+    {
+        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
+        const int SlicePoints = 16384;
+
+        const int MaxTileBytes = 64 << 10;
+
+        /// <summary>Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes
+        /// saved.</summary>
+        const int SmallChunkBytes = 16 << 10;
+
+        const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
+
+        readonly LazBlocks m_blocks;
+        readonly LazFormat m_format;
+        readonly int m_tilePoints;
+        readonly bool m_wantsAllLayers;
+        readonly NativeFileRead m_file;
+        NativeArray<byte> m_state;
+        NativeArray<byte> m_tile;
+        NativeArray<FieldCopy> m_copies;
+        NativeArray<int> m_bytesPerPoint;
+        NativeArray<long> m_inputBytes;
+        // The read manager keeps pointers to commands until their read has ended.
+        NativeArray<ReadCommand> m_plannedCommands;
+        NativeArray<ReadCommandArray> m_plannedArray;
+        ReadHandle m_plannedRead;
+        bool m_isPlanned;
+        bool m_keepsStates;
+
+        /// <summary>The copies from and to the state.</summary>
+        JobHandle m_copied;
+
+        /// <summary>What the range that begins goes on from, or null.</summary>
+        LazCheckpoint m_from;
+
+        /// <summary>Byte of the file at which the input starts.</summary>
+        long m_inputOffset;
+
+        public LazBlockRead(PointReader reader, LazBlocks blocks, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_blocks = blocks;
+            m_format = blocks.Format;
+            m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator);
+            m_wantsAllLayers = ConfigureState(wanted, allocator);
+            long inputBytes = Math.Max(blocks.MaxInputBytes(), SmallChunkBytes);
+            m_file = new NativeFileRead(inputBytes + ExtraPadding, allocator);
+            m_tile = new NativeArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator,
+                NativeArrayOptions.UninitializedMemory);
+            m_inputBytes = new NativeArray<long>(1, allocator);
+            m_plannedCommands = new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator);
+            m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
+        }
+
+        /// <returns>Whether all layers are wanted.</returns>
+        bool ConfigureState(PointSchema wanted, Allocator allocator)
+        {
+            var layers = m_format.Layers;
+            m_bytesPerPoint = new NativeArray<int>(Math.Max(1, layers.Length), allocator);
+            if (!m_format.IsLayered)
+            {
+                m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
+                    NativeArrayOptions.UninitializedMemory);
+                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
+                return true;
+            }
+            var isWanted = LazLayerChoice.Make(layers, m_blocks.Las.Layout.Fields, wanted);
+            m_state = new NativeArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator,
+                NativeArrayOptions.UninitializedMemory);
+            LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
+            bool wantsAll = true;
+            for (int i = 0; i < layers.Length; i++)
+            {
+                m_bytesPerPoint[i] = isWanted[i] ? layers[i].MaxInputBytesPerPoint : 0;
+                wantsAll &= isWanted[i];
+            }
+            return wantsAll;
+        }
+
+        public override bool TryKeepStates() => m_keepsStates = true;
+
+        internal override DecoderState KeepState(DecoderState reused)
+        {
+            if (!m_keepsStates || IsBusy || Points.Count < Range.Count)
+                throw new InvalidOperationException("there is no state to go on from");
+            var state = (LazCheckpoint)reused ?? new LazCheckpoint();
+            state.Point = m_blocks[Range.Block].FirstInChunk + Range.First + Range.Count;
+            state.FileOffset = m_inputOffset;
+            if (!m_format.IsLayered)
+            {
+                var chunk = (PointwiseChunk*)m_state.GetUnsafePtr();
+                state.FileOffset += chunk->InputOffset;
+                PointwiseChunk.Rebase(chunk);
+            }
+            m_copied = state.Save(m_state, m_copied);
+            return state;
+        }
+
+        internal override void Begin(BlockRange range, DecoderState from)
+        {
+            m_from = (LazCheckpoint)from;
+            try
+            {
+                Begin(range);
+            }
+            finally
+            {
+                m_from = null;
+            }
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var block = m_blocks[range.Block];
+            if (block.FirstInChunk > 0 && block.FirstInChunk + range.First >= m_blocks.EndOfChunk(block))
+                return default;
+
+            var checkpoint = m_from ?? m_blocks.CheckpointOf(block);
+            if (checkpoint != null && checkpoint.Point > block.FirstInChunk + range.First)
+                throw new ArgumentException("the state is of points behind the range");
+            if (checkpoint != null)
+                m_copied = checkpoint.Restore(m_state, m_copied);
+            long start = m_inputOffset = checkpoint?.FileOffset ?? m_blocks.ChunkOf(block).Offset;
+            long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
+            // Streams of layers are offsets in the input, which is the same for every range that continues another.
+            long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
+            // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
+            m_file.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
+            var decode = new DecodeLazJob
+            {
+                Input = m_file.Buffer,
+                InputBytes = m_inputBytes,
+                State = m_state,
+                Tile = m_tile,
+                Copies = m_copies,
+                Columns = Points.Bytes,
+                Result = Result,
+                RecordBytes = m_format.RecordBytes,
+                TilePoints = m_tilePoints,
+                IsLayered = m_format.IsLayered,
+                HasAllLayers = true,
+                IsContinued = checkpoint != null,
+                Skip = checked((int)skip),
+                Total = checked((int)(skip + range.Count)),
+                InputPoints = inputPoints,
+                ChunkPoints = m_blocks.ChunkOf(block).Points,
+                ChunkBytes = m_blocks.ChunkOf(block).Bytes,
+                FileOffset = start,
+            };
+            var read = Read(block, start, ref decode);
+            return Schedule(decode, JobHandle.CombineDependencies(read, m_copied));
+        }
+
+        /// <summary>Starts the read of a range's input.</summary>
+        /// <param name="decode">Receives the settings that the read implies.</param>
+        JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
+        {
+            long bytes = block.EndOffset - start;
+            long most = m_blocks.MaxInputBytes(decode.InputPoints);
+            if (!m_format.IsLayered)
+            {
+                bool isToEnd = block.IsToEnd && Range.First + Range.Count == block.Points;
+                decode.IsToEnd = isToEnd && bytes <= most && m_format.Compressor != LazCompressor.Pointwise;
+                return Read(start, Math.Min(bytes, most));
+            }
+            bool isWhole = block.IsToEnd && decode.InputPoints == block.FirstInChunk + block.Points;
+            if (bytes <= SmallChunkBytes || m_wantsAllLayers && isWhole && bytes <= most)
+                return Read(start, bytes);
+
+            decode.HasAllLayers = false;
+            var header = Read(start, Math.Min(bytes, LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length)));
+            m_plannedArray[0] = new ReadCommandArray { ReadCommands = (ReadCommand*)m_plannedCommands.GetUnsafePtr() };
+            var commands = (ReadCommandArray*)m_plannedArray.GetUnsafePtr();
+            var planned = new PlanLazReadsJob
+            {
+                Input = m_file.Buffer,
+                BytesPerPoint = m_bytesPerPoint,
+                Commands = m_plannedCommands,
+                CommandArray = m_plannedArray,
+                InputBytes = m_inputBytes,
+                Buffer = (byte*)m_file.Buffer.GetUnsafePtr(),
+                BufferBytes = m_file.Buffer.Length - RangeCode.PaddingBytes,
+                RecordBytes = m_format.RecordBytes,
+                ChunkOffset = start,
+                ChunkEnd = block.EndOffset,
+                Points = decode.InputPoints,
+            }.Schedule(header);
+            // The plan is made behind a read of the same handle, so that the file is open by then.
+            m_plannedRead = AsyncReadManager.ReadDeferred(m_blocks.File.Open(), commands, planned);
+            m_isPlanned = true;
+            // The read follows the plan, but its handle does not promise to include it.
+            return Behind(JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle));
+        }
+
+        JobHandle Read(long offset, long bytes)
+        {
+            m_inputBytes[0] = bytes;
+            return Behind(m_file.Begin(m_blocks.File, offset, (int)bytes));
+        }
+
+        static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
+        {
+            for (int first = 0; first < decode.Total; first += SlicePoints)
+            {
+                decode.IsFirst = first == 0;
+                decode.First = first;
+                decode.Count = Math.Min(SlicePoints, decode.Total - first);
+                dependency = decode.Schedule(dependency);
+            }
+            return dependency;
+        }
+
+        protected override void EndRead()
+        {
+            bool isRead = m_file.Close(out _) == ReadStatus.Complete;
+            if (m_isPlanned)
+                isRead &= ClosePlanned() == ReadStatus.Complete;
+            if (isRead)
+                return;
+            var result = Result;
+            result.Value = default;
+            long offset = m_blocks.ChunkOf(m_blocks[Range.Block]).Offset;
+            throw new PointCloudException(FailureCode.ReadFailed, m_blocks.Info.Path, offset,
+                "the file could not be read, or has become shorter since it was opened");
+        }
+
+        protected override void Warn(DecodeResult result)
+        {
+            if (result.Error == LazError.None)
+                return;
+            var block = m_blocks[Range.Block];
+            if (result.Error == LazError.Short || result.Error == LazError.NoChunk)
+                m_blocks.EndChunk(block, block.FirstInChunk + Range.First + result.Points);
+            m_blocks.WarnBroken(Range, result);
+        }
+
+        ReadStatus ClosePlanned()
+        {
+            m_isPlanned = false;
+            m_plannedRead.JobHandle.Complete();
+            var status = m_plannedRead.Status;
+            m_plannedRead.Dispose();
+            return status;
+        }
+
+        protected override void Cancel()
+        {
+            m_file.Cancel();
+            if (m_isPlanned)
+                m_plannedRead.Cancel();
+        }
+
+        protected override void DisposeMemory()
+        {
+            m_copied.Complete();
+            m_file.Dispose();
+            if (m_isPlanned)
+                ClosePlanned();
+            m_state.Dispose();
+            m_tile.Dispose();
+            m_copies.Dispose();
+            m_bytesPerPoint.Dispose();
+            m_inputBytes.Dispose();
+            m_plannedCommands.Dispose();
+            m_plannedArray.Dispose();
+        }
+    }
+}

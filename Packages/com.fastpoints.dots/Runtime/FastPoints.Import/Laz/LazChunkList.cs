@@ -1,0 +1,215 @@
+using System;
+using System.Collections.Generic;
+
+namespace FastPoints.Laz
+{
+    /// <summary>The chunks of a file, in any number. If each begins where the one before ends, as in a chunk table, it takes four
+    /// bytes for a chunk (eight if they do not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of
+    /// octrees) take 24 bytes for a chunk.</summary>
+    internal sealed class LazChunkList
+    {
+        /// <summary>Chunks between two sums.</summary>
+        const int GroupChunks = 64;
+
+        readonly Pages m_bytes = new Pages();
+        readonly List<long> m_offsetOfGroup = new List<long>();
+        readonly List<long> m_pointOfGroup = new List<long>();
+
+        /// <summary>Points of each chunk; null while all but the last have as many as the first.</summary>
+        Pages m_points;
+
+        /// <summary>Replaces all of the above if chunks are not in a row.</summary>
+        List<LazChunk> m_scattered;
+
+        long m_firstPoints;
+        long m_lastPoints;
+        long m_end;
+
+        public int Count => m_scattered?.Count ?? m_bytes.Count;
+
+        public long PointCount { get; private set; }
+
+        /// <summary>The most points that any chunk has or had.</summary>
+        public long MaxPoints { get; private set; }
+
+        public long MaxBytes { get; private set; }
+
+        /// <summary>Whether each begins where the one before ends, which <see cref="FirstPointOf"/> goes by.</summary>
+        public bool AreInRow => m_scattered == null;
+
+        public LazChunk this[int chunk]
+        {
+            get
+            {
+                if (m_scattered != null)
+                    return m_scattered[chunk];
+                CheckChunk(chunk);
+                long offset = m_offsetOfGroup[chunk / GroupChunks];
+                for (int before = chunk - chunk % GroupChunks; before < chunk; before++)
+                    offset += m_bytes[before];
+                return new LazChunk { Offset = offset, Bytes = m_bytes[chunk], Points = PointsOf(chunk) };
+            }
+        }
+
+        public long PointsOf(int chunk)
+        {
+            if (m_scattered != null)
+                return m_scattered[chunk].Points;
+            CheckChunk(chunk);
+            return m_points != null ? m_points[chunk] : chunk == Count - 1 ? m_lastPoints : m_firstPoints;
+        }
+
+        /// <summary>Number of points in all earlier chunks, if they are in a row.</summary>
+        public long FirstPointOf(int chunk)
+        {
+            CheckChunk(chunk);
+            if (m_points == null)
+                return chunk * m_firstPoints;
+            long first = m_pointOfGroup[chunk / GroupChunks];
+            for (int before = chunk - chunk % GroupChunks; before < chunk; before++)
+                first += m_points[before];
+            return first;
+        }
+
+        public void Add(in LazChunk chunk)
+        {
+            bool isInRow = m_scattered == null && (Count == 0 || chunk.Offset == m_end) && chunk.Bytes <= uint.MaxValue
+                && chunk.Points <= uint.MaxValue;
+            if (isInRow)
+                AddInRow(chunk);
+            else
+                Scatter().Add(chunk);
+            PointCount += chunk.Points;
+            MaxPoints = Math.Max(MaxPoints, chunk.Points);
+            MaxBytes = Math.Max(MaxBytes, chunk.Bytes);
+        }
+
+        /// <summary>Corrects the number of points that a chunk was assumed to hold.</summary>
+        public void SetPoints(int chunk, long points)
+        {
+            var chunks = Scatter();
+            var corrected = chunks[chunk];
+            PointCount += points - corrected.Points;
+            MaxPoints = Math.Max(MaxPoints, points);
+            corrected.Points = points;
+            chunks[chunk] = corrected;
+        }
+
+        public void Clear()
+        {
+            ClearRow();
+            m_scattered = null;
+            PointCount = MaxPoints = MaxBytes = 0;
+        }
+
+        void AddInRow(in LazChunk chunk)
+        {
+            if (Count == 0)
+                m_firstPoints = chunk.Points;
+            else if (m_points == null && m_lastPoints != m_firstPoints)
+                CountEach();
+            if (Count % GroupChunks == 0)
+            {
+                m_offsetOfGroup.Add(chunk.Offset);
+                if (m_points != null)
+                    m_pointOfGroup.Add(PointCount);
+            }
+            m_bytes.Add((uint)chunk.Bytes);
+            m_points?.Add((uint)chunk.Points);
+            m_lastPoints = chunk.Points;
+            m_end = chunk.Offset + chunk.Bytes;
+        }
+
+        /// <summary>Keeps a count for each chunk from here on, since this one differs from the first.</summary>
+        void CountEach()
+        {
+            var points = new Pages();
+            for (int chunk = 0; chunk < Count; chunk++)
+            {
+                if (chunk % GroupChunks == 0)
+                    m_pointOfGroup.Add(chunk * m_firstPoints);
+                points.Add((uint)PointsOf(chunk));
+            }
+            m_points = points;
+        }
+
+        List<LazChunk> Scatter()
+        {
+            if (m_scattered != null)
+                return m_scattered;
+            var chunks = new List<LazChunk>(Count);
+            for (int chunk = 0; chunk < Count; chunk++)
+                chunks.Add(this[chunk]);
+            ClearRow();
+            return m_scattered = chunks;
+        }
+
+        void ClearRow()
+        {
+            m_bytes.Clear();
+            m_points = null;
+            m_offsetOfGroup.Clear();
+            m_pointOfGroup.Clear();
+        }
+
+        void CheckChunk(int chunk)
+        {
+            if (m_scattered != null)
+                throw new InvalidOperationException("the chunks are not in a row");
+            if ((uint)chunk >= (uint)Count)
+                throw new ArgumentOutOfRangeException(nameof(chunk), chunk, "the file has " + Count + " chunks");
+        }
+
+        /// <summary>Numbers in pages: growing copies none of them except those of the first page.</summary>
+        sealed class Pages
+        {
+            const int PageBits = 16, PageLength = 1 << PageBits, LeastLength = 16;
+
+            readonly List<uint[]> m_pages = new List<uint[]>();
+
+            public int Count { get; private set; }
+
+            public uint this[int index] => m_pages[index >> PageBits][index & PageLength - 1];
+
+            public void Add(uint number)
+            {
+                if (Count == m_pages.Count << PageBits)
+                    m_pages.Add(new uint[Count == 0 ? LeastLength : PageLength]);
+                var page = m_pages[Count >> PageBits];
+                int place = Count & PageLength - 1;
+                if (place == page.Length)
+                {
+                    Array.Resize(ref page, 2 * place);
+                    m_pages[0] = page;
+                }
+                page[place] = number;
+                Count++;
+            }
+
+            public void Clear()
+            {
+                m_pages.Clear();
+                Count = 0;
+            }
+        }
+    }
+
+    /// <summary>A stretch of a file that can be decoded on its own.</summary>
+    internal struct LazChunk
+    {
+        /// <summary>Offset in the file.</summary>
+        public long Offset;
+
+        public long Bytes;
+
+        /// <summary>Points as the file claims, or as a walk found.</summary>
+        public long Points;
+
+        /// <summary>No chunk holds more points for its bytes: a model of n symbols never makes one of them cheaper than about
+        /// 1.44 * (n - 1) / 32768 bits, and a point takes at least the symbols of its mask and coordinates: 0.007 bits.</summary>
+        public const int MaxPointsPerByte = 2000;
+
+        /// <summary>The most points in <paramref name="bytes"/> bytes of a chunk.</summary>
+        public static long MaxPoints(long bytes) => 1 + bytes * MaxPointsPerByte;
+    }
+}

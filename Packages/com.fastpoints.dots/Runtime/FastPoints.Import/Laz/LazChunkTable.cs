@@ -1,0 +1,242 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Where the chunks lie: the table behind them, whose place the first eight bytes of the points name. Everything in
+    /// it is a claim and is held against the file's size; a table that contradicts itself counts as missing.</summary>
+    /// <remarks><code>
+    /// uint version (0), uint chunks, then range-coded for each chunk: its points (if chunks vary), its bytes
+    /// </code>
+    /// each predicted by the one before.
+    /// </remarks>
+    internal sealed class LazChunkTable
+    {
+        /// <summary>Bytes between the offset of the points and the first chunk, which say where the table is.</summary>
+        public const int TableOffsetBytes = 8;
+        const int TableHeaderBytes = 8;
+
+        /// <summary>Bytes of a file's points when there are none: the table's offset, and the table.</summary>
+        public const int LeastBytes = TableOffsetBytes + TableHeaderBytes;
+        const long OffsetAtFileEnd = -1;
+
+        /// <summary>The most bytes of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.</summary>
+        const int MaxEntryBytes = 14;
+
+        /// <summary>Bytes of the table that are in memory at a time.</summary>
+        const int WindowBytes = 64 << 10;
+
+        /// <summary>Bytes that the range coder takes to start and to end.</summary>
+        const int CoderBytes = 16;
+
+        /// <summary>The most bytes of a table, with the eight bytes behind it that may say where it is.</summary>
+        public static long MaxBytes(long chunks) => TableHeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
+
+        readonly FileSource m_source;
+        readonly LazFormat m_format;
+        readonly SourceInfo m_info;
+        readonly ulong m_pointsClaimed;
+        int m_emptyChunks;
+
+        LazChunkTable(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
+        {
+            m_source = source;
+            m_format = format;
+            m_info = info;
+            m_pointsClaimed = info.PointsClaimed;
+            FirstChunkOffset = pointsOffset + TableOffsetBytes;
+        }
+
+        public long FirstChunkOffset { get; }
+
+        /// <summary>Chunks in the file's order.</summary>
+        public LazChunkList Chunks { get; } = new LazChunkList();
+
+        /// <summary>Whether the table was unusable: <see cref="Chunks"/> holds what is known (perhaps nothing), and the rest must
+        /// be searched for from where the known ones end.</summary>
+        public bool IsLost { get; private set; }
+
+        /// <summary>Reads the table of a chunked file with points. Anomalies become warnings.</summary>
+        public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
+        {
+            var table = new LazChunkTable(source, format, info, pointsOffset);
+            string trouble = table.Read(pointsOffset, out long at);
+            if (trouble == null)
+            {
+                table.Check();
+                return table;
+            }
+            table.IsLost = true;
+            bool canWalk = format.IsLayered || !format.HasVariableChunks;
+            if (canWalk)
+                table.Chunks.Clear();
+            info.Warn(at, "chunk table: " + trouble + (canWalk
+                ? ": the chunks are looked for one after the other"
+                : ": without it chunks of varying size cannot be told apart; " + NumberText.Of(table.Chunks.Count)
+                    + " are known"));
+            return table;
+        }
+
+        /// <returns>What is wrong, or null.</returns>
+        string Read(long pointsOffset, out long at)
+        {
+            at = pointsOffset;
+            if (pointsOffset > m_source.Length - TableOffsetBytes)
+                return "the file ends before its offset";
+            long start = OffsetAt(pointsOffset);
+            if (start == OffsetAtFileEnd)
+            {
+                // A writer that could not seek back wrote the offset at the end of the file.
+                at = m_source.Length - TableOffsetBytes;
+                start = OffsetAt(at);
+            }
+            if (start == pointsOffset || start == 0)
+                return "its offset was never written (" + NumberText.Of(start) + ")";
+            if (start < FirstChunkOffset || start > m_source.Length - TableHeaderBytes)
+                return "wanted an offset of " + NumberText.Of(FirstChunkOffset) + " to "
+                    + NumberText.Of(m_source.Length - TableHeaderBytes)
+                    + ", got " + NumberText.Of(start);
+
+            at = start;
+            var header = m_source.Read(start, TableHeaderBytes, "chunk table");
+            uint version = header.UInt32(0, "chunk table version");
+            if (version != 0)
+                return "wanted version 0, got " + NumberText.Of(version);
+            long count = header.UInt32(4, "number of chunks");
+            long room = (start - FirstChunkOffset) / m_format.RecordBytes;
+            if (count > room)
+                return "claims " + NumberText.Of(count) + " chunks, there is room for " + NumberText.Of(room);
+            if (count > int.MaxValue)
+                return "claims " + NumberText.Of(count) + " chunks, at most " + NumberText.Of(int.MaxValue) + " are read";
+            if (count == 0)
+                return m_pointsClaimed == 0 ? null : "claims no chunks, the header claims points";
+            return ReadEntries(start, count);
+        }
+
+        long OffsetAt(long at) => (long)m_source.Read(at, TableOffsetBytes, "chunk table offset").UInt64(0, "chunk table offset");
+
+        unsafe string ReadEntries(long start, long count)
+        {
+            long at = start + TableHeaderBytes;
+            long endOfTable = Math.Min(m_source.Length, at + count * MaxEntryBytes + CoderBytes);
+            var window = new byte[WindowBytes + RangeCode.PaddingBytes];
+            bool isVariable = m_format.HasVariableChunks;
+            long offset = FirstChunkOffset;
+            ulong pointsLeft = m_pointsClaimed;
+            int lastPoints = 0, lastBytes = 0;
+
+            using (var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent))
+                fixed (byte* first = window)
+                {
+                    byte* model = (byte*)models.GetUnsafePtr();
+                    IntegerModel.Initialize(model, 32, 2);
+                    byte* end = first + Fill(window, at, endOfTable);
+                    byte* next = first;
+                    RangeCode.Start(out uint value, out uint length, ref next);
+                    for (long i = 0; i < count; i++)
+                    {
+                        if (end - next < MaxEntryBytes + CoderBytes && at + (end - first) < endOfTable)
+                        {
+                            at += next - first;
+                            end = first + Fill(window, at, endOfTable);
+                            next = first;
+                        }
+                        if (isVariable)
+                            lastPoints += IntegerModel.Decode(model, 32, 2, 0, ref value, ref length, ref next);
+                        lastBytes += IntegerModel.Decode(model, 32, 2, 1, ref value, ref length, ref next);
+                        if (next > end)
+                            return "ends within the entry of chunk " + NumberText.Of(i);
+                        var chunk = new LazChunk { Offset = offset, Bytes = (uint)lastBytes, Points = (uint)lastPoints };
+                        if (!isVariable)
+                            chunk.Points = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
+                        if (chunk.Bytes > start - offset)
+                            return "chunk " + NumberText.Of(i) + " would end at byte " + NumberText.Of(offset + chunk.Bytes)
+                                + ", in or behind the table";
+                        if (chunk.Bytes < m_format.RecordBytes && chunk.Points > 0)
+                            return "chunk " + NumberText.Of(i) + " has " + NumberText.Of(chunk.Bytes)
+                                + " bytes, wanted at least a record of "
+                                + NumberText.Of(m_format.RecordBytes);
+                        if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
+                            return "chunk " + NumberText.Of(i) + " claims " + NumberText.Of(chunk.Points) + " points in "
+                                + NumberText.Of(chunk.Bytes)
+                                + " bytes";
+                        offset += chunk.Bytes;
+                        pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
+                        if (chunk.Points > 0)
+                            Chunks.Add(chunk);
+                        else if (!isVariable)
+                            m_emptyChunks++;
+                    }
+                    if (offset < start)
+                        m_info.Warn(offset, NumberText.Of(start - offset)
+                            + " bytes between the last chunk and the chunk table belong to "
+                            + "none");
+                }
+            return null;
+        }
+
+        /// <summary>Fills the window with the table's bytes from <paramref name="at"/> on, followed by zeros.</summary>
+        /// <returns>The number of bytes from the table.</returns>
+        int Fill(byte[] window, long at, long endOfTable)
+        {
+            int count = (int)Math.Min(WindowBytes, endOfTable - at);
+            m_source.Read(at, window, count, "chunk table");
+            Array.Clear(window, count, window.Length - count);
+            return count;
+        }
+
+        /// <summary>Compares the table's sum with the header's count.</summary>
+        void Check()
+        {
+            ulong sum = (ulong)Chunks.PointCount;
+            if (m_emptyChunks > 0)
+                m_info.Warn(FirstChunkOffset, "the chunk table has " + NumberText.Of(m_emptyChunks)
+                    + " chunks more than the points that the header claims: left out");
+            if (sum == m_pointsClaimed)
+                return;
+            if (m_format.HasVariableChunks)
+            {
+                m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
+                    + " points, the chunk table "
+                    + NumberText.Of(sum) + ": the table is believed");
+                return;
+            }
+            // If all chunks have one size, only the header says how many points the last one has.
+            m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
+                + " points, the chunks in the table have room for " + NumberText.Of(sum));
+        }
+
+        /// <summary>The whole table, from its header on.</summary>
+        /// <param name="pointsOfChunk">Null where all have the VLR's number of points, but the last.</param>
+        public static unsafe byte[] ToBytes(IReadOnlyList<int> bytesOfChunk, IReadOnlyList<int> pointsOfChunk = null)
+        {
+            var table = new byte[MaxBytes(pointsOfChunk == null ? bytesOfChunk.Count : 2L * bytesOfChunk.Count)];
+            LasHeader.Put(table, 4, 4, (ulong)bytesOfChunk.Count);
+            using var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent);
+            byte* model = (byte*)models.GetUnsafePtr();
+            IntegerModel.Initialize(model, 32, 2);
+            fixed (byte* first = table)
+            {
+                uint low = 0, length = uint.MaxValue;
+                byte* next = first + TableHeaderBytes;
+                for (int i = 0; i < bytesOfChunk.Count; i++)
+                {
+                    if (pointsOfChunk != null)
+                        IntegerModel.Encode(model, 32, 2, 0, pointsOfChunk[i] - (i > 0 ? pointsOfChunk[i - 1] : 0), out _,
+                            ref low, ref length, ref next);
+                    IntegerModel.Encode(model, 32, 2, 1, bytesOfChunk[i] - (i > 0 ? bytesOfChunk[i - 1] : 0), out _, ref low,
+                        ref length, ref next);
+                }
+                if (bytesOfChunk.Count > 0)
+                    RangeCode.End(low, length, ref next);
+                Array.Resize(ref table, (int)(next - first));
+            }
+            return table;
+        }
+    }
+}

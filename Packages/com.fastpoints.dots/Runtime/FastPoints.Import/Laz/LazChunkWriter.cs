@@ -1,0 +1,99 @@
+using System;
+using FastPoints.Las;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Compresses records to one LAZ chunk at a time, in short jobs, in memory that is reused.</summary>
+    internal sealed unsafe class LazChunkWriter : IDisposable
+    {
+        readonly LazChunkForm m_form;
+        readonly NativeArray<LazLayer> m_layers;
+        NativeArray<byte> m_state;
+        NativeArray<byte> m_output;
+        NativeReference<long> m_bytes = new NativeReference<long>(Allocator.Persistent);
+
+        public LazChunkWriter(LazChunkForm form)
+        {
+            m_form = form;
+            m_layers = new NativeArray<LazLayer>(form.Layers, Allocator.Persistent);
+            m_state = new NativeArray<byte>((int)form.StateBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            m_output = new NativeArray<byte>((int)form.MostBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            if (!form.IsLayered)
+                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
+        }
+
+        /// <summary>The chunk, when the jobs are complete.</summary>
+        public NativeArray<byte> Chunk => m_output.GetSubArray(0, (int)m_bytes.Value);
+
+        public JobHandle Schedule(NativeArray<byte> records, int points)
+        {
+            var job = new EncodeLazJob
+            {
+                Records = records,
+                Layers = m_layers,
+                IsLayered = m_form.IsLayered,
+                RecordBytes = m_form.RecordBytes,
+                Points = points,
+                State = m_state,
+                Output = m_output,
+                Bytes = m_bytes,
+            };
+            var done = default(JobHandle);
+            long all = m_form.IsLayered ? (long)m_form.Layers.Length * (points + points / 16 + 2) : points;
+            int slice = m_form.IsLayered ? EncodeLazJob.LayerPoints : EncodeLazJob.SlicePoints;
+            for (long first = 0; first < all; first += slice)
+            {
+                job.First = (int)first;
+                job.Count = (int)Math.Min(slice, all - first);
+                done = job.Schedule(done);
+            }
+            return done;
+        }
+
+        /// <summary>The jobs must be complete.</summary>
+        public void Dispose()
+        {
+            if (!m_state.IsCreated)
+                return;
+            m_layers.Dispose();
+            m_state.Dispose();
+            m_output.Dispose();
+            m_bytes.Dispose();
+        }
+    }
+
+    /// <summary>What all chunks of a file have in common.</summary>
+    internal sealed class LazChunkForm
+    {
+        /// <summary>LASzip's usual size, and the most memory of a chunk's output.</summary>
+        const int UsualPoints = 50000;
+        const long MostOutputBytes = 32 << 20;
+
+        public readonly LazItem[] Items;
+        public readonly LazLayer[] Layers;
+        public readonly int RecordBytes;
+        public readonly int ChunkPoints;
+
+        public LazChunkForm(int pointFormat, int recordBytes)
+        {
+            RecordBytes = recordBytes;
+            IsLayered = pointFormat >= LasPointFormat.FirstExtended;
+            Items = LazItems.Of(pointFormat, IsLayered ? 3 : 2, recordBytes - LasPointFormat.Of(pointFormat).RecordBytes);
+            Layers = IsLayered ? LazLayer.Of(Items) : Array.Empty<LazLayer>();
+            ChunkPoints = (int)Math.Max(1, Math.Min(UsualPoints, MostOutputBytes * 1000 / BytesOf(1000)));
+        }
+
+        public bool IsLayered { get; }
+
+        public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
+
+        /// <summary>Of one chunk, and what encoders write behind it.</summary>
+        public long MostBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
+
+        long BytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)
+            : PointwiseChunk.MaxInputBytes(Items, RecordBytes, points);
+    }
+}

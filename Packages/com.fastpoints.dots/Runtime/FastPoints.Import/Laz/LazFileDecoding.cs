@@ -1,0 +1,116 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Decodes whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range
+    /// goes.</summary>
+    sealed unsafe class LazFileDecoding : IDisposable
+    {
+        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
+        const int SlicePoints = 16384;
+
+        const int MaxTileBytes = 64 << 10;
+
+        readonly LasFile m_las;
+        readonly LazFormat m_format;
+        readonly int m_tilePoints;
+        NativeArray<byte> m_items;
+        NativeArray<byte> m_decoder;
+        NativeArray<byte> m_tile;
+        NativeArray<FieldCopy> m_copies;
+        NativeReference<LazFileState> m_state;
+
+        /// <param name="las">One of the files: the others are like it.</param>
+        /// <param name="format">The format of that file, or null for LAS.</param>
+        /// <param name="batch">The batch with the wanted columns, to be filled.</param>
+        /// <exception cref="ArgumentException">The files lack an attribute.</exception>
+        public LazFileDecoding(LasFile las, LazFormat format, PointBatch batch, Allocator allocator)
+        {
+            m_las = las;
+            m_format = format;
+            int recordBytes = las.Header.RecordBytes;
+            m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / recordBytes));
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(las.Layout.Fields, batch), allocator);
+            ConfigureDecoder(batch.Schema, allocator);
+            m_items = new NativeArray<byte>(format?.ItemBytesOfVlr() ?? new byte[0], allocator);
+            m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
+            m_state = new NativeReference<LazFileState>(allocator);
+        }
+
+        /// <summary>Points of the last decoded file, according to its header.</summary>
+        public long PointsInFile => m_state.Value.PointsInFile;
+
+        /// <param name="input">The file, with <see cref="RangeCode.PaddingBytes"/> behind it, after <paramref
+        /// name="inputDeps"/>.</param>
+        /// <param name="first">First point of the range, counted from the file's start.</param>
+        /// <param name="roundsOffset">See <see cref="DecodeLazFileJob.RoundsOffset"/>.</param>
+        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset,
+            PointBatch to, NativeReference<DecodeResult> result, JobHandle inputDeps)
+        {
+            var header = m_las.Header;
+            var decode = new DecodeLazFileJob
+            {
+                Input = input,
+                InputBytes = inputBytes,
+                Transform = new PositionTransform { Scale = header.Scale, Offset = header.Offset },
+                RoundsOffset = roundsOffset,
+                Items = m_items,
+                Decoder = m_decoder,
+                Tile = m_tile,
+                Copies = m_copies,
+                Columns = to.Bytes,
+                State = m_state,
+                Result = result,
+                Compressor = m_format?.Compressor ?? LazCompressor.None,
+                PointFormat = header.PointFormat,
+                RecordBytes = header.RecordBytes,
+                TilePoints = m_tilePoints,
+                Skip = first,
+            };
+            long total = first + count;
+            for (; decode.First < total; decode.First += SlicePoints)
+            {
+                decode.Count = (int)Math.Min(SlicePoints, total - decode.First);
+                inputDeps = decode.Schedule(inputDeps);
+            }
+            return inputDeps;
+        }
+
+        public void Dispose()
+        {
+            if (!m_state.IsCreated)
+                return;
+            m_items.Dispose();
+            m_decoder.Dispose();
+            m_tile.Dispose();
+            m_copies.Dispose();
+            m_state.Dispose();
+        }
+
+        void ConfigureDecoder(PointSchema wanted, Allocator allocator)
+        {
+            if (m_format == null)
+            {
+                m_decoder = new NativeArray<byte>(1, allocator);
+                return;
+            }
+            if (!m_format.IsLayered)
+            {
+                m_decoder = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
+                    NativeArrayOptions.UninitializedMemory);
+                PointwiseChunk.Configure((PointwiseChunk*)m_decoder.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
+                return;
+            }
+            var isWanted = LazLayerChoice.Make(m_format.Layers, m_las.Layout.Fields, wanted);
+            long bytes = LayeredChunk.StateBytes(m_format.Layers, isWanted, m_format.RecordBytes);
+            m_decoder = new NativeArray<byte>((int)bytes, allocator, NativeArrayOptions.UninitializedMemory);
+            LayeredChunk.Configure((LayeredChunk*)m_decoder.GetUnsafePtr(), m_format.Layers, isWanted, m_format.RecordBytes);
+        }
+    }
+}

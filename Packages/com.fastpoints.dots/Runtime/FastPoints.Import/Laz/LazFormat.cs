@@ -1,0 +1,210 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Reading;
+
+namespace FastPoints.Laz
+{
+    /// <summary>How a file's points are compressed, in the LASzip VLR's terms.</summary>
+    internal enum LazCompressor
+    {
+        /// <summary>Not compressed: plain records in a file that says LAZ.</summary>
+        None = 0,
+
+        /// <summary>One stream from the first point to the last (LASzip 1.x).</summary>
+        Pointwise = 1,
+
+        /// <summary>Chunks, each a stream of its own.</summary>
+        PointwiseChunked = 2,
+
+        /// <summary>Chunks of layers, for point formats 6 to 10.</summary>
+        LayeredChunked = 3,
+    }
+
+    /// <summary>The contents of the LASzip VLR, checked against the header.</summary>
+    internal sealed class LazFormat
+    {
+        public const string UserId = "laszip encoded";
+        public const ushort RecordId = 22204;
+
+        /// <summary>The chunk size that means "in the chunk table"; 0 has been written for it as well.</summary>
+        public const uint VariableChunkPoints = uint.MaxValue;
+
+        /// <summary>More extra bytes in a point than any file has: a decoder's state takes 1.6 KB for each.</summary>
+        public const int MaxExtraBytes = 4096;
+
+        /// <summary>Offset of the number of items in the VLR's data; the items follow it.</summary>
+        public const int ItemsAt = 32;
+
+        const int FixedBytes = ItemsAt + 2;
+        const int ItemBytes = 6;
+
+        public LazCompressor Compressor;
+
+        /// <summary>Points of each chunk except the last, or <see cref="VariableChunkPoints"/>.</summary>
+        public uint ChunkPoints;
+
+        public LazItem[] Items;
+        public int RecordBytes;
+
+        /// <summary>LASzip's own version, for people.</summary>
+        public string WriterVersion;
+
+        /// <summary>The layers of layered chunks; otherwise empty.</summary>
+        public LazLayer[] Layers;
+
+        public bool IsLayered => Compressor == LazCompressor.LayeredChunked;
+
+        public bool HasVariableChunks => ChunkPoints == VariableChunkPoints;
+
+        /// <exception cref="PointCloudException">The VLR is missing or does not fit the header, or names an unknown coder or
+        /// item.</exception>
+        public static LazFormat Read(LasFile las)
+        {
+            string path = las.Info.Path;
+            LasVlr record = null;
+            foreach (var vlr in las.Vlrs.Records)
+                if (vlr.RecordId == RecordId && vlr.UserId == UserId)
+                    record = vlr;
+            if (record == null)
+                throw new PointCloudException(FailureCode.BadInput, path, LasHeader.At.PointFormat,
+                    "the points are compressed, but there is no LASzip VLR that says how");
+
+            var bytes = las.Vlrs.Payload(record);
+            long at = bytes.FileOffset;
+            int compressor = bytes.UInt16(0, "LASzip compressor");
+            if (compressor > (int)LazCompressor.LayeredChunked)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, path, at, "LASzip compressor", "0 to 3", compressor);
+            int coder = bytes.UInt16(2, "LASzip coder");
+            if (coder != 0)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, path, at + 2, "LASzip entropy coder", 0, coder);
+            int count = bytes.UInt16(32, "LASzip items");
+            if (count == 0 || count > PointwiseChunk.MaxItems)
+                throw PointCloudException.Wanted(FailureCode.BadInput, path, at + 32, "LASzip items",
+                    "1 to " + NumberText.Of(PointwiseChunk.MaxItems), count);
+
+            var format = new LazFormat
+            {
+                Compressor = (LazCompressor)compressor,
+                ChunkPoints = bytes.UInt32(12, "LASzip chunk size"),
+                WriterVersion = NumberText.Of(bytes.UInt8(4, "LASzip version")) + "."
+                    + NumberText.Of(bytes.UInt8(5, "LASzip version")) + "."
+                    + NumberText.Of(bytes.UInt16(6, "LASzip version")),
+                Items = new LazItem[count],
+                RecordBytes = las.Header.RecordBytes,
+            };
+            if (format.ChunkPoints == 0)
+                format.ChunkPoints = VariableChunkPoints;
+            int end = 0;
+            for (int i = 0; i < count; i++)
+            {
+                format.Items[i] = ReadItem(bytes, FixedBytes + i * ItemBytes, end, format.Compressor);
+                end += format.Items[i].Bytes;
+            }
+            format.Layers = format.IsLayered ? LazLayer.Of(format.Items) : new LazLayer[0];
+            CheckItems(format, las, at + 32);
+            return format;
+        }
+
+        /// <summary>The VLR's bytes from <see cref="ItemsAt"/> on.</summary>
+        internal byte[] ItemBytesOfVlr()
+        {
+            var bytes = new byte[FixedBytes - ItemsAt + Items.Length * ItemBytes];
+            LasHeader.Put(bytes, 0, 2, (ulong)Items.Length);
+            for (int i = 0; i < Items.Length; i++)
+            {
+                int at = FixedBytes - ItemsAt + i * ItemBytes;
+                LasHeader.Put(bytes, at, 2, (ulong)Items[i].Type);
+                LasHeader.Put(bytes, at + 2, 2, (ulong)Items[i].Bytes);
+                LasHeader.Put(bytes, at + 4, 2, (ulong)Items[i].Version);
+            }
+            return bytes;
+        }
+
+        /// <summary>Adds all of it as lines for people.</summary>
+        public void AddFacts(SourceInfo info)
+        {
+            info.Fact("LASzip version", WriterVersion);
+            info.Fact("LASzip compressor", Compressor.ToString());
+            info.Fact("LASzip chunk points", Compressor == LazCompressor.Pointwise ? "none"
+                : HasVariableChunks ? "variable" : NumberText.Of(ChunkPoints));
+            info.Fact("LASzip items", string.Join(", ", Array.ConvertAll(Items, item => item.Type + " v"
+                + NumberText.Of(item.Version))));
+        }
+
+        static LazItem ReadItem(ByteReader bytes, int at, int recordOffset, LazCompressor compressor)
+        {
+            int type = bytes.UInt16(at, "LASzip item type");
+            int size = bytes.UInt16(at + 2, "LASzip item size");
+            int version = bytes.UInt16(at + 4, "LASzip item version");
+            var item = new LazItem { Type = (LazItemType)type, Bytes = size, Version = version, RecordOffset = recordOffset };
+            long offset = bytes.FileOffset + at;
+            bool isKnown = type == (int)LazItemType.Bytes || type >= (int)LazItemType.Point10 && type <= (int)LazItemType.Bytes14;
+            if (!isKnown)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, bytes.Path, offset, "LASzip item type",
+                    "0 or 6 to 14", type);
+            int wanted = LazItem.FixedBytes(item.Type);
+            if (wanted != 0 && size != wanted)
+                throw PointCloudException.Wanted(FailureCode.BadInput, bytes.Path, offset + 2, "bytes of LASzip item "
+                    + item.Type, wanted, size);
+            if (wanted == 0 && (size == 0 || size > MaxExtraBytes))
+                throw PointCloudException.Wanted(FailureCode.Unsupported, bytes.Path, offset + 2, "bytes of LASzip item "
+                    + item.Type, "1 to " + NumberText.Of(MaxExtraBytes), size);
+            if (compressor != LazCompressor.None && !LazItem.IsVersionKnown(item.Type, version))
+                throw PointCloudException.Wanted(FailureCode.Unsupported, bytes.Path, offset + 4, "version of LASzip item "
+                    + item.Type, "a known one", version);
+            return item;
+        }
+
+        /// <summary>Checks that the items are those of the point format, in the record's order, and as long as the
+        /// record.</summary>
+        static void CheckItems(LazFormat format, LasFile las, long at)
+        {
+            var got = new List<string>();
+            int bytes = 0;
+            bool isExtraLast = true;
+            for (int i = 0; i < format.Items.Length; i++)
+            {
+                var item = format.Items[i];
+                bytes += item.Bytes;
+                bool isExtra = item.Type == LazItemType.Bytes || item.Type == LazItemType.Bytes14;
+                isExtraLast &= !isExtra || i == format.Items.Length - 1;
+                if (!isExtra)
+                    got.Add(item.Type.ToString());
+                if (format.Compressor != LazCompressor.None && item.IsLayered != format.IsLayered)
+                    throw new PointCloudException(FailureCode.BadInput, las.Info.Path, at, "LASzip item " + item.Type
+                        + " does not go with compressor " + format.Compressor);
+            }
+            string wanted = ItemsOf(las.Header.PointFormat);
+            string items = string.Join(" + ", got);
+            if (items != wanted || !isExtraLast)
+                throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, at,
+                    "LASzip items of point format " + NumberText.Of(las.Header.PointFormat), wanted, items);
+            if (bytes != format.RecordBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, at, "bytes of the LASzip items",
+                    NumberText.Of(format.RecordBytes) + " (the record length)", bytes);
+        }
+
+        /// <summary>The item types of a point format, extra bytes aside.</summary>
+        public static string ItemsOf(int pointFormat)
+        {
+            var items = new List<LazItemType>();
+            bool isExtended = pointFormat >= LasPointFormat.FirstExtended;
+            items.Add(isExtended ? LazItemType.Point14 : LazItemType.Point10);
+            if (pointFormat == 1 || pointFormat >= 3 && pointFormat <= 5)
+                items.Add(LazItemType.GpsTime11);
+            if (pointFormat == 2 || pointFormat == 3 || pointFormat == 5)
+                items.Add(LazItemType.Rgb12);
+            if (pointFormat == 7)
+                items.Add(LazItemType.Rgb14);
+            if (pointFormat == 8 || pointFormat == 10)
+                items.Add(LazItemType.RgbNir14);
+            if (pointFormat == 4 || pointFormat == 5)
+                items.Add(LazItemType.WavePacket13);
+            if (pointFormat == 9 || pointFormat == 10)
+                items.Add(LazItemType.WavePacket14);
+            return string.Join(" + ", items);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Reading;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's
+    /// chunks; any of them can be decoded on its own, and its first points without the rest.</summary>
+    /// <remarks>A chunk of more than <c>MaxBlockPoints</c> points becomes several blocks. In a pointwise chunk each block starts
+    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once.
+    /// In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by default).</remarks>
+    internal sealed class LazReader : LazChunkReader
+    {
+        LazChunkList Chunks => Blocks.Chunks;
+
+        FileSource Source => Blocks.Source;
+
+        readonly bool m_isTableLost;
+        bool m_areBlocksKnown;
+
+        LazReader(LazBlocks blocks) : base(blocks)
+        {
+            m_isTableLost = FindChunks();
+            m_areBlocksKnown = !m_isTableLost && !HasLongPointwiseChunk();
+            if (m_areBlocksKnown)
+                MakeBlocks(null);
+        }
+
+        /// <summary>Reads the header, the LASzip VLR and the chunk table. Warnings are in
+        /// <see cref="PointReader.Info"/>.</summary>
+        /// <param name="longChunkPoints">The most points of a chunk that is one block.</param>
+        /// <exception cref="PointCloudException">The points cannot be located, or are coded in an unknown way.</exception>
+        public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
+        {
+            var format = LazFormat.Read(las);
+            format.AddFacts(las.Info);
+            return format.Compressor == LazCompressor.None
+                ? LasReader.OpenUncompressed(las, source)
+                : new LazReader(new LazBlocks(las, format, source, longChunkPoints));
+        }
+
+        public override bool BlocksAreKnown => m_areBlocksKnown;
+
+        /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
+        public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
+
+        public override IEnumerator<Work> FindPrefixes()
+        {
+            if (!HasPrefixes)
+                yield break;
+            Forget();
+            if (m_isTableLost)
+            {
+                yield return Work.Of(new LazWalk(Blocks).WalkPrefix());
+                Source.Dispose();
+            }
+            for (int c = 0; c < Chunks.Count; c++)
+            {
+                bool isLong = Chunks[c].Points > Blocks.LongChunkPoints;
+                Blocks.Add(c, 0, isLong ? LazWalk.PrefixPoints(Blocks) : Chunks[c].Points, Chunks[c].Offset + Chunks[c].Bytes,
+                    !isLong, -1);
+            }
+        }
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (m_areBlocksKnown)
+                yield break;
+            Forget();
+            var walk = new LazWalk(Blocks);
+            try
+            {
+                yield return Work.Of(walk.Run(m_isTableLost));
+            }
+            finally
+            {
+                Source.Dispose();
+            }
+            MakeBlocks(walk);
+            Source.Dispose();
+            m_areBlocksKnown = true;
+        }
+
+        /// <summary>Drops what an earlier or cancelled search has found.</summary>
+        void Forget()
+        {
+            Blocks.Clear();
+            Blocks.DropCheckpoints();
+            if (m_isTableLost)
+                Chunks.Clear();
+        }
+
+        public override void DisposeUnread() => Blocks.DropCheckpoints();
+
+        /// <returns>Whether the table that says where they are is lost.</returns>
+        bool FindChunks()
+        {
+            long start = Header.PointsOffset;
+            bool isLost = false;
+            if (Format.Compressor == LazCompressor.Pointwise)
+            {
+                long bytes = Math.Max(0, Source.Length - start);
+                if (bytes >= Info.RecordBytes && Info.PointsClaimed > 0)
+                    Chunks.Add(new LazChunk
+                    {
+                        Offset = start,
+                        Bytes = bytes,
+                        Points = (long)Math.Min(Info.PointsClaimed, (ulong)LazChunk.MaxPoints(bytes)),
+                    });
+            }
+            else if (Info.PointsClaimed > 0 || Source.Length > start + LazChunkTable.LeastBytes)
+            {
+                var table = LazChunkTable.Read(Source, Format, Info, start);
+                Blocks.Chunks = table.Chunks;
+                isLost = table.IsLost && (Format.IsLayered || !Format.HasVariableChunks);
+            }
+            for (int c = 0; Format.IsLayered && Chunks.MaxBytes > LazBlocks.MaxLayeredChunkBytes && c < Chunks.Count; c++)
+                if (Chunks[c].Bytes > LazBlocks.MaxLayeredChunkBytes)
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, Chunks[c].Offset,
+                        "bytes of a layered chunk", "at most " + NumberText.Of(LazBlocks.MaxLayeredChunkBytes), Chunks[c].Bytes);
+            if (Chunks.Count == 0 && !isLost && Info.PointsClaimed > 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, start, "the header claims "
+                    + NumberText.Of(Info.PointsClaimed) + " points, the file holds none");
+            return isLost;
+        }
+
+        bool HasLongPointwiseChunk() => !Format.IsLayered && Chunks.MaxPoints > Blocks.LongChunkPoints;
+
+        void MakeBlocks(LazWalk walk)
+        {
+            bool areChunks = Blocks.TryTakeChunks();
+            for (int c = 0; c < Chunks.Count && !areChunks; c++)
+                if (Format.IsLayered || Chunks[c].Points <= Blocks.LongChunkPoints)
+                    Blocks.AddChunk(c);
+                else
+                    AddPartsByCheckpoints(c, walk.CheckpointsOf(c));
+            Info.PointsReadable = PointCount;
+            Blocks.CheckBounds();
+        }
+
+        /// <summary>Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an
+        /// earlier one.</summary>
+        void AddPartsByCheckpoints(int c, BlockRange checkpoints)
+        {
+            var chunk = Chunks[c];
+            int withState = -1;
+            long at = 0, end;
+            for (int i = 0; i <= checkpoints.Count; i++, at = end)
+            {
+                bool isLast = i == checkpoints.Count;
+                int next = checkpoints.First + i;
+                end = isLast ? chunk.Points : Blocks.Checkpoints[next].Point;
+                long endOffset = isLast ? chunk.Offset + chunk.Bytes : Blocks.Checkpoints[next].FileOffset;
+                Blocks.Add(c, at, end - at, endOffset, isLast, withState);
+                if (!isLast && Blocks.Checkpoints[next].HasState)
+                    withState = next;
+            }
+        }
+    }
+}

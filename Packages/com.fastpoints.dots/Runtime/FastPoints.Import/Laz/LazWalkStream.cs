@@ -1,0 +1,127 @@
+using System;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Laz
+{
+    /// <summary>Decodes a pointwise chunk from a window of the file, a slice at a time, without keeping its points.</summary>
+    sealed unsafe class LazWalkStream : IDisposable
+    {
+        const int MaxTilePoints = 512;
+        const int MaxTileBytes = 64 << 10;
+        const int MinWindowBytes = 1 << 20;
+
+        readonly SourceHandle m_file;
+        readonly NativeFileRead m_read;
+        readonly int m_tilePoints;
+        readonly long m_maxBytesOfFirst;
+        readonly long m_maxBytesOfPoint;
+        readonly int m_windowBytes;
+        NativeArray<byte> m_state;
+        NativeArray<byte> m_tile;
+        NativeReference<LazWalkStep> m_step;
+        JobHandle m_decode;
+
+        /// <summary>Offset of the window in the file.</summary>
+        long m_windowStart;
+        long m_windowEnd;
+        long m_inputEnd;
+
+        public LazWalkStream(SourceHandle file, LazFormat format)
+        {
+            m_file = file;
+            m_tilePoints = Math.Max(1, Math.Min(MaxTilePoints, MaxTileBytes / format.RecordBytes));
+            m_maxBytesOfFirst = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 0);
+            m_maxBytesOfPoint = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 1) - m_maxBytesOfFirst;
+            m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint);
+            m_read = new NativeFileRead(m_windowBytes + RangeCode.PaddingBytes, Allocator.Persistent);
+            // The state starts as zeros, so that checkpoints leave out what no model has written.
+            m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(format.Items), Allocator.Persistent);
+            PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
+            m_tile = new NativeArray<byte>(m_tilePoints * format.RecordBytes, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
+        }
+
+        /// <summary>Points decoded of the chunk.</summary>
+        public long Point { get; private set; }
+
+        /// <summary>Where the next point's bytes start in the file.</summary>
+        public long FileOffset { get; private set; }
+
+        /// <summary>Whether the input does not hold the next point.</summary>
+        public bool IsStopped { get; private set; }
+
+        /// <summary>Whether the window may not hold the next tile, and the file has more.</summary>
+        public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd
+            || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint;
+
+        public void StartChunk(long offset, long end)
+        {
+            FileOffset = offset;
+            m_inputEnd = end;
+            // Bytes in the window beyond this chunk's end do not belong to it.
+            m_windowEnd = Math.Min(m_windowEnd, end);
+            Point = 0;
+            IsStopped = false;
+        }
+
+        public JobHandle BeginRead()
+        {
+            m_windowStart = FileOffset;
+            m_windowEnd = Math.Min(m_inputEnd, FileOffset + m_windowBytes);
+            return m_read.Begin(m_file, m_windowStart, (int)(m_windowEnd - m_windowStart));
+        }
+
+        public void EndRead() => m_read.End();
+
+        public JobHandle Decode(int points)
+        {
+            m_decode = new WalkLazJob
+            {
+                Input = m_read.Buffer,
+                State = m_state,
+                Tile = m_tile,
+                Result = m_step,
+                InputStart = (int)(FileOffset - m_windowStart),
+                InputEnd = (int)(m_windowEnd - m_windowStart),
+                HasMore = m_windowEnd < m_inputEnd,
+                TilePoints = m_tilePoints,
+                Points = points,
+                MaxBytesOfFirst = m_maxBytesOfFirst,
+                MaxBytesOfPoint = m_maxBytesOfPoint,
+                IsStart = Point == 0,
+            }.Schedule(m_decode);
+            return m_decode;
+        }
+
+        public void EndDecode()
+        {
+            m_decode.Complete();
+            var step = m_step.Value;
+            Point += step.Points - step.InDoubt;
+            FileOffset += step.Bytes;
+            IsStopped = step.IsStopped;
+        }
+
+        /// <summary>The state, whose next input byte is at <see cref="FileOffset"/>.</summary>
+        public LazCheckpoint Checkpoint()
+        {
+            PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());
+            var checkpoint = new LazCheckpoint { Point = Point, FileOffset = FileOffset };
+            m_decode = checkpoint.Save(m_state, m_decode);
+            return checkpoint;
+        }
+
+        public void Dispose()
+        {
+            m_decode.Complete();
+            m_read.Dispose();
+            m_state.Dispose();
+            m_tile.Dispose();
+            m_step.Dispose();
+        }
+    }
+}

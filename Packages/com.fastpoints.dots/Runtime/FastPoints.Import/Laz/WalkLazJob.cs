@@ -1,0 +1,79 @@
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Laz
+{
+    /// <summary>The progress of one slice of a walk.</summary>
+    struct LazWalkStep
+    {
+        public int Points;
+
+        /// <summary>Bytes of input taken.</summary>
+        public long Bytes;
+
+        /// <summary>Whether the input does not hold the next point.</summary>
+        public bool IsStopped;
+
+        /// <summary>Number of the chunk's points that its stream's end does not confirm, when it stopped.</summary>
+        public int InDoubt;
+    }
+
+    /// <summary>Decodes points of a pointwise chunk only to find their end.</summary>
+    [BurstCompile]
+    unsafe struct WalkLazJob : IJob
+    {
+        /// <summary>The input from where the state's stream has been consumed up to, with <see cref="RangeCode.PaddingBytes"/>
+        /// behind <see cref="InputEnd"/>.</summary>
+        [ReadOnly] public NativeArray<byte> Input;
+
+        public NativeArray<byte> State;
+        public NativeArray<byte> Tile;
+        public NativeReference<LazWalkStep> Result;
+        public int InputStart;
+        public int InputEnd;
+
+        /// <summary>Whether the input continues behind its end, so that no point may be decoded that might not be
+        /// complete.</summary>
+        public bool HasMore;
+
+        public int TilePoints;
+        public int Points;
+        public long MaxBytesOfFirst;
+        public long MaxBytesOfPoint;
+        public bool IsStart;
+
+        public void Execute()
+        {
+            var chunk = (PointwiseChunk*)State.GetUnsafePtr();
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr() + InputStart;
+            byte* tile = (byte*)Tile.GetUnsafePtr();
+            long inputBytes = InputEnd - InputStart;
+            if (IsStart)
+                PointwiseChunk.Start(chunk);
+            PointwiseChunk.Rebase(chunk);
+            var step = default(LazWalkStep);
+            while (step.Points < Points && !step.IsStopped)
+            {
+                long wanted = Points - step.Points < TilePoints ? Points - step.Points : TilePoints;
+                if (HasMore)
+                {
+                    long safe = (inputBytes - step.Bytes - MaxBytesOfFirst) / MaxBytesOfPoint;
+                    if (safe <= 0)
+                        break;
+                    wanted = wanted < safe ? wanted : safe;
+                }
+                int got = PointwiseChunk.Decode(chunk, input, inputBytes, tile, (int)wanted);
+                step.Points += got;
+                step.IsStopped = got < wanted;
+                if (step.IsStopped)
+                    step.InDoubt = chunk->PointsInDoubt;
+                else
+                    step.Bytes = chunk->InputOffset;
+            }
+            Result.Value = step;
+        }
+    }
+}

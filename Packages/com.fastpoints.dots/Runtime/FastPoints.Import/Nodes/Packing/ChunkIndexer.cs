@@ -1,0 +1,250 @@
+using System;
+using FastPoints.Core;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>Turns one chunk at a time into nodes: orders and samples its points, and writes them into memory. It
+    /// owns what comes of a chunk; what the jobs need meanwhile is the lane's.</summary>
+    internal sealed class ChunkIndexer : IDisposable
+    {
+        readonly RecordLayout m_records;
+        readonly NativeStoreLayout m_store;
+        readonly Grid3 m_rootCorner;
+        readonly ulong m_cloudId;
+        readonly Sampler m_sampler;
+        readonly NodeSizes m_sizes;
+        IndexLane m_lane;
+
+        NativeArray<ChunkTop> m_tops;
+        NativeReference<ulong> m_checksum;
+        NativeArray<long> m_bytesOfPlane;
+        SliceTimes m_slices;
+
+        public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId, Sampler sampler,
+            NodeSizes sizes)
+        {
+            m_records = records;
+            m_store = store;
+            m_rootCorner = rootCorner;
+            m_cloudId = cloudId;
+            m_sampler = sampler;
+            m_sizes = sizes;
+            m_slices = new SliceTimes(Allocator.Persistent);
+            m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            m_checksum = new NativeReference<ulong>(Allocator.Persistent);
+            m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
+            Drafts = new NativeList<NodeDraft>(64, Allocator.Persistent);
+            File = new NativeList<byte>(1024, Allocator.Persistent);
+            Table = new NativeList<byte>(64, Allocator.Persistent);
+            Top = new NativeList<byte>(1024, Allocator.Persistent);
+            NodeOfDraft = new NativeList<int>(64, Allocator.Persistent);
+        }
+
+        /// <summary>The current chunk, and its records as they came.</summary>
+        public GridCube Cube { get; private set; }
+        public RecordPages Pages { get; private set; }
+        public int Number { get; private set; }
+        public JobHandle Job { get; private set; }
+
+        /// <summary>The chunk's file after the job, empty if all points are in the top. Code that takes it gives another list for
+        /// the next one.</summary>
+        public NativeList<byte> File { get; set; }
+
+        /// <summary>The upper nodes' table, after an upper job.</summary>
+        public NativeList<byte> Table { get; }
+
+        /// <summary>The records of the top node in the layout of tops, after the job.</summary>
+        public NativeList<byte> Top { get; }
+        public NativeList<NodeDraft> Drafts { get; }
+        public NativeList<int> NodeOfDraft { get; }
+
+        /// <summary>Sum of the hashes of all processed points.</summary>
+        public ulong Checksum => m_checksum.Value;
+
+        /// <summary>Times of the jobs so far; code that takes them empties them.</summary>
+        public SliceTimes Slices => m_slices;
+
+        /// <summary>Bytes of each plane in the last file.</summary>
+        public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
+
+        /// <summary>Begins a chunk, behind those that are in the lane. The caller owns its pages again when the job is
+        /// done.</summary>
+        /// <param name="ready">Completes when the pages have their records.</param>
+        public void Begin(GridCube cube, RecordPages pages, int number, IndexLane lane, JobHandle ready)
+        {
+            Cube = cube;
+            Pages = pages;
+            Number = number;
+            m_lane = lane;
+            int count = checked((int)pages.Count);
+            var ordered = Order(count, pages, cube, lane.Begin(count, ready));
+            var sampled = Sample(count, cube, m_records, lane.Sorted, m_tops, ordered);
+            Job = Write(count, m_records, cube.Corner, true, true, lane.Sorted, sampled);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        /// <summary>The same where only the top is kept: <see cref="Checksum"/> is the top's.</summary>
+        public void BeginTop(GridCube cube, RecordPages pages, int number, IndexLane lane)
+        {
+            Begin(cube, pages, number, lane, default);
+            Job = lane.Last = new SumTopJob
+            {
+                Records = Top,
+                Layout = m_records.ForTops(m_store.HasAverages),
+                Sum = m_checksum,
+            }.Schedule(Job);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        /// <summary>Begins upper nodes: those above some tops, which come in Morton order.</summary>
+        /// <param name="records">The records of all tops.</param>
+        /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
+        /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
+        /// does.</param>
+        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot, IndexLane lane)
+        {
+            m_lane = lane;
+            Number = 0;
+            Cube = cube;
+            Pages = default;
+            var layout = m_records.ForTops(m_store.HasAverages);
+            int count = records.Length / layout.StrideBytes;
+            var prepared = lane.Begin(count, default);
+            var prepare = new PrepareUpperJob
+            {
+                Slices = m_slices,
+                Layout = layout,
+                Corner = m_rootCorner,
+                Records = records,
+                CommonCubeLog2 = m_lane.Common,
+                Priority = m_lane.Priority,
+            };
+            while (prepare.End < count)
+            {
+                prepare.First = prepare.End;
+                prepare.End = Math.Min(count, prepare.First + PrepareUpperJob.PointsOfSlice);
+                prepared = prepare.Schedule(prepared);
+            }
+            var sampled = Sample(count, cube, layout, records, tops, prepared);
+            Job = Write(count, layout, m_rootCorner, false, !isRoot, records, sampled);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        public void Dispose()
+        {
+            Job.Complete();
+            if (!m_checksum.IsCreated)
+                return;
+            m_tops.Dispose();
+            m_checksum.Dispose();
+            m_slices.Dispose();
+            m_bytesOfPlane.Dispose();
+            Drafts.Dispose();
+            File.Dispose();
+            Table.Dispose();
+            Top.Dispose();
+            NodeOfDraft.Dispose();
+        }
+
+        JobHandle Order(int count, RecordPages pages, GridCube cube, JobHandle inputDeps)
+        {
+            var job = new OrderChunkJob
+            {
+                Slices = m_slices,
+                Pages = pages,
+                Layout = m_records,
+                Cube = cube,
+                Scratch = m_lane.Ordering,
+                BucketOfPoint = m_lane.Numbers,
+                Records = m_lane.Sorted,
+                CommonCubeLog2 = m_lane.Common,
+                Priority = m_lane.Priority,
+                Checksum = m_checksum,
+                CostPerSlice = OrderChunkJob.CostOfSlice,
+            };
+            for (long done = 0; done < job.Cost; done += job.CostPerSlice)
+                inputDeps = job.Schedule(inputDeps);
+            // Slices end at pages and buckets: what they leave.
+            job.CostPerSlice = int.MaxValue;
+            return job.Schedule(inputDeps);
+        }
+
+        JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<ChunkTop> tops,
+            JobHandle inputDeps)
+        {
+            bool isRandom = m_sampler == Sampler.Random;
+            var job = new SampleNodesJob
+            {
+                Slices = m_slices,
+                Count = count,
+                RootSideLog2 = cube.SideLog2,
+                Sizes = m_sizes,
+                Layout = layout,
+                IsRandom = isRandom,
+                Corner = cube.Corner,
+                Records = records,
+                CommonCubeLog2 = m_lane.Common,
+                Priority = m_lane.Priority,
+                Tops = tops,
+                NodeOfPoint = m_lane.NodeOfPoint,
+                Nodes = Drafts,
+                Averaged = Averaged,
+                Scratch = m_lane.Sampling,
+                CostPerSlice = SampleNodesJob.CostOfSlice,
+            };
+            // Slices that come after the end have nothing to do; one takes what is left where levels are many.
+            long usual = (long)count * (isRandom ? SampleNodesJob.UsualCost : SampleNodesJob.UsualCostOfDarts) +
+                (Averaged.IsOn ? (long)count * SampleNodesJob.UsualCostOfAverages : 0);
+            for (long done = 0; done < usual; done += job.CostPerSlice)
+                inputDeps = job.Schedule(inputDeps);
+            job.CostPerSlice = int.MaxValue;
+            return job.Schedule(inputDeps);
+        }
+
+        JobHandle Write(int count, RecordLayout layout, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records,
+            JobHandle inputDeps)
+        {
+            var job = new WriteNodesJob
+            {
+                Slices = m_slices,
+                Count = count,
+                Layout = layout,
+                Corner = corner,
+                CloudId = m_cloudId,
+                Number = Number,
+                IsChunk = isChunk,
+                KeepsTopOut = keepsTopOut,
+                Records = records,
+                NodeOfPoint = m_lane.NodeOfPoint,
+                Drafts = Drafts,
+                Columns = m_store.Columns,
+                FirstColumnOfPlane = m_store.FirstColumnOfPlane,
+                Shapes = m_store.Shapes,
+                File = File,
+                Table = Table,
+                Top = Top,
+                NodeOfDraft = NodeOfDraft,
+                AverageOf = m_store.AverageOf,
+                Averaged = Averaged,
+                BytesOfPlane = m_bytesOfPlane,
+                Points = m_lane.Numbers,
+                Scratch = m_lane.Writing,
+                ValuesPerSlice = WriteNodesJob.ValuesOfSlice,
+            };
+            for (long done = 0; done < job.Cost; done += job.ValuesPerSlice)
+                inputDeps = job.Schedule(inputDeps);
+            // Slices end at planes: what they leave.
+            job.ValuesPerSlice = int.MaxValue;
+            return m_lane.Last = job.Schedule(inputDeps);
+        }
+
+        AveragedColumns Averaged => new AveragedColumns
+        {
+            Columns = m_store.AveragedColumns,
+            AverageOfPoint = m_lane.AverageOfPoint,
+            Averages = m_lane.Averages,
+        };
+    }
+}

@@ -1,0 +1,213 @@
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>Some points of one node that become blocks of their own.</summary>
+    internal unsafe struct PackedRun
+    {
+        /// <summary>Numbers of the records.</summary>
+        [NativeDisableUnsafePtrRestriction] public uint* Points;
+        public int Count;
+    }
+
+    /// <summary>Packs planes of nodes from records in memory, in the layout of <see cref="PlaneShape"/>.</summary>
+    internal unsafe struct PlanePacker
+    {
+        [NativeDisableUnsafePtrRestriction] public byte* Records;
+        public RecordLayout Layout;
+
+        /// <summary>All columns of all attribute planes.</summary>
+        [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
+
+        /// <summary>Writes the position plane of a node at the end of a list.</summary>
+        /// <param name="min">Receives the smallest offset from the corner, three numbers for each run; <paramref name="max"/>
+        /// receives the largest.</param>
+        public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, Grid3 corner, bool isWide,
+            ulong* min,
+            ulong* max)
+        {
+            var shape = new PlaneShape(3, isWide ? 7 : 0);
+            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
+            uint* descriptor = plane;
+            ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
+            for (int r = 0; r < runCount; r++)
+            {
+                for (int c = 0; c < 3; c++)
+                {
+                    min[3 * r + c] = ulong.MaxValue;
+                    max[3 * r + c] = 0;
+                }
+                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                {
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    if (isWide)
+                        LoadOffsets(runs[r].Points + first, count, corner, values);
+                    else
+                        LoadOffsetsNarrow(runs[r].Points + first, count, corner, (uint*)values);
+                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min + 3 * r, max + 3 * r);
+                }
+            }
+            return End(file, plane, start, word);
+        }
+
+        /// <summary>Writes one attribute plane of a node at the end of a list.</summary>
+        public PlaneRange WriteAttributes(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape, int firstColumn)
+        {
+            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
+            uint* descriptor = plane;
+            ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
+            ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
+            ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
+            for (int r = 0; r < runCount; r++)
+            {
+                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                {
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    for (int c = 0; c < shape.ColumnCount; c++)
+                    {
+                        if (shape.IsWide(c))
+                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], BlockWriting.WideOf(values, c));
+                        else
+                            LoadColumnNarrow(runs[r].Points + first, count, Columns[firstColumn + c],
+                                BlockWriting.NarrowOf(values, c));
+                    }
+                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min, max);
+                }
+            }
+            return End(file, plane, start, word);
+        }
+
+        /// <summary>Writes a plane of averages of a node at the end of a list.</summary>
+        /// <param name="firstColumn">Index of the first averaged column.</param>
+        public PlaneRange WriteAverages(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape,
+            in AveragedColumns averaged, int firstColumn)
+        {
+            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
+            uint* descriptor = plane;
+            ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
+            ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
+            ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
+            for (int r = 0; r < runCount; r++)
+            {
+                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                {
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    for (int i = 0; i < count; i++)
+                    {
+                        int point = (int)runs[r].Points[first + i];
+                        var average = averaged.Of(point, Records + (long)point * Layout.StrideBytes, Layout);
+                        for (int c = 0; c < shape.ColumnCount; c++)
+                        {
+                            ulong stored = averaged.Stored(average, firstColumn + c);
+                            if (shape.IsWide(c))
+                                BlockWriting.WideOf(values, c)[i] = stored;
+                            else
+                                BlockWriting.NarrowOf(values, c)[i] = (uint)stored;
+                        }
+                    }
+                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min, max);
+                }
+            }
+            return End(file, plane, start, word);
+        }
+
+        void LoadOffsets(uint* points, int count, Grid3 corner, ulong* values)
+        {
+            for (int i = 0; i < count; i++)
+            {
+                var offset = Layout.PlaceOf(Records + (long)points[i] * Layout.StrideBytes) - corner;
+                BlockWriting.WideOf(values, 0)[i] = (ulong)offset.X;
+                BlockWriting.WideOf(values, 1)[i] = (ulong)offset.Y;
+                BlockWriting.WideOf(values, 2)[i] = (ulong)offset.Z;
+            }
+        }
+
+        void LoadOffsetsNarrow(uint* points, int count, Grid3 corner, uint* values)
+        {
+            byte* records = Records;
+            long stride = Layout.StrideBytes;
+            uint* x = values, y = x + PlaneShape.MaxPointsPerBlock, z = y + PlaneShape.MaxPointsPerBlock;
+            if (Layout.IsWide)
+            {
+                for (int i = 0; i < count; i++)
+                {
+                    var offset = Layout.PlaceOf(records + points[i] * stride) - corner;
+                    x[i] = (uint)offset.X;
+                    y[i] = (uint)offset.Y;
+                    z[i] = (uint)offset.Z;
+                }
+                return;
+            }
+            var shift = corner - Layout.Base;
+            uint shiftX = (uint)shift.X, shiftY = (uint)shift.Y, shiftZ = (uint)shift.Z;
+            for (int i = 0; i < count; i++)
+            {
+                var place = (uint*)(records + points[i] * stride);
+                x[i] = place[0] - shiftX;
+                y[i] = place[1] - shiftY;
+                z[i] = place[2] - shiftZ;
+            }
+        }
+
+        void LoadColumn(uint* points, int count, in StoredColumn column, ulong* values)
+        {
+            byte* attribute = Records + Layout.PositionBytes + column.RecordOffset;
+            long stride = Layout.StrideBytes;
+            for (int i = 0; i < count; i++)
+                values[i] = OrderedBits.Load(attribute + points[i] * stride, column.Type);
+        }
+
+        void LoadColumnNarrow(uint* points, int count, in StoredColumn column, uint* values)
+        {
+            byte* attribute = Records + Layout.PositionBytes + column.RecordOffset;
+            long stride = Layout.StrideBytes;
+            var type = column.Type;
+            if (type == AttributeType.UInt16)
+            {
+                // Values are multiples of the divisor and have 16 bits, so the product is exact.
+                ulong reciprocal = ((1UL << 32) + (uint)column.Divisor - 1) / (uint)column.Divisor;
+                for (int i = 0; i < count; i++)
+                    values[i] = (uint)(*(ushort*)(attribute + points[i] * stride) * reciprocal >> 32);
+                return;
+            }
+            if (type == AttributeType.UInt8)
+            {
+                for (int i = 0; i < count; i++)
+                    values[i] = attribute[points[i] * stride];
+                return;
+            }
+            for (int i = 0; i < count; i++)
+                values[i] = (uint)OrderedBits.Load(attribute + points[i] * stride, type);
+        }
+
+        /// <summary>Makes room for the longest plane that these runs could need.</summary>
+        static uint* Begin(NativeList<byte> file, PlaneShape shape, PackedRun* runs, int runCount, out long start, out long word)
+        {
+            long blocks = 0, points = 0;
+            for (int r = 0; r < runCount; r++)
+            {
+                blocks += PlaneShape.BlocksOf(runs[r].Count);
+                points += runs[r].Count;
+            }
+            start = file.Length;
+            long longest = start + shape.LongestBytes(blocks, points);
+            if (file.Capacity < longest)
+                file.SetCapacity((int)math.max(longest, math.min((long)file.Capacity * 2, int.MaxValue)));
+            file.ResizeUninitialized((int)longest);
+            word = blocks * shape.DescriptorWords;
+            return (uint*)(file.GetUnsafePtr() + start);
+        }
+
+        static PlaneRange End(NativeList<byte> file, uint* plane, long start, long word)
+        {
+            long length = PlaneShape.LengthBytes(word);
+            UnsafeUtility.MemClear(plane + word, length - word * sizeof(uint));
+            file.ResizeUninitialized((int)(start + length));
+            return new PlaneRange { OffsetBytes = start, LengthBytes = length, Hash = ContentHash.Of(plane, length) };
+        }
+    }
+}

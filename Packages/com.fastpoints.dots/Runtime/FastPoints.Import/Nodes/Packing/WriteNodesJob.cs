@@ -1,0 +1,438 @@
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+using Stage = FastPoints.Nodes.WriteScratch.Stage;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top
+    /// node is not written: its points go to the merge of the upper levels.</summary>
+    /// <remarks>One run of the job is a slice; the job runs again until it is done. A plane of a node is written in one
+    /// slice.</remarks>
+    [BurstCompile]
+    internal unsafe struct WriteNodesJob : IJob
+    {
+        /// <summary>A slice takes about 2 ms.</summary>
+        public const int ValuesOfSlice = 500000;
+
+        const int CostOfPlace = 4;
+        const int CostOfAverage = 16;
+
+        /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
+        public const int TinyPoints = PlaneShape.MaxPointsPerBlock;
+
+        public int Count;
+        public RecordLayout Layout;
+
+        /// <summary>The corner of any cube of the octree that contains all the points.</summary>
+        public Grid3 Corner;
+        public ulong CloudId;
+        public int Number;
+
+        /// <summary>For a chunk, the table goes into the file.</summary>
+        public bool IsChunk;
+
+        /// <summary>Whether the first node goes to <see cref="Top"/> instead of the file.</summary>
+        public bool KeepsTopOut;
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<int> NodeOfPoint;
+        [ReadOnly] public NativeList<NodeDraft> Drafts;
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+
+        /// <summary>For each attribute plane, the first of its columns, and one more entry.</summary>
+        [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
+
+        /// <summary>Indexed by attribute plane.</summary>
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+
+        /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
+        [ReadOnly] public NativeArray<int> AverageOf;
+
+        /// <summary>The points as the sampler left them.</summary>
+        [ReadOnly] public AveragedColumns Averaged;
+
+        /// <summary>Scratch: points, grouped by draft.</summary>
+        public NativeArray<uint> Points;
+
+        /// <summary>Its <see cref="WriteScratch.Now"/> is reset before the first slice.</summary>
+        public WriteScratch Scratch;
+
+        /// <summary>About this many values are written in one run; to group a point costs as much as one.</summary>
+        public int ValuesPerSlice;
+
+        /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
+        public NativeList<byte> File;
+
+        /// <summary>Out: the upper levels' table.</summary>
+        public NativeList<byte> Table;
+
+        /// <summary>Out: the top's points as records, in order.</summary>
+        public NativeList<byte> Top;
+
+        /// <summary>Out: the table index of each draft, or -1.</summary>
+        public NativeList<int> NodeOfDraft;
+
+        /// <summary>Out: bytes of each plane, position first.</summary>
+        public NativeArray<long> BytesOfPlane;
+
+        [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
+        [NativeDisableUnsafePtrRestriction] uint* m_points;
+        PlanePacker m_packer;
+        WriteScratch.State m_now;
+        long m_budget;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            if (Scratch.IsDone)
+                return;
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        /// <summary>Of all slices, at most.</summary>
+        public long Cost
+        {
+            get
+            {
+                long ofPoint = 1 + CostOfPlace;
+                for (int p = 0; p < Shapes.Length; p++)
+                    ofPoint += CostOf(p);
+                return Count * ofPoint;
+            }
+        }
+
+        void Run()
+        {
+            m_now = Scratch.Now.Value;
+            m_budget = ValuesPerSlice;
+            m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
+            m_points = (uint*)Points.GetUnsafePtr();
+            m_packer = new PlanePacker
+            {
+                Records = (byte*)Records.GetUnsafeReadOnlyPtr(),
+                Layout = Layout,
+                Columns = (StoredColumn*)Columns.GetUnsafeReadOnlyPtr(),
+            };
+            if (m_now.Stage == Stage.Start)
+                Start();
+            if (m_now.Stage == Stage.SortPoints)
+                SortPoints();
+            if (m_now.Stage == Stage.Plan && m_budget > 0)
+                Plan();
+            if (m_now.Stage == Stage.Write)
+                WriteHosts();
+            Scratch.Now.Value = m_now;
+        }
+
+        void Start()
+        {
+            File.Clear();
+            // One that grows is copied whole, in one slice. Only what is written takes memory.
+            if (File.Capacity < Count * Layout.StrideBytes)
+                File.SetCapacity(Count * Layout.StrideBytes);
+            Table.Clear();
+            Top.Clear();
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] = 0;
+            var firstPoint = Scratch.FirstPointOfDraft;
+            firstPoint.ResizeUninitialized(Drafts.Length);
+            int sum = 0;
+            for (int d = 0; d < Drafts.Length; d++)
+            {
+                firstPoint[d] = sum;
+                sum += m_drafts[d].Count;
+            }
+            m_now = new WriteScratch.State { Stage = Stage.SortPoints };
+        }
+
+        /// <summary>Groups the points of each node, in their order along the curve.</summary>
+        void SortPoints()
+        {
+            int* next = Scratch.FirstPointOfDraft.GetUnsafePtr();
+            var nodeOfPoint = (int*)NodeOfPoint.GetUnsafeReadOnlyPtr();
+            int end = (int)math.min(Count, m_now.At + m_budget);
+            for (int i = m_now.At; i < end; i++)
+                m_points[next[nodeOfPoint[i]]++] = (uint)i;
+            m_budget -= end - m_now.At;
+            m_now.At = end;
+            if (end < Count)
+                return;
+            for (int d = 0; d < Drafts.Length; d++)
+                next[d] -= m_drafts[d].Count;
+            m_now.Stage = Stage.Plan;
+        }
+
+        /// <summary>Plans everything except the points: which nodes there are, and the table without what is only known after
+        /// writing.</summary>
+        void Plan()
+        {
+            NodeOfDraft.ResizeUninitialized(Drafts.Length);
+            Scratch.DraftOfNode.ResizeUninitialized(Drafts.Length);
+            Scratch.FirstChild.ResizeUninitialized(Drafts.Length);
+            Scratch.ChildCount.ResizeUninitialized(Drafts.Length);
+            NumberNodes();
+            if (KeepsTopOut && Drafts.Length > 0)
+                CopyTop();
+            m_now.At = 0;
+            m_now.Stage = Stage.Done;
+            if (m_now.NodeCount == 0)
+                return;
+            Scratch.Nodes.ResizeUninitialized(m_now.NodeCount);
+            for (int node = 0; node < m_now.NodeCount; node++)
+                Scratch.Nodes[node] = Describe(node, Scratch.FirstChild[node], Scratch.ChildCount[node]);
+            Scratch.Ranges.ResizeUninitialized(m_now.NodeCount * (Shapes.Length + 1));
+            UnsafeUtility.MemClear(Scratch.Ranges.GetUnsafePtr(), (long)Scratch.Ranges.Length * sizeof(PlaneRange));
+            File.ResizeUninitialized(FileHeader.SizeBytes);
+            m_now.Stage = Stage.Write;
+        }
+
+        /// <summary>Numbers nodes breadth first by the existing parents, so that children follow one another.</summary>
+        void NumberNodes()
+        {
+            // Chains of children in the drafts' order.
+            int drafts = Drafts.Length;
+            int* firstOf = Allocate<int>(drafts);
+            int* nextOf = Allocate<int>(drafts);
+            for (int d = 0; d < drafts; d++)
+                firstOf[d] = -1;
+            for (int d = drafts - 1; d > 0; d--)
+            {
+                int parent = m_drafts[d].Parent;
+                nextOf[d] = firstOf[parent];
+                firstOf[parent] = d;
+            }
+
+            var nodeOfDraft = NodeOfDraft;
+            int count = 0;
+            if (drafts > 0)
+            {
+                nodeOfDraft[0] = -1;
+                if (KeepsTopOut)
+                    Append(firstOf[0], nextOf, ref count);
+                else
+                    Scratch.DraftOfNode[count++] = 0;
+            }
+            for (int node = 0; node < count; node++)
+            {
+                int draft = Scratch.DraftOfNode[node];
+                nodeOfDraft[draft] = node;
+                Scratch.FirstChild[node] = count;
+                Append(firstOf[draft], nextOf, ref count);
+                Scratch.ChildCount[node] = count - Scratch.FirstChild[node];
+            }
+            m_now.NodeCount = count;
+            UnsafeUtility.Free(nextOf, Allocator.Temp);
+            UnsafeUtility.Free(firstOf, Allocator.Temp);
+        }
+
+        static T* Allocate<T>(int count) where T : unmanaged =>
+            (T*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(T), 16, Allocator.Temp);
+
+        void Append(int draft, int* nextOf, ref int count)
+        {
+            for (; draft >= 0; draft = nextOf[draft])
+                Scratch.DraftOfNode[count++] = draft;
+        }
+
+        void CopyTop()
+        {
+            var layout = Layout.ForTops(Averaged.IsOn);
+            int stride = layout.StrideBytes, count = m_drafts[0].Count;
+            Top.ResizeUninitialized(count * stride);
+            byte* to = Top.GetUnsafePtr();
+            for (int i = 0; i < count; i++, to += stride)
+            {
+                int point = (int)m_points[Scratch.FirstPointOfDraft[0] + i];
+                byte* record = m_packer.Records + (long)point * Layout.StrideBytes;
+                UnsafeUtility.MemCpy(to, record, stride - layout.AverageBytes);
+                if (!Averaged.IsOn)
+                    continue;
+                var average = Averaged.Of(point, record, Layout);
+                UnsafeUtility.MemCpy(to + stride - layout.AverageBytes, &average, layout.AverageBytes);
+            }
+        }
+
+        void WriteHosts()
+        {
+            int planes = Shapes.Length + 1;
+            var nodes = Scratch.Nodes.GetUnsafePtr();
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (; m_now.At < m_now.NodeCount; m_now.At++)
+            {
+                if (m_budget <= 0)
+                    return;
+                if (nodes[m_now.At].Host == m_now.At)
+                    WriteHost(m_now.At, nodes, ranges + (long)m_now.At * planes);
+                if (m_now.Plane > 0)
+                    return;
+            }
+            WriteTable(planes, nodes, ranges);
+            m_now.Stage = Stage.Done;
+        }
+
+        void WriteTable(int planes, NodeRecord* nodes, PlaneRange* ranges)
+        {
+            long points = 0;
+            for (int node = 0; node < m_now.NodeCount; node++)
+                points += nodes[node].PointCount;
+            var header = new FileHeader
+            {
+                Magic = IsChunk ? StoreFormat.ChunkMagic : StoreFormat.UpperMagic,
+                Version = StoreFormat.Version,
+                Number = Number,
+                PlaneCount = planes,
+                NodeCount = IsChunk ? m_now.NodeCount : 0,
+                PointCount = points,
+                TableOffset = File.Length,
+                CloudId = CloudId,
+            };
+            var table = IsChunk ? File : Table;
+            int tableStart = table.Length;
+            table.AddRange(nodes, m_now.NodeCount * sizeof(NodeRecord));
+            table.AddRange(ranges, m_now.NodeCount * planes * sizeof(PlaneRange));
+            if (IsChunk)
+                header.TableHash = ContentHash.Of(table.GetUnsafePtr() + tableStart, table.Length - tableStart);
+            header.FileBytes = File.Length;
+            header.HeaderHash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
+            *(FileHeader*)File.GetUnsafePtr() = header;
+        }
+
+        NodeRecord Describe(int node, int firstChild, int childCount)
+        {
+            var draft = m_drafts[Scratch.DraftOfNode[node]];
+            int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
+            bool isGuest = draft.IsLeaf && draft.Count < TinyPoints && parent >= 0;
+            var place = Layout.PlaceOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
+            long whole = -1L << draft.SideLog2;
+            return new NodeRecord
+            {
+                Corner = Corner + new Grid3(place.X & whole, place.Y & whole, place.Z & whole),
+                SideLog2 = draft.SideLog2,
+                CellLog2 = draft.CellLog2,
+                Flags = (byte)((draft.IsLeaf ? NodeRecord.IsLeaf : 0) | (draft.IsTop ? NodeRecord.IsTop : 0)),
+                Parent = parent,
+                FirstChild = childCount > 0 ? firstChild : 0,
+                ChildCount = childCount,
+                PointCount = draft.Count,
+                BlockCount = PlaneShape.BlocksOf(draft.Count),
+                Host = isGuest ? parent : node,
+            };
+        }
+
+        void WriteHost(int host, NodeRecord* nodes, PlaneRange* ranges)
+        {
+            // These are the node's own points, then each guest's.
+            int first = nodes[host].FirstChild, end = first + nodes[host].ChildCount;
+            var runs = Allocate<PackedRun>(1 + nodes[host].ChildCount);
+            int* nodeOfRun = Allocate<int>(1 + nodes[host].ChildCount);
+            int runCount = 0, blocks = 0;
+            AddRun(host, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            for (int child = first; child < end; child++)
+                if (nodes[child].Host == host)
+                    AddRun(child, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            nodes[host].HostedBlocks = blocks;
+            long points = 0;
+            for (int r = 0; r < runCount; r++)
+                points += runs[r].Count;
+            if (m_now.Plane == 0)
+            {
+                WritePositions(host, nodes, ranges, runs, nodeOfRun, runCount);
+                m_budget -= points * CostOfPlace;
+            }
+            WriteAttributes(ranges, runs, runCount, points);
+            UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
+            UnsafeUtility.Free(runs, Allocator.Temp);
+        }
+
+        void WritePositions(int host, NodeRecord* nodes, PlaneRange* ranges, PackedRun* runs, int* nodeOfRun, int runCount)
+        {
+            ulong* min = Allocate<ulong>(3 * runCount);
+            ulong* max = Allocate<ulong>(3 * runCount);
+            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[host].Corner, nodes[host].IsWide, min, max);
+            BytesOfPlane[0] += ranges[0].LengthBytes;
+            for (int r = 0; r < runCount; r++)
+                SetBounds(ref nodes[nodeOfRun[r]], nodes[host].Corner, min + 3 * r, max + 3 * r);
+            UnsafeUtility.Free(max, Allocator.Temp);
+            UnsafeUtility.Free(min, Allocator.Temp);
+            m_now.HasAverages = HasAverages(runs, runCount);
+            m_now.AveragedColumn = 0;
+            m_now.Plane = 1;
+        }
+
+        /// <summary>Writes the planes of attributes that are left, until the budget is spent.</summary>
+        void WriteAttributes(PlaneRange* ranges, PackedRun* runs, int runCount, long points)
+        {
+            for (; m_now.Plane <= Shapes.Length && m_budget > 0; m_now.Plane++)
+            {
+                int p = m_now.Plane - 1;
+                // If every point represents only itself, the averages are the values: the same bytes.
+                if (AverageOf[p] >= 0 && !m_now.HasAverages)
+                {
+                    ranges[p + 1] = ranges[AverageOf[p] + 1];
+                    continue;
+                }
+                m_budget -= points * CostOf(p);
+                if (AverageOf[p] >= 0)
+                {
+                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, m_now.AveragedColumn);
+                    m_now.AveragedColumn += Shapes[p].ColumnCount;
+                }
+                else
+                {
+                    ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
+                }
+                BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
+            }
+            if (m_now.Plane > Shapes.Length)
+                m_now.Plane = 0;
+        }
+
+        int CostOf(int plane) => AverageOf[plane] >= 0 ? CostOfAverage : Shapes[plane].ColumnCount;
+
+        bool HasAverages(PackedRun* runs, int runCount)
+        {
+            for (int r = 0; r < runCount && Averaged.IsOn; r++)
+            {
+                for (int i = 0; i < runs[r].Count; i++)
+                {
+                    int point = (int)runs[r].Points[i];
+                    if (Averaged.Of(point, m_packer.Records + (long)point * Layout.StrideBytes, Layout).Points > 1)
+                        return true;
+                }
+            }
+            return false;
+        }
+
+        void AddRun(int node, NodeRecord* nodes, PackedRun* runs, int* nodeOfRun, ref int runCount, ref int blocks)
+        {
+            nodes[node].FirstBlock = blocks;
+            blocks += nodes[node].BlockCount;
+            nodeOfRun[runCount] = node;
+            runs[runCount++] = new PackedRun
+            {
+                Points = m_points + Scratch.FirstPointOfDraft[Scratch.DraftOfNode[node]],
+                Count = nodes[node].PointCount,
+            };
+        }
+
+        /// <summary>Sets bounds from the node's own corner; offsets are from the host's.</summary>
+        static void SetBounds(ref NodeRecord node, Grid3 hostCorner, ulong* min, ulong* max)
+        {
+            var corner = node.Corner - hostCorner;
+            int shift = node.BoundsShift;
+            node.MinX = (uint)(min[0] - (ulong)corner.X >> shift);
+            node.MinY = (uint)(min[1] - (ulong)corner.Y >> shift);
+            node.MinZ = (uint)(min[2] - (ulong)corner.Z >> shift);
+            node.MaxX = (uint)(max[0] - (ulong)corner.X >> shift);
+            node.MaxY = (uint)(max[1] - (ulong)corner.Y >> shift);
+            node.MaxZ = (uint)(max[2] - (ulong)corner.Z >> shift);
+        }
+    }
+}

@@ -1,0 +1,461 @@
+using FastPoints.Core;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+using Stage = FastPoints.Nodes.OrderScratch.Stage;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>Copies a chunk's records in order along the Morton curve, those at one place by their content, so that the order
+    /// is the same however they came; and prepares the sampling: where cubes end in the order, and each record's
+    /// priority.</summary>
+    /// <remarks>
+    /// Whole records are distributed by the top octree levels; each bucket fits a core's cache and is sorted there, as one number
+    /// a record:
+    /// <code>
+    /// bit 63 ........ n      n - 1 ........ 0
+    ///     Morton bits left   record of the bucket
+    /// </code>
+    /// Its top differing bits are sorted by digits, which leaves few records out of place. Where a chunk has more Morton bits
+    /// than there is room for (a few points in a vast cube), and at equal places, the runs that are equal so far are sorted by
+    /// comparing records. One run of the job is a slice: it is run until it is done.
+    /// </remarks>
+    [BurstCompile]
+    internal unsafe struct OrderChunkJob : IJob
+    {
+        /// <summary>A slice takes about 4 ms at most, unless a bucket's sort takes longer. Costs are about nanoseconds.</summary>
+        public const int CostOfSlice = 2500000;
+
+        const int CostOfCount = 8;
+        const int CostOfMove = 10;
+        const int CostOfKey = 10;
+        const int CostOfSort = 20;
+        const int CostOfEmit = 20;
+
+        // A page of memory that is touched for the first time.
+        const int CostOfTouch = 3000;
+        const int TouchedBytes = 4096;
+
+        public const int MostBuckets = 1 << 3 * MostLevels;
+        const int MostLevels = 4;
+
+        // Points to a bucket, in a surface: a level has four times the buckets.
+        const int PointsOfBucket = 2048;
+
+        // Below this, digits are shorter: their counts take as long as the points.
+        const int FewPoints = 2048;
+        const int LongDigitBits = 11;
+        const int ShortDigitBits = 8;
+        const int InsertedPoints = 48;
+
+        // This many records are copied, then examined while they are in the cache.
+        const int PointsOfRun = 256;
+
+        public RecordPages Pages;
+        public RecordLayout Layout;
+        public GridCube Cube;
+
+        /// <summary>Its <see cref="OrderScratch.Now"/> is reset before the first slice.</summary>
+        public OrderScratch Scratch;
+
+        /// <summary>Scratch: the bucket of each record, as they came.</summary>
+        public NativeArray<uint> BucketOfPoint;
+
+        /// <summary>About this much is done in one run.</summary>
+        public int CostPerSlice;
+
+        /// <summary>Out: the records in order.</summary>
+        public NativeArray<byte> Records;
+
+        /// <summary>Out: for each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first
+        /// one.</summary>
+        public NativeArray<byte> CommonCubeLog2;
+
+        /// <summary>Out: for each point, the upper half of its hash.</summary>
+        public NativeArray<uint> Priority;
+
+        /// <summary>Out: the sum of the hashes.</summary>
+        public NativeReference<ulong> Checksum;
+
+        public SliceTimes Slices;
+
+        [NativeDisableUnsafePtrRestriction] byte* m_records;
+        OrderScratch.State m_now;
+        long m_budget;
+
+        public void Execute()
+        {
+            if (Scratch.IsDone)
+                return;
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        int Count => (int)Pages.Count;
+        long Bytes => (long)Count * Layout.StrideBytes;
+
+        /// <summary>Of all slices, about.</summary>
+        public long Cost =>
+            Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) +
+            Bytes / TouchedBytes * CostOfTouch;
+
+        // Levels of the octree above the buckets, and those whose bits a key has.
+        int BucketLevels
+        {
+            get
+            {
+                int levels = 0;
+                while (levels < MostLevels && levels < Cube.SideLog2 && Count >> 2 * levels > PointsOfBucket)
+                    levels++;
+                return levels;
+            }
+        }
+
+        // Positions are whole numbers of less than 32 bits from the corner.
+        bool IsNarrow => !Layout.IsWide && Cube.SideLog2 <= 31;
+
+        uint3 CornerOffset
+        {
+            get
+            {
+                var corner = Cube.Corner - Layout.Base;
+                return new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z);
+            }
+        }
+
+        int Levels => math.min(Cube.SideLog2, Morton.BitsPerAxis);
+
+        void Run()
+        {
+            m_now = Scratch.Now.Value;
+            m_budget = CostPerSlice;
+            m_records = (byte*)Records.GetUnsafePtr();
+            if (m_now.Stage == Stage.Start)
+                Start();
+            if (m_now.Stage == Stage.Touch)
+                Touch();
+            if (m_now.Stage == Stage.Count)
+                CountBuckets();
+            if (m_now.Stage == Stage.Distribute)
+                Distribute();
+            while (m_budget > 0 && m_now.Stage < Stage.Done)
+            {
+                if (m_now.Stage == Stage.Keys)
+                    MakeKeys();
+                else if (m_now.Stage == Stage.Sort)
+                    SortBucket();
+                else
+                    Emit();
+            }
+            Scratch.Now.Value = m_now;
+        }
+
+        void Start()
+        {
+            UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (MostBuckets + 1) * sizeof(int));
+            Checksum.Value = 0;
+            m_now = new OrderScratch.State { Stage = Stage.Touch, Page = Pages.First };
+        }
+
+        /// <summary>The system makes memory when it is written for the first time. Records come in no order: without this, nearly
+        /// all of it would be made in one slice.</summary>
+        void Touch()
+        {
+            for (; m_now.Touched < Bytes; m_now.Touched += TouchedBytes, m_budget -= CostOfTouch)
+            {
+                if (m_budget <= 0)
+                    return;
+                m_records[m_now.Touched] = 0;
+            }
+            m_now.Stage = Stage.Count;
+        }
+
+        /// <summary>Finds and counts the records' buckets.</summary>
+        void CountBuckets()
+        {
+            int shift = Cube.SideLog2 - BucketLevels, stride = Layout.StrideBytes;
+            var countOfBucket = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
+            for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
+            {
+                if (m_budget <= 0)
+                    return;
+                byte* record = RecordPages.RecordsOf(m_now.Page);
+                int count = m_now.Page->Count;
+                if (IsNarrow)
+                    FindBuckets(record, count, shift, bucketOf);
+                for (int i = 0; i < count; i++, record += stride)
+                {
+                    if (!IsNarrow)
+                        bucketOf[i] = (uint)CodeOf(record, shift);
+                    countOfBucket[bucketOf[i]]++;
+                }
+                bucketOf += count;
+                m_now.Point += count;
+                m_budget -= (long)count * CostOfCount;
+            }
+            int sum = 0;
+            for (int b = 0; b <= MostBuckets; b++)
+            {
+                int with = countOfBucket[b];
+                countOfBucket[b] = sum;
+                sum += with;
+            }
+            m_now = new OrderScratch.State { Stage = Stage.Distribute, Page = Pages.First };
+        }
+
+        void FindBuckets(byte* records, int count, int shift, uint* bucketOf)
+        {
+            uint* x = stackalloc uint[PointsOfRun];
+            uint* y = stackalloc uint[PointsOfRun];
+            uint* z = stackalloc uint[PointsOfRun];
+            for (int first = 0; first < count; first += PointsOfRun)
+            {
+                int run = math.min(PointsOfRun, count - first);
+                Layout.LoadPlaces(records + first * Layout.StrideBytes, run, x, y, z);
+                Morton.EncodeFew(x, y, z, run, CornerOffset, shift, bucketOf + first);
+            }
+        }
+
+        ulong CodeOf(byte* record, int shift)
+        {
+            var place = Layout.PlaceOf(record) - Cube.Corner;
+            return Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+        }
+
+        void Distribute()
+        {
+            int stride = Layout.StrideBytes;
+            var next = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
+            for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
+            {
+                if (m_budget <= 0)
+                    return;
+                byte* record = RecordPages.RecordsOf(m_now.Page);
+                int count = m_now.Page->Count;
+                for (int i = 0; i < count; i++, record += stride)
+                    RecordLayout.Copy(record, m_records + (long)next[bucketOf[i]]++ * stride, stride);
+                bucketOf += count;
+                m_now.Point += count;
+                m_budget -= (long)count * CostOfMove;
+            }
+            // Each start has moved to its end, which is the start of the next one.
+            for (int b = MostBuckets; b > 0; b--)
+                next[b] = next[b - 1];
+            next[0] = 0;
+            m_now = new OrderScratch.State { Stage = Stage.Keys };
+        }
+
+        /// <summary>Copies some records of the next bucket that has any, and makes their keys.</summary>
+        void MakeKeys()
+        {
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            while (m_now.Bucket < MostBuckets && start[m_now.Bucket] == start[m_now.Bucket + 1])
+                m_now.Bucket++;
+            if (m_now.Bucket == MostBuckets)
+            {
+                Scratch.Trim();
+                m_now.Stage = Stage.Done;
+                return;
+            }
+            int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first, stride = Layout.StrideBytes;
+            if (m_now.Point == 0)
+            {
+                Scratch.Reserve(count, stride);
+                m_now.AnyBits = 0;
+                m_now.CommonBits = ulong.MaxValue;
+            }
+            int numberBits = NumberBitsOf(count), shift = Cube.SideLog2 - Levels, restBits = 3 * (Levels - BucketLevels);
+            int dropped = math.max(0, restBits + numberBits - 64);
+            ulong mask = (1UL << restBits) - 1, or = m_now.AnyBits, and = m_now.CommonBits;
+            ulong* keys = Scratch.Keys.GetUnsafePtr();
+            uint* x = stackalloc uint[PointsOfRun];
+            uint* y = stackalloc uint[PointsOfRun];
+            uint* z = stackalloc uint[PointsOfRun];
+            for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
+            {
+                int end = math.min(count, m_now.Point + PointsOfRun);
+                byte* record = Scratch.Bucket.GetUnsafePtr() + (long)m_now.Point * stride;
+                UnsafeUtility.MemCpy(record, m_records + (long)(first + m_now.Point) * stride,
+                    (long)(end - m_now.Point) * stride);
+                if (IsNarrow)
+                {
+                    Layout.LoadPlaces(record, end - m_now.Point, x, y, z);
+                    Morton.Encode(x, y, z, end - m_now.Point, CornerOffset, shift, keys + m_now.Point);
+                }
+                for (int i = m_now.Point; i < end; i++, record += stride)
+                {
+                    ulong key = IsNarrow ? keys[i] : CodeOf(record, shift);
+                    key = (key & mask) >> dropped << numberBits | (uint)i;
+                    or |= key;
+                    and &= key;
+                    keys[i] = key;
+                }
+                m_budget -= PointsOfRun * CostOfKey;
+            }
+            m_now.AnyBits = or;
+            m_now.CommonBits = and;
+            if (m_now.Point >= count)
+                m_now.Stage = Stage.Sort;
+        }
+
+        /// <summary>Finds the order of the current bucket.</summary>
+        void SortBucket()
+        {
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            int count = start[m_now.Bucket + 1] - start[m_now.Bucket];
+            // One that takes longer than is left has a slice of its own.
+            long cost = (long)count * CostOfSort;
+            if (cost > m_budget && m_budget < CostPerSlice)
+            {
+                m_budget = 0;
+                return;
+            }
+            ulong* keys = Scratch.Keys.GetUnsafePtr();
+            m_now.IsSwapped = Sort(keys, keys + count, count);
+            m_now.Point = 0;
+            m_now.Stage = Stage.Emit;
+            m_budget -= cost;
+        }
+
+        /// <returns>Whether the sorted keys are in the scratch.</returns>
+        bool Sort(ulong* keys, ulong* scratch, int count)
+        {
+            int numberBits = NumberBitsOf(count);
+            ulong numberMask = (1UL << numberBits) - 1;
+            int top = 64 - math.lzcnt((m_now.AnyBits ^ m_now.CommonBits) & ~numberMask);
+            int digit = count < FewPoints ? ShortDigitBits : LongDigitBits;
+            // Two long digits, or three short ones, leave few records of one prefix.
+            int prefix = count <= InsertedPoints ? top : math.max(numberBits, top - (count < FewPoints ? 3 : 2) * digit);
+            ulong* sorted = RadixSort(keys, scratch, count, prefix, top, digit);
+            if (!InsertionSort(sorted, count))
+                sorted = RadixSort(sorted, sorted == keys ? scratch : keys, count, numberBits, top, digit);
+            var table = new RecordTable { Records = Scratch.Bucket.GetUnsafePtr(), Layout = Layout, Corner = Cube.Corner };
+            for (int i = 1; i < count; i++)
+            {
+                if ((sorted[i - 1] ^ sorted[i]) > numberMask)
+                    continue;
+                int first = i - 1;
+                while (i < count && (sorted[first] ^ sorted[i]) <= numberMask)
+                    i++;
+                table.Sort(sorted + first, i - first, numberMask);
+            }
+            return sorted != keys;
+        }
+
+        static int NumberBitsOf(int count) => 32 - math.lzcnt((uint)count);
+
+        /// <summary>Copies some of the current bucket's records in order.</summary>
+        void Emit()
+        {
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first;
+            int stride = Layout.StrideBytes;
+            ulong numberMask = (1UL << NumberBitsOf(count)) - 1;
+            ulong* sorted = Scratch.Keys.GetUnsafePtr() + (m_now.IsSwapped ? count : 0);
+            byte* records = Scratch.Bucket.GetUnsafePtr(), common = (byte*)CommonCubeLog2.GetUnsafePtr();
+            var priority = (uint*)Priority.GetUnsafePtr();
+            ulong sum = Checksum.Value;
+            for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
+            {
+                int end = math.min(count, m_now.Point + PointsOfRun);
+                byte* to = m_records + (long)(first + m_now.Point) * stride;
+                for (int i = m_now.Point; i < end; i++, to += stride)
+                    RecordLayout.Copy(records + (long)(sorted[i] & numberMask) * stride, to, stride);
+                sum += SampleInputs.Prepare(m_records, first + m_now.Point, first + end, Layout, Cube.Corner, common, priority);
+                m_budget -= PointsOfRun * CostOfEmit;
+            }
+            Checksum.Value = sum;
+            if (m_now.Point < count)
+                return;
+            m_now.Bucket++;
+            m_now.Point = 0;
+            m_now.Stage = Stage.Keys;
+        }
+
+        /// <returns>Whether it was done: it gives up where many are far from their place.</returns>
+        static bool InsertionSort(ulong* keys, int count)
+        {
+            long budget = 8L * count + InsertedPoints * InsertedPoints;
+            for (int i = 1; i < count; i++)
+            {
+                ulong moved = keys[i];
+                if (keys[i - 1] <= moved)
+                    continue;
+                int at = i;
+                for (; at > 0 && keys[at - 1] > moved; at--)
+                    keys[at] = keys[at - 1];
+                keys[at] = moved;
+                budget -= i - at;
+                if (budget < 0)
+                    return false;
+            }
+            return true;
+        }
+
+        /// <summary>Sorts by some of the keys' bits.</summary>
+        /// <returns>The array with the sorted keys: one of the two.</returns>
+        static ulong* RadixSort(ulong* keys, ulong* scratch, int count, int firstBit, int endBit, int digitBits)
+        {
+            int values = 1 << digitBits;
+            ulong mask = (ulong)values - 1;
+            int* start = stackalloc int[1 << LongDigitBits];
+            for (int bit = firstBit; bit < endBit; bit += digitBits)
+            {
+                UnsafeUtility.MemClear(start, values * sizeof(int));
+                for (int i = 0; i < count; i++)
+                    start[keys[i] >> bit & mask]++;
+                int sum = 0;
+                for (int v = 0; v < values; v++)
+                {
+                    int with = start[v];
+                    start[v] = sum;
+                    sum += with;
+                }
+                for (int i = 0; i < count; i++)
+                {
+                    ulong key = keys[i];
+                    scratch[start[key >> bit & mask]++] = key;
+                }
+                ulong* swap = keys;
+                keys = scratch;
+                scratch = swap;
+            }
+            return keys;
+        }
+    }
+
+    /// <summary>The common basis of all samplers.</summary>
+    internal static unsafe class SampleInputs
+    {
+        /// <summary>Finds, from records in order, where cubes end, and priorities.</summary>
+        /// <param name="first">First point to process; the one before it is read.</param>
+        /// <returns>The sum of the records' hashes.</returns>
+        public static ulong Prepare(byte* records, int first, int end, RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
+            uint* priority)
+        {
+            ulong sum = 0;
+            int stride = layout.StrideBytes;
+            byte* record = records + (long)first * stride;
+            var before = layout.PlaceOf(first > 0 ? record - stride : record) - corner;
+            for (int i = first; i < end; i++, record += stride)
+            {
+                var place = layout.PlaceOf(record);
+                ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
+                    Store.RecordHash.ChecksumSeed);
+                sum += hash;
+                priority[i] = (uint)(hash >> 32);
+                place -= corner;
+                commonCubeLog2[i] = (byte)MortonOrder.CommonCubeLog2(before, place);
+                before = place;
+            }
+            if (first == 0)
+                commonCubeLog2[0] = byte.MaxValue;
+            return sum;
+        }
+    }
+}

@@ -1,0 +1,113 @@
+using System.Runtime.CompilerServices;
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>
+    /// How a point lies in memory while the octree is built: one record, so that scattering and gathering touch one place.
+    /// <code>
+    /// narrow: x, y, z as 32-bit offsets from Base | attributes, padded to whole words
+    /// wide:   x, y, z as 64-bit grid numbers      | attributes, padded to whole words
+    /// </code>
+    /// Blittable, for jobs.
+    /// </summary>
+    internal unsafe struct RecordLayout
+    {
+        public bool IsWide;
+
+        /// <summary>The corner that narrow positions count from; zero if wide.</summary>
+        public Grid3 Base;
+
+        /// <summary>Bytes of the attributes, padded.</summary>
+        public int AttributeBytes;
+
+        /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are
+        /// averaged. It is not part of the point.</summary>
+        public int AverageBytes;
+
+        public RecordLayout(bool isWide, Grid3 origin, int attributeBytes)
+        {
+            IsWide = isWide;
+            Base = isWide ? default : origin;
+            AttributeBytes = RecordHash.PaddedBytes(attributeBytes);
+            AverageBytes = 0;
+        }
+
+        public int PositionBytes => IsWide ? 24 : 12;
+        public int StrideBytes => PositionBytes + AttributeBytes + AverageBytes;
+
+        /// <summary>The layout of the tops of chunks.</summary>
+        public RecordLayout ForTops(bool hasAverages)
+        {
+            var result = this;
+            result.AverageBytes = hasAverages ? sizeof(PointAverage) : 0;
+            return result;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Grid3 PlaceOf(byte* record)
+        {
+            if (IsWide)
+                return new Grid3(((long*)record)[0], ((long*)record)[1], ((long*)record)[2]);
+            var p = (uint*)record;
+            return new Grid3(Base.X + p[0], Base.Y + p[1], Base.Z + p[2]);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void SetPlace(byte* record, long x, long y, long z)
+        {
+            if (IsWide)
+            {
+                ((long*)record)[0] = x;
+                ((long*)record)[1] = y;
+                ((long*)record)[2] = z;
+                return;
+            }
+            ((uint*)record)[0] = (uint)(x - Base.X);
+            ((uint*)record)[1] = (uint)(y - Base.Y);
+            ((uint*)record)[2] = (uint)(z - Base.Z);
+        }
+
+        /// <summary>Loads positions of narrow records.</summary>
+        public void LoadPlaces(byte* records, int count, uint* x, uint* y, uint* z)
+        {
+            int stride = StrideBytes;
+            for (int i = 0; i < count; i++, records += stride)
+            {
+                x[i] = ((uint*)records)[0];
+                y[i] = ((uint*)records)[1];
+                z[i] = ((uint*)records)[2];
+            }
+        }
+
+        /// <summary>The record's attributes.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public byte* AttributesOf(byte* record) => record + PositionBytes;
+
+        /// <summary>Copies one record: its words, as most have few.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Copy(byte* from, byte* to, int strideBytes)
+        {
+            int at = 0;
+            for (; at + sizeof(ulong) <= strideBytes; at += sizeof(ulong))
+                *(ulong*)(to + at) = *(ulong*)(from + at);
+            if (at < strideBytes)
+                *(uint*)(to + at) = *(uint*)(from + at);
+        }
+
+        public ulong HashOf(byte* record, ulong seed) =>
+            RecordHash.Of(PlaceOf(record), AttributesOf(record), AttributeBytes, seed);
+    }
+
+    /// <summary>The average of what a sampled point represents. Blittable.</summary>
+    internal struct PointAverage
+    {
+        /// <summary>Number of points of the cloud, including itself.</summary>
+        public double Points;
+
+        /// <summary>Sums over them of up to four values: the columns of the averaged planes.</summary>
+        public double4 Sum;
+    }
+}

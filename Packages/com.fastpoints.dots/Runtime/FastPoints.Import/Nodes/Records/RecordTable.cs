@@ -1,0 +1,97 @@
+using System.Runtime.CompilerServices;
+using FastPoints.Core;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>Records by number, and their order.</summary>
+    internal unsafe struct RecordTable
+    {
+        [NativeDisableUnsafePtrRestriction] public byte* Records;
+        public RecordLayout Layout;
+
+        /// <summary>Corner of the chunk: positions are ordered relative to it.</summary>
+        public Grid3 Corner;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public byte* At(uint number) => Records + (long)number * Layout.StrideBytes;
+
+        /// <summary>Compares records independently of when they came: along the Morton curve, and at equal positions by their
+        /// attributes' bytes. 0 for equal records.</summary>
+        int Compare(uint a, uint b)
+        {
+            byte* first = At(a), second = At(b);
+            int order = MortonOrder.Compare(Layout.PlaceOf(first) - Corner, Layout.PlaceOf(second) - Corner);
+            if (order != 0)
+                return order;
+            var x = (uint*)Layout.AttributesOf(first);
+            var y = (uint*)Layout.AttributesOf(second);
+            for (int i = 0; i < Layout.AttributeBytes >> 2; i++)
+                if (x[i] != y[i])
+                    return x[i] < y[i] ? -1 : 1;
+            return 0;
+        }
+
+        /// <summary>Sorts a run of keys in place.</summary>
+        /// <param name="mask">The bits of a key that are the record's number.</param>
+        public void Sort(ulong* keys, int count, ulong mask)
+        {
+            if (IsSorted(keys, count, mask))
+                return;
+            if (count <= 24)
+                InsertionSort(keys, count, mask);
+            else
+                HeapSort(keys, count, mask);
+        }
+
+        int Compare(ulong a, ulong b, ulong mask) => Compare((uint)(a & mask), (uint)(b & mask));
+
+        /// <summary>Whether keys are sorted already, which is worth checking for millions of equal points.</summary>
+        bool IsSorted(ulong* keys, int count, ulong mask)
+        {
+            for (int i = 1; i < count; i++)
+                if (Compare(keys[i - 1], keys[i], mask) > 0)
+                    return false;
+            return true;
+        }
+
+        void InsertionSort(ulong* keys, int count, ulong mask)
+        {
+            for (int i = 1; i < count; i++)
+            {
+                ulong moved = keys[i];
+                int at = i;
+                for (; at > 0 && Compare(keys[at - 1], moved, mask) > 0; at--)
+                    keys[at] = keys[at - 1];
+                keys[at] = moved;
+            }
+        }
+
+        void HeapSort(ulong* keys, int count, ulong mask)
+        {
+            for (int root = count / 2 - 1; root >= 0; root--)
+                SiftDown(keys, root, count, mask);
+            for (int end = count - 1; end > 0; end--)
+            {
+                ulong largest = keys[0];
+                keys[0] = keys[end];
+                keys[end] = largest;
+                SiftDown(keys, 0, end, mask);
+            }
+        }
+
+        void SiftDown(ulong* keys, int root, int count, ulong mask)
+        {
+            ulong moved = keys[root];
+            for (int child; (child = 2 * root + 1) < count; root = child)
+            {
+                if (child + 1 < count && Compare(keys[child], keys[child + 1], mask) < 0)
+                    child++;
+                if (Compare(moved, keys[child], mask) >= 0)
+                    break;
+                keys[root] = keys[child];
+            }
+            keys[root] = moved;
+        }
+    }
+}

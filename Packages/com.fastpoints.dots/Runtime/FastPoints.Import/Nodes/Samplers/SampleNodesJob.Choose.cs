@@ -1,0 +1,285 @@
+using System.Runtime.CompilerServices;
+using FastPoints.Core;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+using Stage = FastPoints.Nodes.SampleScratch.Stage;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>How points are chosen at one spacing: by cells, or by darts.</summary>
+    internal unsafe partial struct SampleNodesJob
+    {
+        /// <summary>A point's priority above its number: of equal priorities the first on the curve is the best.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        long RankOf(int point) => (long)m_priority[point] << 31 | (uint)(int.MaxValue - point);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static int PointOf(long rank) => int.MaxValue - (int)(rank & int.MaxValue);
+
+        /// <summary>Takes the best candidate of each cell, without a branch that depends on the points.</summary>
+        void TakeCells()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int* offered = Scratch.Offered.GetUnsafePtr();
+            byte* offeredCommon = Scratch.OfferedCommon.GetUnsafePtr();
+            int cell = m_now.Cell, to = range.First + m_now.Taken - 1;
+            int commonOfCell = to < range.First ? 0 : offeredCommon[to];
+            long best = m_now.Best;
+            while (m_now.Part < range.FirstPart + range.PartCount && m_budget > 0)
+            {
+                var part = Scratch.Ranges[m_now.Part];
+                int first = part.First, end = Spend(m_now.Candidate, part.OfferedCount, CostOfCandidate);
+                for (int k = first + m_now.Candidate; k < first + end; k++)
+                {
+                    int point = part.OffersAll ? k : offered[k], common = part.OffersAll ? m_common[k] : offeredCommon[k];
+                    int isNew = cell - common >> 31;
+                    to -= isNew;
+                    best &= ~(long)isNew;
+                    long rank = RankOf(point), isBetter = best - rank >> 63;
+                    best ^= (best ^ rank) & isBetter;
+                    commonOfCell ^= (commonOfCell ^ common) & isNew;
+                    offered[to] = PointOf(best);
+                    offeredCommon[to] = (byte)commonOfCell;
+                }
+                m_now.Candidate = end;
+                if (end < part.OfferedCount)
+                    break;
+                m_now.Part++;
+                m_now.Candidate = 0;
+            }
+            m_now.Best = best;
+            m_now.Taken = to + 1 - range.First;
+            if (m_now.Part < range.FirstPart + range.PartCount)
+                return;
+            EndRange(ref range);
+        }
+
+        void EndRange(ref SampledRange range)
+        {
+            if (!m_now.IsFixing)
+            {
+                range.Offered = m_now.Taken;
+                int* offered = Scratch.Offered.GetUnsafePtr();
+                for (int k = range.First; k < range.First + m_now.Taken; k++)
+                    m_rangeOfPoint[offered[k]] = m_now.Range;
+                m_budget -= (long)m_now.Taken * CostOfLook;
+            }
+            BeginRange(m_now.Range);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        Grid3 PlaceAt(int point) => Layout.PlaceOf(m_records + (long)point * Layout.StrideBytes) - Corner;
+
+        DartGrid Grid => Scratch.Grid.For(m_now.Cell, Averaged.IsOn);
+
+        /// <summary>Gathers the candidates of one tile.</summary>
+        void Gather()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int endPart = m_now.IsFixing ? m_now.Range + 1 : range.FirstPart + range.PartCount;
+            var grid = Grid;
+            int* offered = Scratch.Offered.GetUnsafePtr();
+            while (m_now.Part < endPart)
+            {
+                var part = Scratch.Ranges[m_now.Part];
+                int end = Spend(m_now.Candidate, part.OfferedCount, CostOfGather), darts = m_now.Darts;
+                // Room for all that may come.
+                ReserveDarts(darts + end - m_now.Candidate);
+                long strip = FaceStrip;
+                ulong* dartList = Scratch.Darts.GetUnsafePtr();
+                int* points = Scratch.PointOfDart.GetUnsafePtr();
+                for (; m_now.Candidate < end; m_now.Candidate++)
+                {
+                    int point = part.OffersAll ? part.First + m_now.Candidate : offered[part.First + m_now.Candidate];
+                    if (m_rangeOfPoint[point] < 0 && !m_now.IsFixing)
+                        continue;
+                    var place = PlaceAt(point);
+                    var tile = grid.TileOf(place);
+                    if (darts == 0)
+                    {
+                        m_now.Tile = tile;
+                    }
+                    else if ((tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                    {
+                        m_now.Darts = darts;
+                        m_budget += (long)(end - m_now.Candidate) * CostOfGather;
+                        BeginThrows();
+                        return;
+                    }
+                    int last = IsAtFace(place, strip) ? PoissonPriority.Classes : 0;
+                    dartList[darts] = grid.DartOf(place, PoissonPriority.ClassOf(m_priority[point]) + last);
+                    points[darts++] = point;
+                }
+                m_now.Darts = darts;
+                if (end < part.OfferedCount)
+                    return;
+                m_now.Part++;
+                m_now.Candidate = 0;
+                if (m_budget <= 0 && m_now.Part < endPart)
+                    return;
+            }
+            if (m_now.Darts > 0)
+                BeginThrows();
+            else
+                EndRange(ref range);
+        }
+
+        /// <summary>A chunk is sampled without those beside it: 1.5 % of a level's points would be too near to one across a
+        /// face. So what is within half a spacing of a face is tried last, and taken only if no sample is near, and none is near
+        /// to where it is when moved inward by 7/8 of the spacing: 0.1 %. A surface along a face keeps its points.</summary>
+        long FaceStrip =>
+            Tops.Length > 0 || m_now.Cell + DartGrid.TileSpacingsLog2 > RootSideLog2 ? 0 : 1L << m_now.Cell >> 1;
+
+        bool IsAtFace(in Grid3 place, long strip)
+        {
+            ulong inner = (1UL << RootSideLog2) - 2 * (ulong)strip;
+            return (ulong)(place.X - strip) >= inner | (ulong)(place.Y - strip) >= inner | (ulong)(place.Z - strip) >= inner;
+        }
+
+        Grid3 Inward(in Grid3 place) => new Grid3(Inward(place.X), Inward(place.Y), Inward(place.Z));
+
+        long Inward(long at)
+        {
+            long strip = FaceStrip, step = 7 * strip / 4;
+            return at < strip ? at + step : (1L << RootSideLog2) - at <= strip ? at - step : at;
+        }
+
+        void ReserveDarts(int count)
+        {
+            if (Scratch.Darts.Length >= count)
+                return;
+            count = math.max(count, 4096);
+            Scratch.Darts.ResizeUninitialized(count);
+            Scratch.PointOfDart.ResizeUninitialized(count);
+            Scratch.Order.ResizeUninitialized(count);
+        }
+
+        /// <summary>Sorts the tile's darts by the class of their priority; those of one class follow the Morton curve.</summary>
+        void BeginThrows()
+        {
+            int* next = stackalloc int[PoissonPriority.ClassesWithFaces + 1];
+            UnsafeUtility.MemClear(next, (PoissonPriority.ClassesWithFaces + 1) * sizeof(int));
+            ulong* darts = Scratch.Darts.GetUnsafePtr();
+            int* order = Scratch.Order.GetUnsafePtr();
+            for (int k = 0; k < m_now.Darts; k++)
+                next[DartGrid.ClassOf(darts[k]) + 1]++;
+            for (int c = 1; c <= PoissonPriority.ClassesWithFaces; c++)
+                next[c] += next[c - 1];
+            for (int k = 0; k < m_now.Darts; k++)
+                order[next[DartGrid.ClassOf(darts[k])]++] = k;
+            Grid.BeginTile(m_now.Tile);
+            m_budget -= CostOfTile;
+            m_now.Dart = 0;
+            m_now.Stage = Stage.Throw;
+        }
+
+        void Throw()
+        {
+            var grid = Grid;
+            ulong* darts = Scratch.Darts.GetUnsafePtr();
+            int* order = Scratch.Order.GetUnsafePtr(), points = Scratch.PointOfDart.GetUnsafePtr();
+            int end = Spend(m_now.Dart, m_now.Darts, CostOfDart), taken = m_now.Taken;
+            int most = m_now.IsFixing ? int.MaxValue : Sizes.MaxPointsPerNode;
+            for (int d = m_now.Dart; d < end && taken < most; d++)
+            {
+                int dart = order[d];
+                if (!m_now.IsFixing && (grid.IsNear(darts[dart]) || DartGrid.ClassOf(darts[dart]) >= PoissonPriority.Classes &&
+                    grid.IsNear(grid.DartOf(Inward(PlaceAt(points[dart])), 0))))
+                    continue;
+                grid.Add(darts[dart], m_now.IsFixing ? -1 : points[dart]);
+                darts[dart] |= DartGrid.TakenFlag;
+                taken++;
+            }
+            m_now.Dart = end;
+            m_now.Taken = taken;
+            if (end < m_now.Darts)
+                return;
+            EndTile(points, darts);
+        }
+
+        /// <summary>Offers what was taken, along the curve.</summary>
+        void EndTile(int* points, ulong* darts)
+        {
+            Grid.EndTile(m_now.Tile);
+            if (!m_now.IsFixing)
+            {
+                int count = 0;
+                for (int k = 0; k < m_now.Darts; k++)
+                    count += (int)(darts[k] >> 63);
+                int* to = Scratch.Offered.GetUnsafePtr() + Scratch.Ranges[m_now.Range].First + m_now.Taken - count;
+                for (int k = 0; k < m_now.Darts; k++)
+                    if (darts[k] >= DartGrid.TakenFlag)
+                        *to++ = points[k];
+            }
+            m_now.Darts = 0;
+            m_now.Stage = Stage.Gather;
+        }
+
+        /// <summary>Begins the next range whose points were no candidates of this spacing and will be of a wider one, or what
+        /// follows the last one.</summary>
+        void BeginBar(int number)
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (number++; number < Scratch.Ranges.Length && !IsRandom; number++)
+            {
+                if (!IsBesideSpacing(ranges, number))
+                    continue;
+                m_now.Range = number;
+                m_now.Candidate = m_now.Darts = 0;
+                m_now.Stage = Stage.Bar;
+                return;
+            }
+            BeginAverages(-1);
+        }
+
+        bool IsBesideSpacing(SampledRange* ranges, int number)
+        {
+            ref var range = ref ranges[number];
+            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_now.Cell;
+            if (isSampled || range.Kind == RangeKind.Passed || range.Parent < 0 || ranges[range.Parent].CellLog2 <= m_now.Cell ||
+                IsFixed(ranges, number))
+                return false;
+            m_budget -= Scratch.Ranges.Length;
+            for (int r = 0; r < Scratch.Ranges.Length; r++)
+                if (IsOfSpacing(ranges[r]) && IsWithinSpacing(range, ranges[r]))
+                    return true;
+            return false;
+        }
+
+        /// <summary>Whether the cubes of two ranges are no farther apart than the spacing.</summary>
+        bool IsWithinSpacing(in SampledRange a, in SampledRange b)
+        {
+            long near = 1L << m_now.Cell, wholeA = -1L << a.SideLog2, wholeB = -1L << b.SideLog2;
+            Grid3 p = PlaceAt(a.First), q = PlaceAt(b.First);
+            return IsWithin((p.X & wholeA) - (q.X & wholeB), near, ~wholeA, ~wholeB) &&
+                IsWithin((p.Y & wholeA) - (q.Y & wholeB), near, ~wholeA, ~wholeB) &&
+                IsWithin((p.Z & wholeA) - (q.Z & wholeB), near, ~wholeA, ~wholeB);
+        }
+
+        static bool IsWithin(long apart, long near, long a, long b) => apart <= b + near && -apart <= a + near;
+
+        /// <summary>Bars those that are nearer than this spacing to one of its samples from the nodes above: otherwise these
+        /// had points too near to points of nodes below.</summary>
+        void BarPoints()
+        {
+            var range = Scratch.Ranges[m_now.Range];
+            var grid = Grid;
+            for (; m_now.Candidate < range.OfferedCount && m_budget > 0; m_now.Candidate++)
+            {
+                m_budget -= CostOfBar;
+                int i = range.First + m_now.Candidate;
+                i = range.OffersAll ? i : Scratch.Offered[i];
+                var place = PlaceAt(i);
+                var tile = grid.TileOf(place);
+                if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                    m_now.IsEmpty = !grid.BeginTile(tile);
+                m_now.Tile = tile;
+                m_now.Darts = 1;
+                if (!m_now.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(place, 0)))
+                    m_rangeOfPoint[i] = ~m_now.Range;
+            }
+            if (m_now.Candidate == range.OfferedCount)
+                BeginBar(m_now.Range);
+        }
+    }
+}

@@ -1,0 +1,389 @@
+using FastPoints.Core;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+using Stage = FastPoints.Nodes.SampleScratch.Stage;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>The samplers: they divide a chunk's points into ranges, one a cube, and choose from the finest spacing up. Each
+    /// range takes some of what its parts offer (leaves offer all their points) and offers these to the range above; a point's
+    /// node is the coarsest that takes it.</summary>
+    /// <remarks>
+    /// The random sampler takes the point of highest priority from each cell: the best of those that won the cells below.
+    ///
+    /// The Poisson-disk sampler throws darts (Cook 1986): a point is taken if no taken point is nearer than the spacing. Ranges
+    /// of one spacing are sampled against one another, so that the distance holds across their borders. Points are tried tile
+    /// by tile along the Morton curve (cubes of <see cref="DartGrid.TileSpacingsLog2"/>), those of a tile in the order of their
+    /// priority: everything near a dart is in the cache, and the sample is as even as one in the order of priority alone (a
+    /// test holds it).
+    ///
+    /// Points are in Morton order, so that cubes and cells are ranges. Cubes with points in one octant only are skipped, and so
+    /// is a node that gets no point: its children are attached to the node above. A node's cells are as fine as the sizes
+    /// allow, and coarser if that made it too large: in a filled volume. Which points a node has depends only on the points
+    /// themselves. One run of the job is a slice; the job runs again until it is done.
+    /// </remarks>
+    [BurstCompile]
+    internal unsafe partial struct SampleNodesJob : IJob
+    {
+        /// <summary>A slice takes about 4 ms at most. Costs are about nanoseconds.</summary>
+        public const int CostOfSlice = 2500000;
+
+        /// <summary>More than a point costs in most clouds (20 to 30, 95 to 120, and for averages 140 to 170 more).</summary>
+        public const int UsualCost = 40;
+        public const int UsualCostOfDarts = 150;
+        public const int UsualCostOfAverages = 200;
+
+        const int CostOfLook = 2;
+        const int CostOfFill = 4;
+        const int CostOfCandidate = 5;
+        const int CostOfGather = 20;
+        const int CostOfDart = 45;
+        const int CostOfTile = 2000;
+        const int CostOfBar = 18;
+        const int CostOfAverageLook = 6;
+        const int CostOfAverage = 140;
+
+        /// <summary>See <see cref="SampleScratch.Counts"/>.</summary>
+        public const int CountTables = 4;
+        public const int CountsOfTable = 256;
+
+        public int Count;
+        public int RootSideLog2;
+        public NodeSizes Sizes;
+        public RecordLayout Layout;
+        public bool IsRandom;
+
+        /// <summary>Corner of a cube that contains all the points.</summary>
+        public Grid3 Corner;
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<byte> CommonCubeLog2;
+        [ReadOnly] public NativeArray<uint> Priority;
+
+        /// <summary>The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole
+        /// points.</summary>
+        public NativeArray<ChunkTop> Tops;
+
+        /// <summary>Out: the node of each point. Before the end, its range.</summary>
+        public NativeArray<int> NodeOfPoint;
+
+        /// <summary>Out: drafts, parents before children.</summary>
+        public NativeList<NodeDraft> Nodes;
+
+        /// <summary>Averages over the points that each sampled point represents: what is nearer to it than to any other at its
+        /// spacing, with all that this represents at finer ones. Off for the plain samplers.</summary>
+        public AveragedColumns Averaged;
+
+        /// <summary>Its <see cref="SampleScratch.Now"/> is reset before the first slice.</summary>
+        public SampleScratch Scratch;
+
+        /// <summary>About this much is done in one run.</summary>
+        public int CostPerSlice;
+        public SliceTimes Slices;
+
+        [NativeDisableUnsafePtrRestriction] byte* m_records;
+        [NativeDisableUnsafePtrRestriction] int* m_rangeOfPoint;
+        [NativeDisableUnsafePtrRestriction] byte* m_common;
+        [NativeDisableUnsafePtrRestriction] uint* m_priority;
+        SampleScratch.State m_now;
+        long m_budget;
+
+        public void Execute()
+        {
+            if (Scratch.IsDone)
+                return;
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            m_now = Scratch.Now.Value;
+            m_records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            m_rangeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
+            m_common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            m_priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
+            m_budget = CostPerSlice;
+            while (m_budget > 0 && m_now.Stage != Stage.Done)
+            {
+                switch (m_now.Stage)
+                {
+                    case Stage.Start:
+                        Start();
+                        break;
+                    case Stage.Plan:
+                        Plan();
+                        break;
+                    case Stage.Fill:
+                        Fill();
+                        break;
+                    case Stage.NextSpacing:
+                        NextSpacing();
+                        break;
+                    case Stage.TakeCells:
+                        TakeCells();
+                        break;
+                    case Stage.Gather:
+                        Gather();
+                        break;
+                    case Stage.Throw:
+                        Throw();
+                        break;
+                    case Stage.Bar:
+                        BarPoints();
+                        break;
+                    case Stage.Average:
+                        AddToAverages();
+                        break;
+                    case Stage.Count:
+                        CountPoints();
+                        break;
+                    default:
+                        Renumber();
+                        break;
+                }
+            }
+            Scratch.Now.Value = m_now;
+        }
+
+        /// <summary>The end of what the budget allows from here.</summary>
+        int Spend(int from, int end, int cost)
+        {
+            int to = (int)math.min(end, from + m_budget / cost + 1);
+            m_budget -= (long)(to - from) * cost;
+            return to;
+        }
+
+        void Start()
+        {
+            Nodes.Clear();
+            Scratch.Ranges.Clear();
+            Scratch.Offered.ResizeUninitialized(Count);
+            if (IsRandom)
+                Scratch.OfferedCommon.ResizeUninitialized(Count);
+            if (Averaged.IsOn)
+            {
+                Averaged.Averages.Clear();
+                UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
+            }
+            m_now.Stage = Count > 0 ? Stage.Plan : Stage.Done;
+            if (Count > 0)
+                Scratch.Ranges.Add(new SampledRange { End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2, Offered = -1 });
+            BeginPlan(0);
+        }
+
+        void BeginPlan(int range)
+        {
+            m_now.Range = range;
+            m_now.Cell = -1;
+            if (range >= Scratch.Ranges.Length)
+            {
+                m_now.Stage = m_now.Stage == Stage.Done ? Stage.Done : Stage.NextSpacing;
+                return;
+            }
+            m_now.Stage = Stage.Plan;
+            m_now.Point = Scratch.Ranges[range].First + 1;
+            m_now.Largest = m_now.Ends = 0;
+            UnsafeUtility.MemClear(Scratch.Counts.GetUnsafePtr(), (long)Scratch.Counts.Length * sizeof(int));
+        }
+
+        /// <summary>Looks at the cubes that neighbours have in common, then decides what becomes of the range.</summary>
+        void Plan()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int* counts = (int*)Scratch.Counts.GetUnsafePtr();
+            int end = Spend(m_now.Point, range.End, CostOfLook), largest = m_now.Largest;
+            for (int i = m_now.Point; i < end; i++)
+            {
+                int side = m_common[i];
+                counts[(i & CountTables - 1) * CountsOfTable + side]++;
+                if (side < largest || side == 0)
+                    continue;
+                m_now.Ends = side > largest ? 0 : m_now.Ends;
+                m_now.EndOfPart[m_now.Ends++] = i;
+                largest = side;
+            }
+            m_now.Point = end;
+            m_now.Largest = largest;
+            if (end < range.End)
+                return;
+            var look = new RangeSurvey { Left = range.End - range.First, AnyCell = 1, Largest = largest };
+            for (int side = 0; side < RangeSurvey.Sides; side++)
+                for (int table = 0; table < CountTables; table++)
+                    look.CellsBelow[side] += counts[table * CountsOfTable + side];
+            Decide(ref range, look);
+            if (range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
+            {
+                AddParts(m_now.Range);
+                BeginPlan(m_now.Range + 1);
+                return;
+            }
+            m_now.Point = range.First;
+            m_now.Best = -1;
+            m_now.Stage = Stage.Fill;
+        }
+
+        void Decide(ref SampledRange range, in RangeSurvey look)
+        {
+            int finest = look.FinestCell(Sizes, out int cells);
+            bool isLeaf = Sizes.IsLeaf(look.Left, cells);
+            if (Tops.Length > 0)
+            {
+                int first = TopOf(range.First), last = TopOf(range.End - 1);
+                if (first == last)
+                {
+                    range.Kind = RangeKind.Top;
+                    range.SideLog2 = Tops[first].SideLog2;
+                    range.CellLog2 = Tops[first].CellLog2;
+                    return;
+                }
+                isLeaf &= !HasNodes(range);
+            }
+            range.Kind = isLeaf ? RangeKind.Leaf : look.Largest == 0 ? RangeKind.Chain : RangeKind.Sampled;
+            if (isLeaf)
+            {
+                range.CellLog2 = (byte)math.max(0, range.SideLog2 - Sizes.CellsLog2);
+                return;
+            }
+            range.SideLog2 = (byte)look.Largest;
+            range.CellLog2 = (byte)finest;
+            if (range.Kind == RangeKind.Chain)
+            {
+                range.CellLog2 = 0;
+            }
+            else if (range.Parent >= 0 && Scratch.Ranges[range.Parent].CellLog2 <= finest)
+            {
+                range.Kind = RangeKind.Passed;
+                range.CellLog2 = Scratch.Ranges[range.Parent].CellLog2;
+            }
+        }
+
+        void AddParts(int number)
+        {
+            var range = Scratch.Ranges[number];
+            range.FirstPart = Scratch.Ranges.Length;
+            range.PartCount = m_now.Ends + 1;
+            Scratch.Ranges[number] = range;
+            int first = range.First;
+            for (int part = 0; part <= m_now.Ends; part++)
+            {
+                int end = part < m_now.Ends ? m_now.EndOfPart[part] : range.End;
+                Scratch.Ranges.Add(new SampledRange
+                {
+                    First = first,
+                    End = end,
+                    Parent = range.Kind == RangeKind.Sampled ? number : range.Parent,
+                    SideLog2 = (byte)(range.SideLog2 - 1),
+                    Offered = -1,
+                });
+                first = end;
+            }
+        }
+
+        /// <summary>All points of a range that has no parts are its own until one above takes them. Of a chain's points, one is
+        /// offered.</summary>
+        void Fill()
+        {
+            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            int end = Spend(m_now.Point, range.End, CostOfFill);
+            for (int i = m_now.Point; i < end; i++)
+            {
+                m_rangeOfPoint[i] = m_now.Range;
+                m_now.Best = math.max(m_now.Best, RankOf(i));
+            }
+            m_now.Point = end;
+            if (end < range.End)
+                return;
+            if (range.Kind == RangeKind.Chain)
+            {
+                range.Offered = 1;
+                Scratch.Offered[range.First] = PointOf(m_now.Best);
+                if (IsRandom)
+                    Scratch.OfferedCommon[range.First] = m_common[range.First];
+            }
+            BeginPlan(m_now.Range + 1);
+        }
+
+        /// <summary>Begins the next spacing that ranges have, if there is one.</summary>
+        void NextSpacing()
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            int next = int.MaxValue, count = Scratch.Ranges.Length;
+            for (int r = 0; r < count; r++)
+                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_now.Cell)
+                    next = math.min(next, ranges[r].CellLog2);
+            m_budget -= count;
+            m_now.Cell = next;
+            m_now.Point = 0;
+            m_now.Stage = Stage.Count;
+            if (next == int.MaxValue)
+                return;
+            for (int r = count - 1; r >= 0; r--)
+                if (ranges[r].Kind == RangeKind.Passed && ranges[r].CellLog2 == next)
+                    PassOn(ranges, r);
+            if (!IsRandom)
+                Scratch.Grid.Clear(Count);
+            m_now.IsFixing = !IsRandom && Tops.Length > 0;
+            BeginRange(-1);
+        }
+
+        void PassOn(SampledRange* ranges, int number)
+        {
+            ref var range = ref ranges[number];
+            int to = range.First;
+            for (int part = range.FirstPart; part < range.FirstPart + range.PartCount; part++)
+            {
+                int first = ranges[part].First, count = ranges[part].OfferedCount;
+                for (int k = first; k < first + count; k++, to++)
+                {
+                    if (IsRandom)
+                        Scratch.OfferedCommon[to] = ranges[part].OffersAll ? m_common[k] : Scratch.OfferedCommon[k];
+                    // Barred ones as well: whoever gathers them looks.
+                    Scratch.Offered[to] = ranges[part].OffersAll ? k : Scratch.Offered[k];
+                }
+            }
+            range.Offered = to - range.First;
+            m_budget -= (long)range.Offered * CostOfLook;
+        }
+
+        /// <summary>Begins the next range of the current spacing, or what follows the last one.</summary>
+        /// <param name="number">The range before it, or -1.</param>
+        void BeginRange(int number)
+        {
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (number++; ; number++)
+            {
+                if (number < Scratch.Ranges.Length)
+                {
+                    if (m_now.IsFixing ? IsFixed(ranges, number) : IsOfSpacing(ranges[number]))
+                        break;
+                    continue;
+                }
+                if (!m_now.IsFixing)
+                {
+                    BeginBar(-1);
+                    return;
+                }
+                m_now.IsFixing = false;
+                number = -1;
+            }
+            m_now.Range = number;
+            m_now.Part = m_now.IsFixing ? number : ranges[number].FirstPart;
+            m_now.Candidate = m_now.Taken = m_now.Darts = 0;
+            m_now.Stage = IsRandom ? Stage.TakeCells : Stage.Gather;
+        }
+
+        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_now.Cell;
+
+        /// <summary>Whether what is left of a chunk's top keeps others off at this spacing.</summary>
+        bool IsFixed(SampledRange* ranges, int number)
+        {
+            ref var range = ref ranges[number];
+            return range.Kind == RangeKind.Top && range.CellLog2 >= m_now.Cell && range.Parent >= 0 &&
+                ranges[range.Parent].CellLog2 > m_now.Cell && !Tops[TopOf(range.First)].IsLeaf;
+        }
+    }
+}

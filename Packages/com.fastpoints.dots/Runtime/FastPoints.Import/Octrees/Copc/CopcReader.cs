@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Laz;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they
+    /// are known as far as pages of the hierarchy have been read.</summary>
+    /// <remarks>The hierarchy is a claim like any other. Chunks that are only in the LAZ chunk table are read too, behind the
+    /// tree's blocks. A file without a readable hierarchy is read as the LAZ file that it is.</remarks>
+    internal sealed class CopcReader : LazChunkReader
+    {
+        const int UsualPointsAcross = 128;
+
+        readonly CopcHierarchy m_hierarchy;
+        readonly SourceTree m_tree;
+
+        CopcReader(LazBlocks blocks, CopcInfo copc) : base(blocks)
+        {
+            Info.Format = "COPC";
+            Copc = copc;
+            double spacing = copc.Spacing;
+            if (!(spacing > 0) || double.IsInfinity(spacing))
+            {
+                spacing = 2 * copc.HalfSize / UsualPointsAcross;
+                Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing)
+                    + ": taken as the edge of its cube over "
+                    + UsualPointsAcross);
+            }
+            m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
+            m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
+        }
+
+        /// <returns>Null if the file is not COPC, or can only be read as LAZ (with a warning in <paramref
+        /// name="las"/>).</returns>
+        /// <param name="longChunkPoints">The most points of a node that is one block.</param>
+        public static PointReader TryOpen(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
+        {
+            var copc = CopcInfo.Find(las);
+            if (copc == null)
+                return null;
+            string trouble = copc.Trouble(source.Length);
+            if (trouble != null)
+            {
+                las.Info.Warn(copc.FileOffset, "COPC: " + trouble + ": read as LAZ, without the octree");
+                return null;
+            }
+            var format = LazFormat.Read(las);
+            if (!format.IsLayered)
+            {
+                las.Info.Warn(copc.FileOffset, "COPC: wanted layered chunks, got " + format.Compressor
+                    + ": read without the octree");
+                return null;
+            }
+            copc.AddFacts(las.Info);
+            format.AddFacts(las.Info);
+            return new CopcReader(new LazBlocks(las, format, source, longChunkPoints), copc);
+        }
+
+        public CopcInfo Copc { get; }
+
+        internal override SourceTree Tree => m_tree;
+
+        public override bool BlocksAreKnown => m_tree.IsWhole;
+
+        public override IEnumerator<Work> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+
+        public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (m_tree.IsWhole)
+                yield break;
+            yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
+            m_hierarchy.WarnRest();
+            if ((ulong)PointCount != Info.PointsClaimed)
+                Reconcile();
+            Info.PointsReadable = PointCount;
+            Blocks.CheckBounds();
+            Blocks.Source.Dispose();
+            m_tree.IsWhole = true;
+        }
+
+        /// <summary>Searches the chunk table for chunks that no node has, when nodes and header disagree.</summary>
+        void Reconcile()
+        {
+            long ofNodes = PointCount;
+            Info.Warn(LasHeader.At.Count, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
+                + NumberText.Of(ofNodes));
+            var chunks = Blocks.Chunks;
+            var known = new HashSet<long>();
+            for (int c = 0; c < chunks.Count; c++)
+                known.Add(chunks[c].Offset);
+            var table = LazChunkTable.Read(Blocks.Source, Format, Info, Header.PointsOffset);
+            int found = 0;
+            for (int c = 0; c < table.Chunks.Count; c++)
+            {
+                var chunk = table.Chunks[c];
+                if (known.Contains(chunk.Offset) || chunk.Bytes > LazBlocks.MaxLayeredChunkBytes)
+                    continue;
+                chunks.Add(chunk);
+                Blocks.AddChunk(chunks.Count - 1);
+                found++;
+            }
+            if (found > 0)
+                Info.Warn(Header.PointsOffset, NumberText.Of(found) + " chunks with " + NumberText.Of(PointCount - ofNodes)
+                    + " points are in the LAZ chunk table and in no node: they are read behind the nodes");
+            if (PointCount == 0 && Info.PointsClaimed > 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, Header.PointsOffset, "the header claims "
+                    + Info.PointsClaimed + " points, the file holds none");
+        }
+
+        public override void DisposeUnread() => m_tree.Dispose();
+    }
+}

@@ -1,0 +1,41 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>Names of nodes: <c>r</c>, then a digit a level: <c>4 x + 2 y + z</c>, each 0 for the lower half of the
+    /// axis.</summary>
+    internal static class PotreeNames
+    {
+        /// <summary>The name of a node.</summary>
+        public static string NameOf(int level, int3 cell)
+        {
+            var name = new char[level + 1];
+            name[0] = 'r';
+            for (int i = 1; i <= level; i++)
+                name[i] = (char)('0' + ChildOf(cell >> level - i));
+            return new string(name);
+        }
+
+        /// <returns>Whether it is a name of at most so many levels below the root.</returns>
+        public static bool TryParse(string name, int mostLevels, out int level, out int3 cell)
+        {
+            level = name.Length - 1;
+            cell = default;
+            if (level < 0 || level > mostLevels || name[0] != 'r')
+                return false;
+            for (int i = 1; i < name.Length; i++)
+            {
+                int child = name[i] - '0';
+                if (child < 0 || child > 7)
+                    return false;
+                cell = Child(cell, child);
+            }
+            return true;
+        }
+
+        /// <summary>The cell of a child, one level down.</summary>
+        public static int3 Child(int3 cell, int child) => cell * 2 + new int3(child >> 2 & 1, child >> 1 & 1, child & 1);
+
+        static int ChildOf(int3 cell) => (cell.x & 1) << 2 | (cell.y & 1) << 1 | cell.z & 1;
+    }
+}

@@ -1,0 +1,185 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by
+    /// page as far as levels are requested.</summary>
+    /// <remarks>A node with more points than a slot should hold becomes several blocks if its records allow it; the tree then has
+    /// an entry for each, with the same cell. A hierarchy's claims are checked against the existing files: missing or short ones
+    /// are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.</remarks>
+    internal abstract class PotreeReader : PointReader
+    {
+        /// <summary>Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.</summary>
+        internal const int MaxLevels = 30;
+
+        /// <summary>More nodes than the largest clouds have: it bounds the memory of a hierarchy.</summary>
+        internal const int MaxNodes = 1 << 21;
+
+        /// <summary>The most points of a block that can be cut.</summary>
+        internal const int MaxBlockPoints = 1 << 20;
+
+        /// <summary>The most points of a node that cannot be cut.</summary>
+        internal const int MaxNodePoints = 1 << 22;
+
+        /// <summary>The most bytes in the columns of a node that cannot be cut: it bounds a slot, whatever a file
+        /// claims.</summary>
+        internal const int MaxNodeBytes = 1 << 27;
+
+        /// <summary>The most bytes in the records of a block that can be cut.</summary>
+        const int MaxBlockBytes = 1 << 26;
+
+        readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
+        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly SourceTree m_tree;
+        long m_pointCount;
+        int m_maxPointsPerBlock;
+
+        private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing)
+        {
+            Info = info;
+            Warnings = new PotreeWarnings(info);
+            m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
+        }
+
+        internal override SourceTree Tree => m_tree;
+
+        public override bool BlocksAreKnown => m_tree.IsWhole;
+
+        public override int BlockCount => m_blocks.Count;
+
+        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
+
+        private protected PotreeWarnings Warnings { get; }
+
+        /// <summary>Points according to the hierarchy, as far as it has been read.</summary>
+        private protected long PointsClaimed { get; set; }
+
+        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
+
+        public override int PointsInBlock(int block) => Block(block).Points;
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Block(range.Block);
+            return HasFixedStride
+                ? (long)(block.Bytes * (range.Count / (double)Math.Max(1, block.Points)))
+                : (long)(block.Bytes * ((range.First + range.Count) / (double)Math.Max(1, block.Points)));
+        }
+
+        /// <summary>Pages of the hierarchy that are not read.</summary>
+        private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
+
+        public override IEnumerator<Work> FindBlocks() => FindLevels(MaxLevels + 1);
+
+        public override IEnumerator<Work> FindBelow(int4 node, int levels)
+        {
+            if (!m_tree.IsWhole)
+                yield return Work.Of(ReadPages(node, levels));
+            if (!m_tree.IsWhole)
+                yield break;
+            Info.PointsReadable = m_pointCount;
+            if (Info.PointsClaimed == 0)
+                Info.PointsClaimed = (ulong)PointsClaimed;
+        }
+
+        /// <summary>Work for a pump, which can be abandoned and begun again for another node: reads the parts of the hierarchy
+        /// that the first levels need for a node and what is below it. Steps take some milliseconds at most.</summary>
+        private protected abstract IEnumerator<Work> ReadPages(int4 node, int levels);
+
+        /// <summary>Adds a node and its block.</summary>
+        /// <param name="bytes">Bytes of all its points in the file.</param>
+        /// <param name="bytesPerPoint">Bytes of a point if these are fixed, so that a long node can be cut; otherwise 0.</param>
+        private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint)
+        {
+            var node = new SourceNode { Level = level, Cell = cell, Block = -1 };
+            if (points <= 0)
+            {
+                m_tree.Add(node);
+                return;
+            }
+            long most = bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points;
+            for (long first = 0; first < points; first += most)
+            {
+                int count = (int)Math.Min(most, points - first);
+                node.Block = m_blocks.Count;
+                node.PointCount = count;
+                m_blocks.Add(new PotreeBlock
+                {
+                    Node = m_tree.NodeCount,
+                    FirstPoint = m_pointCount,
+                    Points = count,
+                    Offset = offset + first * bytesPerPoint,
+                    Bytes = bytesPerPoint > 0 ? (long)count * bytesPerPoint : bytes,
+                });
+                m_tree.Add(node);
+                m_pointCount += count;
+                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, count);
+            }
+        }
+
+        /// <summary>Whether the tree has reached its limit of nodes, which is reported once.</summary>
+        private protected bool IsFull(long next)
+        {
+            if (m_tree.NodeCount < MaxNodes)
+                return false;
+            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
+            return true;
+        }
+
+        internal PotreeBlock Block(int block)
+        {
+            if ((uint)block >= (uint)m_blocks.Count)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
+            return m_blocks[block];
+        }
+
+        internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
+
+        internal string NameOf(int block)
+        {
+            var node = NodeOf(block);
+            return PotreeNames.NameOf(node.Level, node.Cell);
+        }
+
+        /// <summary>Bytes of the longest block in the file, for a slot that takes any.</summary>
+        internal long MaxBytesPerBlock()
+        {
+            long most = 0;
+            foreach (var block in m_blocks)
+                most = Math.Max(most, block.Bytes);
+            return most;
+        }
+
+        /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
+        internal void WarnBroken(int block, string kind, string detail, long byteOffset)
+        {
+            if (m_toldBlocks.Add(block))
+                Warnings.Add(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
+        }
+
+        public override void DisposeUnread() => m_tree.Dispose();
+    }
+
+    /// <summary>A block of a Potree cloud: the points of a node, or a part of one that is too long.</summary>
+    struct PotreeBlock
+    {
+        /// <summary>Index in the tree.</summary>
+        public int Node;
+
+        /// <summary>Index of its first point in the whole source.</summary>
+        public long FirstPoint;
+
+        public int Points;
+
+        /// <summary>Offset in the file that holds it.</summary>
+        public long Offset;
+
+        /// <summary>Number of bytes that it takes.</summary>
+        public long Bytes;
+    }
+}

@@ -1,0 +1,152 @@
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Import;
+using FastPoints.Reading;
+using FastPoints.Sampling;
+using FastPoints.Streaming;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source
+    /// with an octree, the whole of it, streamed directly.</summary>
+    internal sealed class SourceFeed : CloudFeed
+    {
+        /// <summary>Points of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
+        public const int PreviewPoints = 1_000_000;
+
+        /// <summary>Points of an octree's upper levels that decide on colours.</summary>
+        const int PointsOfTop = 50_000;
+
+        readonly StageProgress m_progress = new StageProgress();
+        readonly string m_path;
+        readonly WorkPump m_pump;
+        readonly int m_previewPoints;
+        PointReader m_reader;
+        SampleReader m_sample;
+        PreviewSample m_wave;
+        CloudFacts m_newest;
+        bool m_isHurried;
+
+        /// <param name="reader">The reader, which this feed owns.</param>
+        /// <param name="previewPoints">The most points of a source without an octree; a smaller one is shown whole.</param>
+        public SourceFeed(PointReader reader, int previewPoints = PreviewPoints)
+        {
+            m_reader = reader;
+            m_previewPoints = previewPoints;
+            m_path = reader.Info.Path;
+            m_pump = new WorkPump(reader.Tree != null ? OpenTree() : TakePreview());
+        }
+
+        public override CloudFacts Newest => m_newest;
+        public override bool IsEnded => m_pump.IsDone;
+
+        public override NodeSource Take(params string[] planes)
+        {
+            m_newest = null;
+            var source = new TreeSource(m_sample ?? m_reader, planes);
+            if (source.Reader == m_sample)
+                m_sample = null;
+            else
+                m_reader = null;
+            return source;
+        }
+
+        public override void Update(double budgetMs)
+        {
+            m_pump.Tick(budgetMs);
+            // The octree's reader is handed over, or waits for that.
+            if (!m_pump.IsDone || m_reader == null || m_reader.Tree != null)
+                return;
+            m_reader.Dispose();
+            m_reader = null;
+        }
+
+        public override void Hurry() => m_isHurried = true;
+
+        public override void Dispose()
+        {
+            m_pump.Cancel();
+            m_sample?.Dispose();
+            m_sample = null;
+            m_reader?.Dispose();
+            m_reader = null;
+        }
+
+        IEnumerator<Work> OpenTree()
+        {
+            yield return Work.Of(TreeSource.FindTop(m_reader));
+            PointBatch top = null;
+            var ranges = NewRanges();
+            try
+            {
+                yield return Work.Of(TreeTop.Read(m_reader, ColorModes.AttributesToMeasure(ColorMode.Auto), PointsOfTop,
+                    batch => top = batch));
+                yield return Work.Of(ranges.Measure(top, m_reader.Info.Transform, UpAxis.Z));
+            }
+            finally
+            {
+                top?.Dispose();
+            }
+            m_newest = Describe(CloudStage.Whole, ranges, m_reader.Tree.Cube);
+        }
+
+        IEnumerator<Work> TakePreview()
+        {
+            using var preview = new PreviewSampling(m_reader, new SampleOptions { Points = m_previewPoints });
+            preview.WaveReady += (sample, _) => m_wave = sample;
+            using var sampling = new WorkSteps(preview.Run(m_progress));
+            while (!IsLeftToTheBuild && sampling.MoveNext())
+            {
+                if (m_wave != null)
+                    yield return Work.Of(KeepWave());
+                yield return sampling.Current;
+            }
+        }
+
+        /// <summary>Whether the next step would decode all of the source, which a build does anyway.</summary>
+        bool IsLeftToTheBuild => m_isHurried &&
+            (m_progress.Current == PreviewSampling.RefineStage || m_progress.Current == PreviewSampling.FindBlocksStage);
+
+        IEnumerator<Work> KeepWave()
+        {
+            var wave = m_wave;
+            m_wave = null;
+            SampleReader copy = null;
+            bool isKept = false;
+            try
+            {
+                yield return Work.Of(SampleReader.Copy(wave, m_path, copied => copy = copied));
+                copy.Info.Crs = m_reader.Info.Crs;
+                var ranges = NewRanges();
+                yield return Work.Of(ranges.Measure(copy.Points, wave.Transform, UpAxis.Z));
+                m_sample?.Dispose();
+                m_sample = copy;
+                m_newest = Describe(wave.IsWhole ? CloudStage.Whole : CloudStage.Preview, ranges, wave.Bounds);
+                isKept = true;
+            }
+            finally
+            {
+                if (!isKept)
+                    copy?.Dispose();
+            }
+        }
+
+        DisplayRanges NewRanges() => new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+
+        /// <param name="seen">Bounds to use if the source claims none.</param>
+        CloudFacts Describe(CloudStage stage, DisplayRanges ranges, BoundsGeo seen)
+        {
+            var info = m_reader.Info;
+            return new CloudFacts
+            {
+                Stage = stage,
+                BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty
+                    ? info.BoundsClaimed
+                    : seen,
+                MetresPerUnit = info.Crs.MetresPerUnit,
+                Ranges = ranges,
+            };
+        }
+    }
+}

@@ -1,0 +1,197 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>The hierarchy of a source with an octree, as pages of some levels each. It reads only the unknown parts that a
+    /// wanted page needs: looking into one corner costs what lies there. Main thread; never waits.</summary>
+    sealed class TreePages : IDisposable
+    {
+        /// <summary>Levels of a page: at most some hundred nodes if points lie on surfaces.</summary>
+        public const int LevelsPerPage = 4;
+
+        /// <summary>Levels to read before the first page is built: its own, and one more to know whether there are
+        /// others.</summary>
+        public const int FirstLevels = LevelsPerPage + 1;
+
+        const int NotNumbered = -1;
+        const int None = -1;
+
+        readonly PointReader m_reader;
+        readonly TreeGrid m_grid;
+        readonly List<int4> m_rootOfPage = new List<int4> { default };
+        readonly List<int> m_firstHangingOfPage = new List<int> { NotNumbered };
+        readonly List<bool> m_isPageKnown = new List<bool> { true };
+        NativeParallelHashMap<int4, int> m_nodeOfKey;
+        WorkSteps m_reading;
+        JobHandle m_step;
+        JobHandle m_building;
+        int m_nodes;
+
+        /// <summary>Whether the hierarchy cannot be read: no more of it is tried.</summary>
+        bool m_isBroken;
+
+        /// <summary>The first page that was requested since the last update, and the one being read; or
+        /// <see cref="None"/>.</summary>
+        int m_wanted = None;
+        int m_read = None;
+
+        /// <exception cref="PointCloudException">The octree has no root.</exception>
+        public TreePages(PointReader reader, TreeGrid grid)
+        {
+            m_reader = reader;
+            m_grid = grid;
+            m_nodeOfKey = new NativeParallelHashMap<int4, int>(Math.Max(64, reader.Tree.NodeCount), Allocator.Persistent);
+            TakeNodes();
+            if (m_nodeOfKey.ContainsKey(default))
+                return;
+            Dispose();
+            throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "its octree has no root");
+        }
+
+        public int Count => m_rootOfPage.Count;
+
+        /// <summary>The handle that <see cref="Update"/> waits for before it continues.</summary>
+        public JobHandle Step => m_step;
+
+        /// <summary>Whether there is something to read.</summary>
+        public bool IsReading => m_reading != null || m_wanted != None;
+
+        /// <summary>Whether a page's levels, and the one below, are known. The first requested page that is not is read
+        /// next.</summary>
+        public bool IsKnown(int page)
+        {
+            if (!m_isPageKnown[page] && m_wanted == None)
+                m_wanted = page;
+            return m_isPageKnown[page];
+        }
+
+        /// <summary>Continues reading, if there is something to read.</summary>
+        /// <returns>The failure, after which pages that are still wanted are made of what is known; or null.</returns>
+        public PointCloudException Update()
+        {
+            // Jobs that build pages read the lists that would grow.
+            if (!IsReading || !WorkPump.HasEnded(m_step) || !WorkPump.HasEnded(m_building))
+                return null;
+            m_step.Complete();
+            m_building.Complete();
+            try
+            {
+                if (m_reading == null)
+                {
+                    m_read = m_wanted;
+                    m_wanted = None;
+                    var root = m_rootOfPage[m_read];
+                    m_reading = new WorkSteps(m_reader.FindBelow(root, LevelsOf(root)));
+                }
+                if (m_reading.MoveNext())
+                {
+                    m_step = m_reading.Current;
+                    return null;
+                }
+                EndReading();
+                TakeNodes();
+                m_isPageKnown[m_read] = true;
+                return null;
+            }
+            catch (PointCloudException failure)
+            {
+                EndReading();
+                TakeNodes();
+                m_isBroken = true;
+                for (int page = 0; page < m_isPageKnown.Count; page++)
+                    m_isPageKnown[page] = true;
+                return failure;
+            }
+        }
+
+        /// <summary>The job that builds a page.</summary>
+        public BuildTreePageJob JobFor(int page) => new BuildTreePageJob
+        {
+            Nodes = m_reader.Tree.AsArray(),
+            NodeOfKey = m_nodeOfKey,
+            Root = m_rootOfPage[page],
+            LastLevel = m_rootOfPage[page].w + LevelsPerPage - 1,
+            Grid = m_grid,
+        };
+
+        public JobHandle Schedule(in BuildTreePageJob job)
+        {
+            var building = job.Schedule();
+            m_building = JobHandle.CombineDependencies(m_building, building);
+            return building;
+        }
+
+        /// <summary>Numbers the pages attached to one; the numbers are the same each time it is built.</summary>
+        /// <param name="planeCount">Number of streamed planes.</param>
+        public unsafe void Number(int page, in HierarchyPage built, int planeCount)
+        {
+            if (m_firstHangingOfPage[page] == NotNumbered)
+            {
+                m_firstHangingOfPage[page] = m_rootOfPage.Count;
+                for (int n = 0; n < built.NodeCount; n++)
+                    if (built.Nodes[n].ChunkCount > 0)
+                        AddHanging(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
+            }
+            int next = m_firstHangingOfPage[page];
+            for (int n = 0; n < built.NodeCount; n++)
+            {
+                // Chunk 0 is page 1.
+                built.Nodes[n].FirstChunk = next - 1;
+                next += built.Nodes[n].ChunkCount;
+            }
+        }
+
+        /// <summary>A page that is not built: only its box.</summary>
+        public HierarchyPage Empty(int page)
+        {
+            var empty = new HierarchyPage();
+            m_grid.BoxOf(m_rootOfPage[page], out empty.Center, out empty.Half);
+            return empty;
+        }
+
+        public void Dispose()
+        {
+            m_step.Complete();
+            m_building.Complete();
+            EndReading();
+            if (m_nodeOfKey.IsCreated)
+                m_nodeOfKey.Dispose();
+        }
+
+        void EndReading()
+        {
+            m_reading?.Dispose();
+            m_reading = null;
+        }
+
+        void AddHanging(int4 key)
+        {
+            for (int octant = 0; octant < 8; octant++)
+            {
+                int4 child = BuildTreePageJob.ChildKey(key, octant);
+                if (!m_nodeOfKey.ContainsKey(child))
+                    continue;
+                m_rootOfPage.Add(child);
+                m_firstHangingOfPage.Add(NotNumbered);
+                m_isPageKnown.Add(m_isBroken || m_reader.IsKnownBelow(child, LevelsOf(child)));
+            }
+        }
+
+        void TakeNodes()
+        {
+            var tree = m_reader.Tree;
+            for (; m_nodes < tree.NodeCount; m_nodes++)
+                m_nodeOfKey.TryAdd(tree[m_nodes].Key, m_nodes);
+        }
+
+        /// <summary>The levels that a page needs: its own, and one more to know whether there are others.</summary>
+        static int LevelsOf(int4 root) => root.w + FirstLevels;
+    }
+}

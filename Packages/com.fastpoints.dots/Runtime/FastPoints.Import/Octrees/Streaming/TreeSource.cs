@@ -1,0 +1,216 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Reading;
+using FastPoints.Sampling;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>A file or folder with an octree (COPC, Potree, EPT), streamed without conversion. Its hierarchy is read as deep
+    /// as it is viewed; its nodes are decoded and packed on demand. It also streams a preview's sample
+    /// (<see cref="SampleReader"/>).</summary>
+    public sealed class TreeSource : NodeSource
+    {
+        /// <summary>The most nodes that are begun and not yet taken: a maker is free again in the frame after its last
+        /// job.</summary>
+        const int MostMakers = 16;
+
+        /// <summary>The number of large ones at work: one is read while another is decoded.</summary>
+        const int LeastAtWork = 2;
+
+        /// <summary>The most points that are begun for each worker, except for single nodes: about 50 ms of work, so that workers
+        /// have enough until the next frame, at 30 Hz as well.</summary>
+        const int PointsPerWorker = 1 << 18;
+
+        /// <summary>The same for all workers: a point at work takes some 60 bytes.</summary>
+        const int MostPoints = 1 << 21;
+
+        readonly TreePages m_pages;
+        readonly TreePlanes m_planes;
+        readonly List<TreeNodeMaker> m_makers = new List<TreeNodeMaker>(MostMakers);
+        readonly List<TreeNodeMaker> m_idle = new List<TreeNodeMaker>(MostMakers);
+        readonly MakerChain[] m_chains;
+        readonly long m_mostPoints;
+        long m_pointsAtWork;
+        TreePlanes m_allPlanes;
+        NativeArray<PlaneShape> m_shapes;
+
+        /// <param name="reader">The reader, which this source owns, after <see cref="FindTop"/>.</param>
+        /// <param name="planes">Names of planes that are streamed besides the position (<see cref="StoreLayout"/>); those that
+        /// the source lacks are left out.</param>
+        /// <exception cref="PointCloudException">The source has no octree, or one without a root.</exception>
+        public TreeSource(PointReader reader, params string[] planes)
+        {
+            if (reader.Tree == null)
+                throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
+                    "brings no octree along: wanted COPC, Potree or EPT, got " + reader.Info.Format);
+            Reader = reader;
+            Grids = new TreeGrid(reader.Info, reader.Tree);
+            m_pages = new TreePages(reader, Grids);
+            m_chains = new MakerChain[Math.Max(1, JobsUtility.JobWorkerCount)];
+            for (int i = 0; i < m_chains.Length; i++)
+                m_chains[i] = new MakerChain();
+            m_mostPoints = Math.Min(MostPoints, (long)PointsPerWorker * m_chains.Length);
+            Layout = TreePlanes.LayoutOf(reader.Info.Schema);
+            m_planes = new TreePlanes(reader.Info.Schema, Layout, planes);
+            m_shapes = Layout.CreateShapes(Allocator.Persistent);
+        }
+
+        public PointReader Reader { get; }
+
+        public override string Path => Reader.Info.Path;
+        public override bool HasAllPoints => !(Reader is SampleReader sample) || sample.IsWhole;
+        public override CloudGrid Grid => Grids.Grid;
+        public override GridCube Root => Grids.Root;
+        public override NodeCubes Cubes => Grids.Cubes;
+        public override StoreLayout Layout { get; }
+        public override CloudCrs Crs => Reader.Info.Crs.ToCloudCrs();
+        public override NativeArray<int> Planes => m_planes.Indices;
+        public override NativeArray<PlaneShape> Shapes => m_shapes;
+        public override int PageCount => m_pages.Count;
+        public override bool MakesNodes => true;
+
+        internal TreeGrid Grids { get; }
+
+        /// <summary>Work for a pump, needed before a source is made: reads the upper levels of the hierarchy.</summary>
+        /// <exception cref="PointCloudException">They cannot be read.</exception>
+        public static IEnumerator<Work> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
+
+        public override unsafe void CreatePages(HierarchyPage* pages)
+        {
+            using (var built = new NativeReference<HierarchyPage>(Allocator.TempJob))
+            using (var problem = new NativeReference<TableProblem>(Allocator.TempJob))
+            {
+                var job = JobFor(0, built, problem);
+                job.Run();
+                pages[0] = built.Value;
+            }
+            Adopt(0, pages[0]);
+        }
+
+        public override string PathOf(int page) => Path;
+
+        internal override FilePiece TableOf(int page) => new FilePiece { Path = Path };
+
+        public override bool CanBuild(int page) => m_pages.IsKnown(page);
+
+        public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
+            NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));
+
+        public override string Describe(int page, NativeArray<byte> table, TableProblem problem) => "its hierarchy is damaged";
+
+        public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
+
+        public override HierarchyPage EmptyPage(int page) => m_pages.Empty(page);
+
+        public override PointCloudException Update() => m_pages.Update();
+
+        internal override bool IsReading => m_pages.IsReading;
+
+        public override JobHandle Reading => m_pages.Step;
+
+        public override NodeMaker TakeMaker(int points)
+        {
+            int atWork = m_makers.Count - m_idle.Count;
+            if (atWork == MostMakers || atWork >= LeastAtWork && m_pointsAtWork + points > m_mostPoints)
+                return null;
+            int best = BestIdle(points);
+            if (best < 0)
+            {
+                m_makers.Add(new TreeNodeMaker(Reader, Grids, m_planes, Planes.Length));
+                m_idle.Add(m_makers[m_makers.Count - 1]);
+                best = m_idle.Count - 1;
+            }
+            var maker = m_idle[best];
+            m_idle.RemoveAt(best);
+            var chain = m_chains[0];
+            foreach (var other in m_chains)
+                chain = other.Points < chain.Points ? other : chain;
+            maker.Join(chain, points);
+            m_pointsAtWork += points;
+            return maker;
+        }
+
+        public override void GiveMaker(NodeMaker maker)
+        {
+            var given = (TreeNodeMaker)maker;
+            m_pointsAtWork -= given.LeaveChain();
+            m_idle.Add(given);
+        }
+
+        public override NodeMaker CreateWholeMaker()
+        {
+            var names = new List<string>();
+            foreach (var plane in Layout.Planes)
+                names.Add(plane.Name);
+            m_allPlanes ??= new TreePlanes(Reader.Info.Schema, Layout, names);
+            return new TreeNodeMaker(Reader, Grids, m_allPlanes, Planes.Length);
+        }
+
+        public override IEnumerator<Work> OpenForPicking(Action<NodeSource> opened)
+        {
+            PointReader reader = (Reader as SampleReader)?.Share();
+            if (Reader is SampleReader && reader == null)
+                yield break;
+            try
+            {
+                string path = Path;
+                if (reader == null)
+                    yield return Work.Of(PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other,
+                        other => other.DisposeUnread()));
+                yield return Work.Of(FindTop(reader));
+                var source = new TreeSource(reader, AttributeNames.Classification);
+                reader = null;
+                opened(source);
+            }
+            finally
+            {
+                reader?.Dispose();
+            }
+        }
+
+        public override void Dispose()
+        {
+            if (!m_shapes.IsCreated)
+                return;
+            foreach (var maker in m_makers)
+                maker.Dispose();
+            m_pages.Dispose();
+            m_planes.Dispose();
+            m_allPlanes?.Dispose();
+            m_shapes.Dispose();
+            Reader.Dispose();
+        }
+
+        /// <summary>The smallest maker with enough memory, otherwise the largest, so that few grow large.</summary>
+        /// <returns>-1 if none is idle.</returns>
+        int BestIdle(int points)
+        {
+            int best = -1;
+            for (int i = 0; i < m_idle.Count; i++)
+            {
+                int capacity = m_idle[i].Capacity, ofBest = best < 0 ? 0 : m_idle[best].Capacity;
+                bool isBetter = ofBest >= points ? capacity >= points && capacity < ofBest : capacity > ofBest;
+                if (best < 0 || isBetter)
+                    best = i;
+            }
+            return best;
+        }
+
+        BuildTreePageJob JobFor(int page, NativeReference<HierarchyPage> built, NativeReference<TableProblem> problem)
+        {
+            var job = m_pages.JobFor(page);
+            job.BitsOfPlane = m_planes.Bits;
+            job.Shapes = m_planes.Shapes;
+            job.Built = built;
+            job.Problem = problem;
+            return job;
+        }
+    }
+}

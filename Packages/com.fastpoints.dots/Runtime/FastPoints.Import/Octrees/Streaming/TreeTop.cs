@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+
+namespace FastPoints.Octrees
+{
+    /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
+    internal static class TreeTop
+    {
+        const int MostSlots = 8;
+
+        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they
+        /// have.</summary>
+        /// <param name="attributes">Attributes besides the position; those that the source lacks are left out.</param>
+        /// <param name="wanted">Number of points: whole nodes are read until there are this many.</param>
+        /// <param name="read">Receives the points and owns them.</param>
+        public static IEnumerator<Work> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
+        {
+            var blocks = new List<int>();
+            int points = 0, most = 1;
+            for (int node = 0; node < reader.Tree.NodeCount && points < wanted; node++)
+            {
+                if (reader.Tree[node].Block < 0)
+                    continue;
+                blocks.Add(reader.Tree[node].Block);
+                points += reader.Tree[node].PointCount;
+                most = Math.Max(most, reader.Tree[node].PointCount);
+            }
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            names.AddRange(attributes);
+            var schema = reader.Info.Schema.Select(names.ToArray());
+            var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
+            var slots = new BlockRead[Math.Min(MostSlots, blocks.Count)];
+            bool isDone = false;
+            try
+            {
+                yield return Work.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
+                {
+                    slots[slot] ??= reader.CreateRead(schema, most, Allocator.Persistent);
+                    slots[slot].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+                    return slots[slot].Decoded;
+                }, slot =>
+                {
+                    slots[slot].Complete();
+                    Append(slots[slot].Points, top);
+                }));
+                isDone = true;
+            }
+            finally
+            {
+                foreach (var slot in slots)
+                    slot?.Dispose();
+                if (!isDone)
+                    top.Dispose();
+            }
+            read(top);
+        }
+
+        static void Append(PointBatch from, PointBatch to)
+        {
+            for (int c = 0; c < to.Schema.Count; c++)
+            {
+                int size = to.Schema[c].Type.SizeOf();
+                NativeArray<byte>.Copy(from.Bytes, from.Column(c).OffsetBytes, to.Bytes,
+                    to.Column(c).OffsetBytes + to.Count * size, from.Count * size);
+            }
+            to.Count += from.Count;
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+
+namespace FastPoints.Ply
+{
+    /// <summary>An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over
+    /// several lines, or several in one line, are not supported (nor are they by the usual readers).</summary>
+    /// <remarks>A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
+    /// once. A range reads its whole block; decoding stops at the range's end.</remarks>
+    sealed class PlyAsciiReader : StretchReader
+    {
+        const int MaxBlockBytes = 1 << 20;
+
+        readonly PlyFile m_ply;
+        readonly bool m_hasVerticesAlone;
+
+        /// <summary>Lines before the first vertex's, as claimed.</summary>
+        readonly ulong m_rowsBefore;
+        bool m_areAllFound;
+        AsciiStretches m_stretches;
+
+        public PlyAsciiReader(PlyFile ply)
+        {
+            Info = ply.Info;
+            m_ply = ply;
+            var header = ply.Header;
+            m_hasVerticesAlone = true;
+            for (int i = 0; i < header.Elements.Count; i++)
+            {
+                if (i == header.VertexIndex || header.Elements[i].Properties.Count == 0 || header.Elements[i].Count == 0)
+                    continue;
+                m_hasVerticesAlone = false;
+                if (i < header.VertexIndex)
+                    m_rowsBefore = Sum(m_rowsBefore, header.Elements[i].Count);
+            }
+            if (ply.Vertex.Count == 0)
+            {
+                Info.PointsReadable = Blocks.Take(Array.Empty<StretchBlock>());
+                m_areAllFound = true;
+            }
+        }
+
+        public override bool BlocksAreKnown => m_areAllFound;
+
+        /// <summary>Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look
+        /// alike.</summary>
+        public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
+            && Info.FileBytes - m_ply.Header.DataOffset >= AsciiStretches.LeastBytes;
+
+        public override bool PrefixesAreSpread => true;
+        public override int MaxPrefixes => AsciiStretches.Count;
+
+        public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
+
+        public override IEnumerator<Work> FindPrefixes(int places)
+        {
+            m_stretches ??= new AsciiStretches(m_ply.Handle, Info.FileBytes, m_ply.Header.DataOffset);
+            yield return Work.Of(m_stretches.Find(places));
+            Info.PointsReadable = Blocks.Take(m_stretches.Blocks);
+        }
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            using var scan = new AsciiRowScan(this, m_ply.Handle, m_ply.Header.DataOffset, MaxBlockBytes, m_rowsBefore,
+                Sum(m_rowsBefore, m_ply.Vertex.Count));
+            while (scan.Next(out var handle))
+                yield return handle;
+            m_ply.SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
+            Info.PointsReadable = Blocks.Take(scan.TakeBlocks());
+            m_areAllFound = true;
+            m_ply.ForgetBroken();
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new PlyRead(this, m_ply, Blocks, wanted, capacity, allocator);
+
+        public override void CloseFile() => m_ply.Handle.Close();
+
+        static ulong Sum(ulong a, ulong b) => a <= ulong.MaxValue - b ? a + b : ulong.MaxValue;
+    }
+}

@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Ply
+{
+    /// <summary>Walks through a binary file's elements up to its vertices, and through these if they have lists: one window of
+    /// the file at a time, each as one job. Windows that lie within a list or an element of fixed length are not read at
+    /// all.</summary>
+    sealed class PlyElementWalk : IDisposable
+    {
+        const int WindowBytes = 4 << 20;
+
+        readonly PlyFile m_ply;
+        readonly NativeFileRead m_read;
+        NativeArray<PlyWalkElement> m_elements;
+        NativeArray<PlyStep> m_steps;
+        NativeReference<PlyWalkState> m_state;
+        NativeList<StretchBlock> m_blocks;
+        JobHandle m_walked;
+
+        /// <param name="isIndexing">Whether the vertices are walked, too, and gathered into blocks.</param>
+        public PlyElementWalk(PlyFile ply, bool isIndexing)
+        {
+            m_ply = ply;
+            var header = ply.Header;
+            int count = header.VertexIndex + (isIndexing ? 1 : 0);
+            var elements = new PlyWalkElement[count];
+            var steps = new List<PlyStep>();
+            for (int i = 0; i < count; i++)
+            {
+                var passing = PlyPlan.Passing(header.Elements[i]);
+                elements[i] = new PlyWalkElement
+                {
+                    Count = header.Elements[i].Count,
+                    FixedBytes = header.Elements[i].FixedBytes,
+                    FirstStep = steps.Count,
+                    Steps = passing.Count,
+                    IsIndexed = i == header.VertexIndex,
+                };
+                steps.AddRange(passing);
+            }
+            m_read = new NativeFileRead(Math.Min(WindowBytes, ply.Info.FileBytes), Allocator.Persistent);
+            m_elements = new NativeArray<PlyWalkElement>(elements, Allocator.Persistent);
+            m_steps = new NativeArray<PlyStep>(steps.ToArray(), Allocator.Persistent);
+            m_state = new NativeReference<PlyWalkState>(new PlyWalkState { Position = header.DataOffset }, Allocator.Persistent);
+            m_blocks = new NativeList<StretchBlock>(16, Allocator.Persistent);
+        }
+
+        /// <summary>The progress of the walk. Do not read it while a job is in flight.</summary>
+        public PlyWalkState State => m_state.Value;
+
+        /// <summary>The blocks so far. Do not call this while a job is in flight.</summary>
+        public StretchBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
+
+        /// <summary>Closes the previous window, whose handle must be complete, and starts the next.</summary>
+        /// <returns>Whether there was a next one.</returns>
+        public bool Next(out JobHandle handle)
+        {
+            m_walked.Complete();
+            m_read.End();
+            var state = m_state.Value;
+            handle = default;
+            if (state.IsDone)
+                return false;
+            long offset = Math.Min(state.Position, m_ply.Info.FileBytes);
+            int bytes = (int)Math.Min(WindowBytes, m_ply.Info.FileBytes - offset);
+            var read = m_read.Begin(m_ply.Handle, offset, bytes);
+            m_walked = new WalkPlyElementsJob
+            {
+                Input = m_read.Buffer,
+                Elements = m_elements,
+                Steps = m_steps,
+                InputOffset = offset,
+                InputBytes = bytes,
+                FileBytes = m_ply.Info.FileBytes,
+                IsBigEndian = m_ply.IsBigEndian,
+                State = m_state,
+                Blocks = m_blocks,
+            }.Schedule(read);
+            handle = m_walked;
+            return true;
+        }
+
+        public void Dispose()
+        {
+            m_walked.Complete();
+            m_read.Dispose();
+            m_elements.Dispose();
+            m_steps.Dispose();
+            m_state.Dispose();
+            m_blocks.Dispose();
+        }
+    }
+}

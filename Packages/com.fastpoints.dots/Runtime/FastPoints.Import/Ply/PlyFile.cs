@@ -1,0 +1,201 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+
+namespace FastPoints.Ply
+{
+    /// <summary>Everything in a PLY file except its points, and what is said about these.</summary>
+    sealed class PlyFile
+    {
+        const int FirstHeaderBytes = 16 << 10;
+
+        /// <summary>Its header describes a PCD file, whose points are no vertices.</summary>
+        readonly bool m_isPcd;
+        readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
+        int m_brokenWarning = -1;
+        string m_firstBreak;
+        long m_pointsLost;
+        bool m_hasToldMisfits;
+        bool m_hasToldExtraValues;
+
+        /// <param name="names">Attribute name of each property; null where it is none.</param>
+        public PlyFile(PlyHeader header, SourceInfo info, string[] names)
+        {
+            Header = header;
+            Info = info;
+            Vertex = header.Elements[header.VertexIndex];
+            Names = names;
+            m_isPcd = info.Format == "PCD";
+            Handle = new SourceHandle(info.Path);
+        }
+
+        public PlyHeader Header { get; }
+
+        public SourceInfo Info { get; }
+
+        public PlyElement Vertex { get; }
+
+        /// <summary>Attribute name of each property of the vertex element; null for lists, packed colours and padding.</summary>
+        public string[] Names { get; }
+
+        public SourceHandle Handle { get; }
+
+        public bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
+
+        /// <summary>Reads the header.</summary>
+        /// <exception cref="PointCloudException">It is invalid, or has no vertices with x, y and z.</exception>
+        public static PlyFile Read(FileSource source)
+        {
+            var header = ReadHeader(source);
+            if (header.VertexIndex < 0)
+                throw new PointCloudException(FailureCode.BadInput, source.Path, header.DataOffset,
+                    "the header has no vertex element");
+            return new PlyFile(header, Describe(source, header), PlyNames.Of(header.Elements[header.VertexIndex]));
+        }
+
+        /// <summary>Where the attributes lie in a record without lists.</summary>
+        public PointFields RecordFields()
+        {
+            var fields = new PointFields();
+            int at = 0;
+            for (int i = 0; i < Names.Length; i++)
+            {
+                foreach (var field in FieldsOf(i, at))
+                    fields.Add(field);
+                at += Vertex.Properties[i].Type.SizeOf();
+            }
+            return fields;
+        }
+
+        /// <summary>The attributes that a property holds: one, none, or those of a packed colour.</summary>
+        /// <param name="at">The property's offset.</param>
+        public IEnumerable<PointField> FieldsOf(int property, int at)
+        {
+            var declared = Vertex.Properties[property];
+            if (Names[property] != null)
+                yield return new PointField(Names[property], declared.Type, at);
+            for (int i = 0; declared.IsColor && i < (declared.HasAlpha ? 4 : 3); i++)
+                yield return new PointField(PlyPlan.ColorNames[i], AttributeType.UInt8, at + (i < 3 ? 2 - i : i));
+        }
+
+        static PlyHeader ReadHeader(FileSource source)
+        {
+            for (int length = FirstHeaderBytes; ; length *= 4)
+            {
+                length = Math.Min(length, PlyHeaderParser.MaxHeaderBytes);
+                byte[] bytes = source.ReadAtMost(0, length).Bytes;
+                var header = PlyHeaderParser.Parse(source.Path, bytes, bytes.Length, bytes.Length == source.Length);
+                if (header != null)
+                    return header;
+                if (length == PlyHeaderParser.MaxHeaderBytes)
+                    throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, length, "length of the header",
+                        "at most " + PlyHeaderParser.MaxHeaderBytes + " bytes", "more");
+            }
+        }
+
+        static SourceInfo Describe(FileSource source, PlyHeader header)
+        {
+            var vertex = header.Elements[header.VertexIndex];
+            var info = new SourceInfo
+            {
+                Path = source.Path,
+                FileBytes = source.Length,
+                Format = "PLY",
+                Version = header.Version,
+                PointsClaimed = vertex.Count,
+                RecordBytes = header.IsAscii ? 0 : Math.Max(vertex.FixedBytes, 0),
+            };
+            if (header.Version != "1.0")
+                info.Warn(header.FormatOffset, "version: wanted 1.0, got \"" + header.Version + "\"; read as 1.0");
+
+            var names = PlyNames.Of(vertex);
+            var attributes = new List<PointAttribute>();
+            for (int i = 0; i < names.Length; i++)
+                if (names[i] != null)
+                    attributes.Add(new PointAttribute(names[i], vertex.Properties[i].Type));
+            info.Schema = new PointSchema(attributes);
+            foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
+                if (!info.Schema.Has(axis))
+                    throw new PointCloudException(FailureCode.BadInput, source.Path, vertex.LineOffset,
+                        "the vertex element has no property " + axis.ToLowerInvariant());
+
+            info.Fact("encoding", header.IsAscii ? "ascii"
+                : header.Encoding == PlyEncoding.BinaryBigEndian ? "binary, big endian" : "binary, little endian");
+            foreach (var element in header.Elements)
+                info.Fact("element " + element.Name, element.Count + (element.HasLists ? ", with lists" : ""));
+            foreach (var remark in header.Remarks)
+                info.Fact(remark.Key, remark.Value);
+            if (header.OddLines > 0)
+                info.Warn(header.OddOffset, "header line: wanted format, element, property, comment, obj_info or end_header, " +
+                    "got " + PlyHeaderParser.Quote(header.OddLine) + " (" + header.OddLines + " such lines): left out");
+            for (int i = header.VertexIndex + 1; i < header.Elements.Count; i++)
+                if (header.Elements[i].Name == "vertex")
+                    info.Warn(header.Elements[i].LineOffset, "a second vertex element: it is left out");
+            return info;
+        }
+
+        /// <summary>Settles the number of vertices: fewer than claimed is a warning, none at all a failure.</summary>
+        public void SettlePoints(long found, long endOffset, string why)
+        {
+            Info.PointsReadable = found;
+            if (Vertex.Count == (ulong)found)
+                return;
+            string text = (m_isPcd ? "points" : "vertices") + ": wanted " + Vertex.Count + ", got " + found +
+                (why != null ? ": " + why : "");
+            if (found == 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, endOffset, text);
+            Info.Warn(endOffset, text);
+        }
+
+        /// <summary>Warns about a range that broke off. Its points are kept; the file's first range must have some.</summary>
+        public void WarnBroken(BlockRange range, DecodeResult result, bool areBlocksKnown)
+        {
+            string text = PlyError.Text(result.Error);
+            if (areBlocksKnown && range.Block == 0 && range.First == 0 && result.Points == 0)
+                throw new PointCloudException(FailureCode.BadInput, Info.Path, result.ErrorOffset,
+                    "in the first " + (m_isPcd ? "point: " : "vertex: ") + text);
+            if (!m_brokenBlocks.Add(range.Block))
+                return;
+            m_pointsLost += range.Count - result.Points;
+            if (m_brokenWarning < 0)
+            {
+                m_brokenWarning = Info.Warnings.Count;
+                Info.Warn(result.ErrorOffset, "");
+            }
+            var first = Info.Warnings[m_brokenWarning];
+            if (m_brokenBlocks.Count == 1)
+                m_firstBreak = text;
+            Info.Warnings[m_brokenWarning] = new CloudWarning(first.Path, first.ByteOffset, m_firstBreak +
+                ": the " + (m_isPcd ? "points" : "vertices") + " from here to the end of the block are left out (" +
+                m_pointsLost + (m_isPcd ? " points in " : " vertices in ") +
+                m_brokenBlocks.Count + " blocks so far)");
+        }
+
+        /// <summary>Forgets broken ranges when other blocks replace the known ones.</summary>
+        public void ForgetBroken()
+        {
+            m_brokenBlocks.Clear();
+            m_pointsLost = 0;
+        }
+
+        /// <summary>Reports, once for each file, values that were changed or skipped.</summary>
+        public void WarnAnomalies(in PlyAnomalies anomalies)
+        {
+            if (anomalies.Misfits > 0 && !m_hasToldMisfits)
+            {
+                m_hasToldMisfits = true;
+                Info.Warn(anomalies.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
+                    "that it can was taken, without fraction (" + anomalies.Misfits +
+                    " in this block; later blocks are not counted)");
+            }
+            if (anomalies.LinesWithExtraValues > 0 && !m_hasToldExtraValues)
+            {
+                m_hasToldExtraValues = true;
+                Info.Warn(anomalies.FirstExtraOffset,
+                    "more values in the line than the vertex has properties: they are left out (" +
+                    anomalies.LinesWithExtraValues + " lines in this block; later blocks are not counted)");
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+
+namespace FastPoints.Ply
+{
+    /// <summary>A binary PLY file whose vertices have lists: one walk through the file finds where blocks of them
+    /// start.</summary>
+    sealed class PlyListReader : StretchReader
+    {
+        readonly PlyFile m_ply;
+
+        public PlyListReader(PlyFile ply)
+        {
+            Info = ply.Info;
+            m_ply = ply;
+            if (ply.Vertex.Count == 0)
+                Info.PointsReadable = Blocks.Take(Array.Empty<StretchBlock>());
+        }
+
+        public override bool BlocksAreKnown => Blocks.AreFound;
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            using var walk = new PlyElementWalk(m_ply, true);
+            while (walk.Next(out var handle))
+                yield return handle;
+            var end = walk.State;
+            bool isBroken = end.Error != PlyError.None;
+            m_ply.SettlePoints(end.PointsInBlocks, isBroken ? end.ErrorOffset : end.Position,
+                isBroken ? PlyError.Text(end.Error) : null);
+            Info.PointsReadable = Blocks.Take(walk.TakeBlocks());
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new PlyRead(this, m_ply, Blocks, wanted, capacity, allocator);
+
+        public override void CloseFile() => m_ply.Handle.Close();
+    }
+}

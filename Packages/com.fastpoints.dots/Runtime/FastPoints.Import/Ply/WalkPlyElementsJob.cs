@@ -1,0 +1,169 @@
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Ply
+{
+    /// <summary>Steps through elements with lists as far as one stretch of the file reaches, reading only the lists' counts, and
+    /// records a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.</summary>
+    [BurstCompile]
+    unsafe struct WalkPlyElementsJob : IJob
+    {
+        public const int MaxBlockPoints = 65536;
+        public const int MaxBlockBytes = 1 << 20;
+
+        /// <summary>A block is as long as its last vertex makes it; longer lists count as damage.</summary>
+        public const int MaxRecordBytes = 16 << 20;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<PlyWalkElement> Elements;
+        [ReadOnly] public NativeArray<PlyStep> Steps;
+
+        /// <summary>Offset of the input in the file.</summary>
+        public long InputOffset;
+        public int InputBytes;
+        public long FileBytes;
+        public bool IsBigEndian;
+
+        public NativeReference<PlyWalkState> State;
+        public NativeList<StretchBlock> Blocks;
+
+        public void Execute()
+        {
+            var state = State.Value;
+            while (!state.IsDone)
+            {
+                if (state.Element == Elements.Length)
+                {
+                    state.IsDone = true;
+                    break;
+                }
+                var element = Elements[state.Element];
+                bool isPassed = element.FixedBytes >= 0 ? PassFixed(ref state, element) : PassLists(ref state, element);
+                if (!isPassed)
+                    break;
+                if (element.IsIndexed)
+                    CloseBlock(ref state, state.Position);
+                state.Element++;
+                state.Instance = 0;
+                state.Step = 0;
+            }
+            State.Value = state;
+        }
+
+        bool PassFixed(ref PlyWalkState state, in PlyWalkElement element)
+        {
+            if (element.FixedBytes == 0 || element.Count == 0)
+                return true;
+            if (element.Count > (ulong)((FileBytes - state.Position) / element.FixedBytes))
+                return Fail(ref state, PlyError.Truncated, FileBytes);
+            state.Position += (long)element.Count * element.FixedBytes;
+            return true;
+        }
+
+        /// <returns>Whether the element is done; if not, the walk needs other bytes or is over.</returns>
+        bool PassLists(ref PlyWalkState state, in PlyWalkElement element)
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            while (state.Instance < element.Count)
+            {
+                if (state.Step == 0)
+                {
+                    state.InstanceStart = state.Position;
+                    if (element.IsIndexed && state.BlockPoints == 0)
+                        state.BlockStart = state.Position;
+                }
+                for (; state.Step < element.Steps; state.Step++)
+                {
+                    var step = Steps[element.FirstStep + state.Step];
+                    long next = state.Position + step.Bytes;
+                    if (next > FileBytes)
+                        return Fail(ref state, PlyError.Truncated, state.InstanceStart);
+                    if (step.Kind == PlyStepKind.List)
+                    {
+                        long at = state.Position - InputOffset;
+                        if (at < 0 || at + step.Bytes > InputBytes)
+                            return false;
+                        ulong count = PlyBytes.Load(input + at, step.Bytes, IsBigEndian);
+                        if (PlyBytes.IsNegative(count, step.Type))
+                            return Fail(ref state, PlyError.BadListLength, state.Position);
+                        if (count > (ulong)((FileBytes - next) / step.Count))
+                            return Fail(ref state, PlyError.Truncated, state.InstanceStart);
+                        next += (long)count * step.Count;
+                        if (element.IsIndexed && next - state.InstanceStart > MaxRecordBytes)
+                            return Fail(ref state, PlyError.RecordTooLong, state.InstanceStart);
+                    }
+                    state.Position = next;
+                }
+                state.Step = 0;
+                state.Instance++;
+                if (element.IsIndexed)
+                {
+                    state.BlockPoints++;
+                    if (state.BlockPoints == MaxBlockPoints || state.Position - state.BlockStart >= MaxBlockBytes)
+                        CloseBlock(ref state, state.Position);
+                }
+            }
+            return true;
+        }
+
+        void CloseBlock(ref PlyWalkState state, long end)
+        {
+            if (state.BlockPoints == 0)
+                return;
+            Blocks.Add(new StretchBlock
+            {
+                OffsetBytes = state.BlockStart,
+                Bytes = (int)(end - state.BlockStart),
+                FirstPoint = state.PointsInBlocks,
+                Points = state.BlockPoints,
+            });
+            state.PointsInBlocks += state.BlockPoints;
+            state.BlockPoints = 0;
+        }
+
+        bool Fail(ref PlyWalkState state, int error, long offset)
+        {
+            CloseBlock(ref state, state.InstanceStart);
+            state.Error = error;
+            state.ErrorOffset = offset;
+            state.IsDone = true;
+            return false;
+        }
+    }
+
+    /// <summary>An element to walk through. Blittable: jobs carry arrays of these.</summary>
+    struct PlyWalkElement
+    {
+        public ulong Count;
+
+        /// <summary>Bytes of one instance, or -1 if lists make it vary.</summary>
+        public int FixedBytes;
+        public int FirstStep;
+        public int Steps;
+
+        /// <summary>Whether its instances are the points, to be gathered into blocks.</summary>
+        public bool IsIndexed;
+    }
+
+    /// <summary>Progress of a walk through a binary file's elements, which can stop at any step and continue there.</summary>
+    struct PlyWalkState
+    {
+        /// <summary>Offset of the next step in the file. It may lie behind what was read: lists are skipped.</summary>
+        public long Position;
+        public int Element;
+        public ulong Instance;
+        public int Step;
+
+        public long InstanceStart;
+        public long BlockStart;
+        public int BlockPoints;
+        public long PointsInBlocks;
+
+        public int Error;
+        public long ErrorOffset;
+        public bool IsDone;
+    }
+}

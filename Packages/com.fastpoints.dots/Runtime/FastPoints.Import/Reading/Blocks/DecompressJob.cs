@@ -1,0 +1,71 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Decompresses the next slice of a stream into a buffer. Burst does not compile it, since the decompressor is
+    /// managed code. It is still a job, so that later jobs can depend on it and the main thread never waits for it (a Task allows
+    /// neither).</summary>
+    unsafe struct DecompressJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Input;
+
+        /// <summary>Bytes of the input that are present.</summary>
+        public int InputBytes;
+
+        [WriteOnly] public NativeArray<byte> Output;
+
+        /// <summary>Number of bytes that the slice must give.</summary>
+        public int Wanted;
+
+        public bool IsFirst;
+
+        /// <summary>A GCHandle of a <see cref="DecompressorHandle"/>: jobs hold no references.</summary>
+        public long Slot;
+
+        public NativeReference<DecompressState> State;
+
+        public void Execute()
+        {
+            var slot = (DecompressorHandle)GCHandle.FromIntPtr((IntPtr)Slot).Target;
+            var state = IsFirst ? default : State.Value;
+            if (!state.IsBroken)
+                Decode(slot, ref state);
+            State.Value = state;
+        }
+
+        void Decode(DecompressorHandle slot, ref DecompressState state)
+        {
+            try
+            {
+                if (IsFirst)
+                    slot.Decompressor.Start();
+                byte* start = (byte*)Input.GetUnsafeReadOnlyPtr() + state.Consumed;
+                var input = new ReadOnlySpan<byte>(start, InputBytes - state.Consumed);
+                var output = new Span<byte>(Output.GetUnsafePtr(), Wanted);
+                bool isSound = slot.Decompressor.Decode(input, output, out int consumed, out int written);
+                state.Consumed += consumed;
+                state.IsBroken = !isSound || written < Wanted;
+            }
+            catch (Exception e)
+            {
+                // An exception that left a job would end as a line in Unity's log, with points that were never decoded.
+                slot.Failure = e;
+                state.IsBroken = true;
+            }
+        }
+    }
+
+    /// <summary>Progress of decoding a stream, from slice to slice.</summary>
+    struct DecompressState
+    {
+        /// <summary>Bytes of the input that were consumed.</summary>
+        public int Consumed;
+
+        /// <summary>Whether the stream broke off, or its decompressor failed: it gives no more bytes.</summary>
+        public bool IsBroken;
+    }
+}

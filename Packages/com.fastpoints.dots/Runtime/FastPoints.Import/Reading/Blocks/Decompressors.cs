@@ -1,0 +1,97 @@
+using System;
+using System.Buffers;
+using System.IO.Compression;
+using System.Runtime.InteropServices;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Decompressors for the general compression that some formats put around their points. Before it opens a source, a
+    /// project may register its own if the framework has none, or a faster one.</summary>
+    /// <remarks>The framework decodes Brotli in .NET, in Unity's editor and in players of both scripting backends: Mono ships the
+    /// native decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. If it
+    /// is missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.</remarks>
+    internal static class Decompressors
+    {
+        /// <summary>Makes a decompressor of Brotli streams (Potree 2.0 of encoding BROTLI).</summary>
+        public static Func<StreamDecompressor> Brotli { get; set; } = () => new BrotliStreamDecompressor();
+
+        /// <summary>Makes a decompressor of zstandard frames (EPT of data type zstandard), or null.</summary>
+        public static Func<StreamDecompressor> Zstandard { get; set; }
+    }
+
+    /// <summary>Decompresses streams of one kind (Brotli, zstandard), one after the other and piece by piece, so that a long
+    /// stream is done in slices. Jobs call it on any thread, but only one at a time.</summary>
+    internal abstract class StreamDecompressor : IDisposable
+    {
+        /// <summary>Forgets the previous stream: the next bytes begin a new one.</summary>
+        public abstract void Start();
+
+        /// <summary>Decodes as much as fits into <paramref name="output"/>.</summary>
+        /// <param name="input">The rest of the stream; bytes that were consumed do not come again.</param>
+        /// <param name="consumed">Bytes of the input that were consumed.</param>
+        /// <param name="written">Bytes of the output; fewer than fit only if the stream has ended or is broken.</param>
+        /// <returns>False if the stream is broken.</returns>
+        public abstract bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written);
+
+        public abstract void Dispose();
+    }
+
+    /// <summary>Decodes Brotli (RFC 7932) with the framework's own decoder, which allocates nothing once it has
+    /// started.</summary>
+    internal sealed class BrotliStreamDecompressor : StreamDecompressor
+    {
+        BrotliDecoder m_decoder;
+
+        public override void Start()
+        {
+            m_decoder.Dispose();
+            m_decoder = default;
+        }
+
+        public override bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written)
+        {
+            consumed = written = 0;
+            while (written < output.Length)
+            {
+                var status = m_decoder.Decompress(input.Slice(consumed), output.Slice(written), out int taken, out int made);
+                consumed += taken;
+                written += made;
+                if (status == OperationStatus.InvalidData)
+                    return false;
+                if (status != OperationStatus.DestinationTooSmall || taken == 0 && made == 0)
+                    break;
+            }
+            return true;
+        }
+
+        public override void Dispose() => m_decoder.Dispose();
+    }
+
+    /// <summary>A decompressor that jobs can find by a number.</summary>
+    sealed class DecompressorHandle : IDisposable
+    {
+        GCHandle m_handle;
+
+        public DecompressorHandle(StreamDecompressor decompressor)
+        {
+            Decompressor = decompressor;
+            m_handle = GCHandle.Alloc(this);
+        }
+
+        public StreamDecompressor Decompressor { get; }
+
+        /// <summary>What the decompressor threw, or null.</summary>
+        public Exception Failure { get; set; }
+
+        public long Handle => (long)GCHandle.ToIntPtr(m_handle);
+
+        /// <summary>The jobs that use it must be complete.</summary>
+        public void Dispose()
+        {
+            if (!m_handle.IsAllocated)
+                return;
+            m_handle.Free();
+            Decompressor.Dispose();
+        }
+    }
+}

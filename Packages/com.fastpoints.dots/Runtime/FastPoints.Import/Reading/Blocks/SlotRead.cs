@@ -1,0 +1,97 @@
+using System;
+using FastPoints.Core;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Reading
+{
+    /// <summary>What the slots of all formats have in common: the batch, and how a range begins, ends and is given up.</summary>
+    abstract class SlotRead : BlockRead
+    {
+        readonly PointReader m_reader;
+        NativeReference<DecodeResult> m_result;
+        bool m_isBusy;
+        bool m_isDisposed;
+
+        /// <exception cref="ArgumentException">The source lacks a wanted attribute, or has it in another type.</exception>
+        protected SlotRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            foreach (var attribute in wanted)
+            {
+                int index = reader.Info.Schema.IndexOf(attribute.Name);
+                if (index < 0 || reader.Info.Schema[index].Type != attribute.Type)
+                    throw new ArgumentException("the source has no attribute " + attribute, nameof(wanted));
+            }
+            m_reader = reader;
+            Points = new PointBatch(wanted, capacity, allocator);
+            m_result = new NativeReference<DecodeResult>(allocator);
+            Result = m_result;
+        }
+
+        protected bool IsBusy => m_isBusy;
+
+        /// <summary>Starts the read of a range that is not empty, and the jobs behind it.</summary>
+        protected abstract JobHandle Schedule(BlockRange range);
+
+        /// <summary>What the decoding depends on: the read, and <see cref="BlockRead.After"/>.</summary>
+        protected JobHandle Behind(JobHandle read) => After.Equals(default) ? read : JobHandle.CombineDependencies(read, After);
+
+        /// <summary>Closes the read of the range, whose jobs are finished.</summary>
+        protected abstract void EndRead();
+
+        /// <summary>Says what was odd about the range, or missing.</summary>
+        protected virtual void Warn(DecodeResult result) { }
+
+        /// <summary>Asks the read in flight to stop early.</summary>
+        protected virtual void Cancel() { }
+
+        /// <summary>Also runs where the constructor failed half-way.</summary>
+        protected abstract void DisposeMemory();
+
+        public sealed override void Begin(BlockRange range)
+        {
+            if (m_isBusy)
+                throw new InvalidOperationException(SlotRing.InFlight);
+            if (range.Block < 0 || range.Block >= m_reader.BlockCount)
+                throw new ArgumentOutOfRangeException(nameof(range), range.Block, "no such block");
+            int points = m_reader.PointsInBlock(range.Block);
+            if (range.First < 0 || range.Count < 0 || range.First > points - range.Count || range.Count > Points.Capacity)
+                throw new ArgumentOutOfRangeException(nameof(range), "wanted points " + range.First + " + " + range.Count +
+                    " of " + points + ", capacity " + Points.Capacity);
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            Points.Count = 0;
+            m_result.Value = default;
+            Result = m_result;
+            Decoded = range.Count == 0 ? default : Schedule(range);
+            m_isBusy = true;
+        }
+
+        public sealed override void Complete()
+        {
+            if (!m_isBusy)
+                throw new InvalidOperationException(SlotRing.NotInFlight);
+            m_isBusy = false;
+            Decoded.Complete();
+            if (Range.Count == 0)
+                return;
+            EndRead();
+            Points.Count = Math.Min(Result.Value.Points, Range.Count);
+            Warn(Result.Value);
+        }
+
+        public sealed override void Dispose()
+        {
+            if (m_isDisposed)
+                return;
+            m_isDisposed = true;
+            if (m_isBusy)
+                Cancel();
+            m_isBusy = false;
+            Decoded.Complete();
+            DisposeMemory();
+            Points.Dispose();
+            m_result.Dispose();
+        }
+    }
+}

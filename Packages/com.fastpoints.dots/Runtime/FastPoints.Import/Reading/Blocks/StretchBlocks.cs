@@ -1,0 +1,73 @@
+using System;
+
+namespace FastPoints.Reading
+{
+    /// <summary>A source whose points have no fixed length: a block is a stretch of the file with the points that start in it,
+    /// and a range reads its whole block.</summary>
+    internal abstract class StretchReader : PointReader
+    {
+        private protected StretchBlocks Blocks { get; } = new StretchBlocks();
+
+        public override int BlockCount => Blocks.Count;
+
+        public override int MaxPointsPerBlock => Blocks.Count == 0 ? 0 : Blocks.MaxPoints;
+
+        public override long FirstPointOfBlock(int block) => Blocks[block].FirstPoint;
+
+        public override int PointsInBlock(int block) => Blocks[block].Points;
+
+        public override long PlaceOfBlock(int block) => Blocks[block].OffsetBytes;
+
+        public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
+    }
+
+    /// <summary>The blocks of such a source, once they are found.</summary>
+    sealed class StretchBlocks
+    {
+        StretchBlock[] m_blocks;
+
+        public bool AreFound => m_blocks != null;
+
+        public int Count => Found().Length;
+
+        public int MaxPoints { get; private set; }
+
+        public int MaxBytes { get; private set; }
+
+        public StretchBlock this[int block] => Found()[block];
+
+        /// <returns>The points of all blocks.</returns>
+        public long Take(StretchBlock[] blocks)
+        {
+            m_blocks = blocks;
+            MaxPoints = MaxBytes = 0;
+            long points = 0;
+            foreach (var block in blocks)
+            {
+                MaxPoints = Math.Max(MaxPoints, block.Points);
+                MaxBytes = Math.Max(MaxBytes, block.Bytes);
+                points += block.Points;
+            }
+            return points;
+        }
+
+        StretchBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+    }
+
+    /// <summary>A stretch of a file with the points that start in it.</summary>
+    struct StretchBlock
+    {
+        public long OffsetBytes;
+        public int Bytes;
+
+        /// <summary>Index of the first point in the whole file.</summary>
+        public long FirstPoint;
+        public int Points;
+
+        /// <summary>Of text: lines of the block that belong to what comes before the points.</summary>
+        public int RowsBefore;
+
+        /// <summary>Of text: whether the block starts within a line that belongs to an earlier block.</summary>
+        public bool StartsInRow;
+    }
+}

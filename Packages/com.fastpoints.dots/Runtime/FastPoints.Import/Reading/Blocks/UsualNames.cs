@@ -1,0 +1,43 @@
+using System.Collections.Generic;
+using System.Text;
+using FastPoints.Core;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Finds LAS's attributes by the names that writers of PLY, PCD, E57 and text give them: scalar_Classification,
+    /// return_number, las:gpsTime.</summary>
+    static class UsualNames
+    {
+        static readonly Dictionary<string, string> s_names = new Dictionary<string, string>
+        {
+            { "class", AttributeNames.Classification }, { "scananglerank", AttributeNames.ScanAngle },
+            { "nir", AttributeNames.NearInfrared }, { "infrared", AttributeNames.NearInfrared },
+        };
+
+        static UsualNames()
+        {
+            foreach (string name in new[]
+            {
+                AttributeNames.Classification, AttributeNames.ReturnNumber, AttributeNames.NumberOfReturns,
+                AttributeNames.ScanDirectionFlag, AttributeNames.EdgeOfFlightLine, AttributeNames.Synthetic,
+                AttributeNames.KeyPoint, AttributeNames.Withheld, AttributeNames.Overlap, AttributeNames.ScannerChannel,
+                AttributeNames.ScanAngle, AttributeNames.UserData, AttributeNames.PointSourceId, AttributeNames.GpsTime,
+                AttributeNames.NearInfrared,
+            })
+                s_names.Add(name.ToLowerInvariant(), name);
+        }
+
+        /// <summary>The attribute's name; null if it is none of LAS's. Case, blanks, underscores and a prefix of the writer's
+        /// do not count.</summary>
+        public static string Of(string name)
+        {
+            var plain = new StringBuilder(name.Length);
+            foreach (char c in name.StartsWith("las:", System.StringComparison.Ordinal) ? name.Substring(4) : name)
+                if (c != '_' && c != ' ')
+                    plain.Append(char.ToLowerInvariant(c));
+            if (name.StartsWith("scalar_", System.StringComparison.OrdinalIgnoreCase))
+                plain.Remove(0, "scalar".Length);
+            return s_names.TryGetValue(plain.ToString(), out string usual) ? usual : null;
+        }
+    }
+}

@@ -1,0 +1,140 @@
+using System;
+using System.IO;
+using FastPoints.Core;
+
+namespace FastPoints.Reading
+{
+    /// <summary>A file whose header is being read: with small managed reads at any offset, never beyond the file's real size.
+    /// AsyncReadManager reads the points into native memory instead.</summary>
+    /// <remarks>The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a
+    /// later read opens it again.</remarks>
+    internal sealed class FileSource : IDisposable
+    {
+        const int StreamBufferBytes = 16 * 1024;
+
+        internal const long NoSuchFile = -1;
+
+        FileStream m_stream;
+
+        FileSource(string path, long length)
+        {
+            Path = path;
+            Length = length;
+        }
+
+        /// <summary>The path as the caller gave it, which messages show.</summary>
+        public string Path { get; }
+
+        /// <summary>Bytes of the file when it was opened.</summary>
+        public long Length { get; }
+
+        /// <summary>Opens a regular file that is not empty.</summary>
+        /// <exception cref="PointCloudException">NotFound for a folder or a missing file, AccessDenied, Truncated for an empty
+        /// file, a pipe or a device.</exception>
+        public static FileSource Open(string path)
+        {
+            if (string.IsNullOrEmpty(path))
+                throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
+            try
+            {
+                if (Directory.Exists(path))
+                    throw new PointCloudException(FailureCode.NotFound, path, -1, "is a folder, wanted a file");
+                // The size is queried before anything is opened: opening a pipe would wait for its writer, and pipes and
+                // devices have no size.
+                var info = new FileInfo(path);
+                if (!info.Exists)
+                    throw new PointCloudException(FailureCode.NotFound, path, -1, "no such file");
+                if (info.Length == 0)
+                    throw new PointCloudException(FailureCode.Truncated, path, -1,
+                        "wanted a point cloud, got 0 bytes (an empty file, a pipe or a device)");
+                var source = new FileSource(path, info.Length);
+                source.Stream();
+                return source;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(path, e);
+            }
+        }
+
+        /// <summary>Bytes of a file; <see cref="NoSuchFile"/> if it or its path does not exist.</summary>
+        internal static long LengthOf(string path)
+        {
+            if (path == null)
+                return NoSuchFile;
+            try
+            {
+                var file = new FileInfo(path);
+                return file.Exists ? file.Length : NoSuchFile;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return NoSuchFile;
+            }
+        }
+
+        /// <summary>Reads exactly <paramref name="count"/> bytes from <paramref name="offset"/>.</summary>
+        /// <param name="field">The name of the bytes for messages.</param>
+        /// <exception cref="PointCloudException">Truncated if the file ends before; nothing is allocated then.</exception>
+        public ByteReader Read(long offset, int count, string field)
+        {
+            CheckRange(offset, count, field);
+            return ReadAtMost(offset, count);
+        }
+
+        /// <summary>Does the same into the caller's memory.</summary>
+        public void Read(long offset, byte[] into, int count, string field)
+        {
+            CheckRange(offset, count, field);
+            ReadInto(into, offset, count);
+        }
+
+        void CheckRange(long offset, int count, string field)
+        {
+            if (offset < 0 || offset > Length || count > Length - offset)
+                throw PointCloudException.Wanted(FailureCode.Truncated, Path, offset, field, count + " bytes",
+                    Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
+        }
+
+        /// <summary>Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
+        /// end.</summary>
+        public ByteReader ReadAtMost(long offset, int count)
+        {
+            long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);
+            var bytes = new byte[Math.Max(0, available)];
+            ReadInto(bytes, offset, bytes.Length);
+            return new ByteReader(bytes, Path, offset);
+        }
+
+        void ReadInto(byte[] bytes, long offset, int count)
+        {
+            int got = 0;
+            try
+            {
+                var stream = Stream();
+                if (count > 0)
+                    stream.Position = offset;
+                while (got < count)
+                {
+                    int read = stream.Read(bytes, got, count - got);
+                    if (read == 0)
+                        throw PointCloudException.Wanted(FailureCode.ReadFailed, Path, offset + got, "the file became shorter",
+                            count + " bytes", got);
+                    got += read;
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(Path, e);
+            }
+        }
+
+        public void Dispose()
+        {
+            m_stream?.Dispose();
+            m_stream = null;
+        }
+
+        FileStream Stream() => m_stream ??= FileChanges.OpenToRead(Path, StreamBufferBytes);
+    }
+}

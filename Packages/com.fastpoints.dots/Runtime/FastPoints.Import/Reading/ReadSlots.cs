@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Reading
+{
+    /// <summary>The reads of a source that are in flight, one behind another: as many as keep workers busy, each with memory of
+    /// its own, which is allocated when it is first needed and freed a slot a step.</summary>
+    internal sealed class ReadSlots : IDisposable
+    {
+        readonly PointReader m_reader;
+        readonly PointSchema m_wanted;
+        readonly WorkAhead m_ahead;
+        readonly int m_longest;
+        readonly JobHandle[] m_last;
+        readonly List<BlockRead> m_reads = new List<BlockRead>();
+        readonly List<JobHandle> m_consumed = new List<JobHandle>();
+        readonly Queue<int> m_inFlight = new Queue<int>();
+        readonly Stack<int> m_spare = new Stack<int>();
+        bool m_keepsStates;
+
+        /// <param name="longest">The most points of a read.</param>
+        /// <param name="chains">The most reads whose jobs run side by side; 0 for all that are in flight.</param>
+        public ReadSlots(PointReader reader, PointSchema wanted, int longest, WorkAhead ahead, int chains)
+        {
+            m_reader = reader;
+            m_wanted = wanted;
+            m_longest = longest;
+            m_ahead = ahead;
+            m_last = new JobHandle[chains];
+        }
+
+        /// <summary>Slots that have memory.</summary>
+        public int Count => m_reads.Count;
+
+        public int InFlight => m_inFlight.Count;
+
+        /// <summary>See <see cref="BlockRead.TryKeepStates"/>; before the first read.</summary>
+        public bool TryKeepStates()
+        {
+            Add();
+            return m_keepsStates = m_reads[0].TryKeepStates();
+        }
+
+        /// <summary>Work for a pump: reads from <paramref name="first"/> to before <paramref name="end"/>, and hands each to the
+        /// consumer.</summary>
+        /// <param name="begin">Begins a read by its number.</param>
+        public IEnumerator<Work> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
+            StageProgress progress)
+        {
+            long pointsDone = 0, bytesDone = 0;
+            var throttle = consumer as IThrottledConsumer;
+            var newest = default(JobHandle);
+            for (int next = first; next < end || m_inFlight.Count > 0;)
+            {
+                if (next == end || m_inFlight.Count >= m_ahead.Count)
+                {
+                    int done = m_inFlight.Peek();
+                    m_ahead.Await();
+                    yield return m_consumed[done];
+                    m_ahead.Resume(next < end && newest.IsCompleted);
+                    m_inFlight.Dequeue();
+                    m_spare.Push(done);
+                    m_consumed[done].Complete();
+                    var read = m_reads[done];
+                    read.Complete();
+                    consumer.Completed(read, done);
+                    pointsDone += read.Points.Count;
+                    bytesDone += m_reader.BytesOfRange(read.Range);
+                    progress?.Report((next - first - m_inFlight.Count) / (double)(end - first), pointsDone, bytesDone);
+                    continue;
+                }
+                while (throttle != null && !throttle.IsReady)
+                    yield return default;
+                if (m_spare.Count == 0)
+                {
+                    Add();
+                    // The pump looks at its budget.
+                    yield return default;
+                }
+                int slot = m_spare.Pop();
+                if (m_last.Length > 0)
+                    m_reads[slot].After = m_last[next % m_last.Length];
+                begin(m_reads[slot], next);
+                m_consumed[slot] = newest = consumer.Schedule(m_reads[slot], slot, m_reads[slot].Decoded);
+                if (m_last.Length > 0)
+                    m_last[next % m_last.Length] = newest;
+                m_inFlight.Enqueue(slot);
+                next++;
+                JobHandle.ScheduleBatchedJobs();
+                yield return default;
+            }
+        }
+
+        /// <summary>Work for a pump: frees all, a slot a step, since large blocks take a millisecond.</summary>
+        public IEnumerator<Work> Free()
+        {
+            for (; m_reads.Count > 0; m_reads.RemoveAt(m_reads.Count - 1))
+            {
+                m_reads[m_reads.Count - 1].Dispose();
+                yield return default;
+            }
+            m_spare.Clear();
+        }
+
+        /// <summary>Awaits what is in flight. May be called twice.</summary>
+        public void Dispose()
+        {
+            for (int i = 0; i < m_reads.Count; i++)
+            {
+                m_consumed[i].Complete();
+                m_reads[i].Dispose();
+            }
+            m_reads.Clear();
+        }
+
+        void Add()
+        {
+            var read = m_reader.CreateRead(m_wanted, m_longest, Allocator.Persistent);
+            m_spare.Push(m_reads.Count);
+            m_reads.Add(read);
+            m_consumed.Add(default);
+            if (m_keepsStates)
+                read.TryKeepStates();
+        }
+    }
+}

@@ -1,0 +1,60 @@
+using System.Collections.Generic;
+using FastPoints.Core;
+
+namespace FastPoints.Reading
+{
+    /// <summary>A file's description of itself, read from its header without touching the points. These are claims, not
+    /// statistics.</summary>
+    public sealed class SourceInfo
+    {
+        public string Path;
+        public long FileBytes;
+
+        /// <summary>The name of the format: "LAS", "PLY", ...</summary>
+        public string Format;
+
+        /// <summary>The format's own version, "1.4" for example.</summary>
+        public string Version;
+
+        /// <summary>LAS point data format, or -1.</summary>
+        public int PointFormat = -1;
+
+        /// <summary>Bytes of one record, or 0 if records have no fixed length.</summary>
+        public int RecordBytes;
+
+        /// <summary>Points according to the header. Unsigned, because a header may claim anything.</summary>
+        public ulong PointsClaimed;
+
+        /// <summary>Whether there is such a claim: text files mostly have none.</summary>
+        public bool HasPointsClaimed = true;
+
+        /// <summary>Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 if only a scan can
+        /// tell.</summary>
+        public long PointsReadable = -1;
+
+        /// <summary>Points read so far that the file itself marks as invalid: they are left out, and none is lost.</summary>
+        internal long PointsMarkedInvalid;
+
+        public bool HasBoundsClaimed;
+        public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
+
+        public PositionTransform Transform = PositionTransform.Identity;
+
+        /// <summary>The attributes of each point.</summary>
+        public PointSchema Schema;
+
+        /// <summary>Attributes that samples keep beside those that a picture can be coloured by.</summary>
+        internal string[] SampledToo = System.Array.Empty<string>();
+
+        public CoordinateSystem Crs = new CoordinateSystem();
+
+        /// <summary>Everything else that the header says, as lines for people: name and value, in the file's order.</summary>
+        public readonly List<KeyValuePair<string, string>> Facts = new List<KeyValuePair<string, string>>();
+
+        public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
+
+        public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
+
+        public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Visits every point of a source once, block by block, with several blocks in flight, in bounded memory.</summary>
+    internal static class SourceScan
+    {
+        /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
+        public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
+
+        /// <summary>Limit of the memory of one scan's slots: it bounds a scan's resident set, whatever the number of cores and
+        /// the size of blocks.</summary>
+        public const long MaxSlotBytes = 96L << 20;
+
+        /// <summary>Number of slots: <see cref="DefaultSlots"/>, or as many as fit into <see cref="MaxSlotBytes"/> with a block's
+        /// columns and its bytes in the file.</summary>
+        public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
+
+        /// <param name="extraBytesPerPoint">Bytes that the consumer keeps for each point of a slot.</param>
+        /// <param name="maxBytes">The limit for all slots together; there is always one.</param>
+        public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes) =>
+            reader.BlockCount == 0 ? 1 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
+
+        /// <summary>Slots that fit into so many bytes, and at least one.</summary>
+        internal static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
+        {
+            long fileBytes = reader.BytesOfRange(new BlockRange(0, 0, reader.PointsInBlock(0)));
+            long bytesPerSlot = (long)reader.MaxPointsPerBlock * (wanted.BytesPerPoint + extraBytesPerPoint) + fileBytes
+                + reader.DecoderBytes;
+            return (int)Math.Max(1, Math.Min(int.MaxValue, maxBytes / Math.Max(1, bytesPerSlot)));
+        }
+
+        /// <summary>Points that a worker takes in a millisecond at most: of records of one length, and of all others.</summary>
+        const double RecordsPerMs = 8000, OthersPerMs = 2000;
+
+        /// <summary>Slots for a pump that is ticked: as many at first as are done in the time, or as one that awaits each needs,
+        /// and as many as memory allows where workers run out of them. See
+        /// <see cref="SlotsFor(PointReader, PointSchema, int, long)"/>.</summary>
+        /// <param name="chains">As in <see cref="Run(PointReader, PointSchema, IBlockConsumer, WorkAhead, int, int, int,
+        /// StageProgress)"/>.</param>
+        public static WorkAhead AheadFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes,
+            int chains, Func<double> ms)
+        {
+            if (reader.BlockCount == 0)
+                return new WorkAhead(1, 1, ms);
+            int least = chains > 0 ? Math.Min(DefaultSlots, 2 * chains) : DefaultSlots;
+            int first = WorkAhead.CountFor(least, ms(), (least + 1) / 2,
+                reader.MaxPointsPerBlock / (reader.HasRunReads ? RecordsPerMs : OthersPerMs));
+            return new WorkAhead(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
+        }
+
+        /// <summary>Work for a pump: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
+        /// <param name="slots">Blocks in flight, which determine the memory.</param>
+        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
+            StageProgress progress) =>
+            Run(reader, wanted, consumer, new WorkAhead(slots, slots, () => 0), 0, 0, reader.BlockCount, progress);
+
+        /// <summary>The same for some blocks: from <paramref name="firstBlock"/> to before <paramref name="endBlock"/>.</summary>
+        /// <param name="ahead">Blocks in flight.</param>
+        /// <param name="chains">The most blocks whose jobs run side by side; 0 for all that are in flight.</param>
+        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, WorkAhead ahead,
+            int chains, int firstBlock, int endBlock, StageProgress progress) =>
+            Run(reader, wanted, consumer, ahead, chains, firstBlock, endBlock,
+                block => new BlockRange(block, 0, reader.PointsInBlock(block)), reader.MaxPointsPerBlock, progress);
+
+        /// <summary>The same for ranges of blocks.</summary>
+        /// <param name="rangeOf">A range by its number, from <paramref name="first"/> to before <paramref name="end"/>.</param>
+        /// <param name="longest">The most points of a range.</param>
+        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, WorkAhead ahead,
+            int chains, int first, int end, Func<int, BlockRange> rangeOf, int longest, StageProgress progress)
+        {
+            using var slots = new ReadSlots(reader, wanted, longest, ahead, chains);
+            yield return Work.Of(slots.Run(consumer, first, end, (read, n) => read.Begin(rangeOf(n)), progress));
+            yield return Work.Of(slots.Free());
+        }
+    }
+}

@@ -1,0 +1,415 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using Unity.Collections;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Reads several files as one cloud: their blocks one after the other, all attributes of all of them, positions on
+    /// one grid that holds every file's numbers exactly.</summary>
+    /// <remarks>Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most
+    /// <see cref="MaxOpen"/> stay open (or one for each slot if there are more slots), so many files do not take many
+    /// handles.</remarks>
+    internal sealed class TiledReader : PointReader
+    {
+        /// <summary>The most files that stay open.</summary>
+        public const int MaxOpen = 32;
+
+        const int MaxShown = 20;
+
+        const int MaxEqualWarnings = 3;
+
+        readonly List<Tile> m_tiles = new List<Tile>();
+        readonly List<Tile> m_open = new List<Tile>();
+        readonly Dictionary<PointSchema, PointSchema> m_schemas = new Dictionary<PointSchema, PointSchema>();
+        readonly Dictionary<string, int> m_equalWarnings = new Dictionary<string, int>();
+        readonly bool m_leavesOut;
+        readonly Func<string, PointReader> m_openFile;
+        long[] m_firstPointOfBlock;
+        List<long> m_pointsOfBlock;
+        int m_maxPointsPerBlock;
+        bool m_hasFixedStride = true;
+        long m_clock;
+
+        TiledReader(string name, bool leavesOut, Func<string, PointReader> openFile)
+        {
+            m_leavesOut = leavesOut;
+            m_openFile = openFile;
+            Info = new SourceInfo { Path = name };
+        }
+
+        /// <summary>Opens files as one cloud, in this order. Dispose the reader.</summary>
+        /// <exception cref="PointCloudException">One of them is not a point cloud, or is broken.</exception>
+        public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile)
+        {
+            if (paths.Count == 0)
+                throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
+            string name = paths.Count == 1 ? paths[0] : paths[0] + " and " + (paths.Count - 1) + " more";
+            return new TiledReader(name, false, openFile).OpenAll(paths);
+        }
+
+        /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
+        /// folders within. Files that cannot be read are left out with a warning.</summary>
+        /// <exception cref="PointCloudException">The folder cannot be read, or has no point cloud.</exception>
+        public static TiledReader OpenFolder(string folder, Func<string, PointReader> openFile)
+        {
+            string[] paths, folders;
+            try
+            {
+                paths = Directory.GetFiles(folder);
+                folders = Directory.GetDirectories(folder);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(folder, e);
+            }
+            Array.Sort(paths, string.CompareOrdinal);
+            var reader = new TiledReader(folder, true, openFile);
+            if (folders.Length > 0)
+                reader.Info.Warn(-1, folders.Length + " folders in it are not looked into");
+            return reader.OpenAll(paths);
+        }
+
+        /// <summary>Files of the cloud.</summary>
+        public int TileCount => m_tiles.Count;
+
+        public override bool BlocksAreKnown => m_firstPointOfBlock != null;
+        public override int BlockCount => Found().Length - 1;
+        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
+        public override bool HasFixedStride => m_hasFixedStride;
+
+        /// <summary>Files that are open at this time.</summary>
+        public int OpenCount
+        {
+            get
+            {
+                int count = 0;
+                foreach (var tile in m_open)
+                    count += tile.IsOpen ? 1 : 0;
+                return count;
+            }
+        }
+
+        public override long FirstPointOfBlock(int block) => Found()[block];
+
+        public override int PointsInBlock(int block) => (int)(Found()[block + 1] - m_firstPointOfBlock[block]);
+
+        /// <summary>Path, bytes and points of one of the files.</summary>
+        public void DescribeTile(int tile, out string path, out long fileBytes, out long points)
+        {
+            path = m_tiles[tile].Path;
+            fileBytes = m_tiles[tile].FileBytes;
+            points = m_tiles[tile].Points;
+        }
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            var tile = TileOfBlock(range.Block);
+            if (tile.Reader != null)
+                return tile.Reader.BytesOfRange(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
+            return tile.HasFixedStride && tile.RecordBytes > 0
+                ? (long)range.Count * tile.RecordBytes
+                : (long)(tile.FileBytes / (double)Math.Max(1, tile.Points) * range.Count);
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            Found();
+            return new TiledRead(this, wanted, capacity, allocator);
+        }
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            var known = m_pointsOfBlock;
+            m_pointsOfBlock = new List<long>();
+            foreach (var tile in m_tiles)
+            {
+                if (tile.IsKnown)
+                {
+                    var blocks = known.GetRange(tile.FirstBlock, tile.BlockCount);
+                    tile.FirstBlock = m_pointsOfBlock.Count;
+                    m_pointsOfBlock.AddRange(blocks);
+                    continue;
+                }
+                tile.FirstBlock = m_pointsOfBlock.Count;
+                Enter(tile);
+                try
+                {
+                    tile.Reader.MostJobs = MostJobs;
+                    using (var work = new WorkSteps(tile.Reader.FindBlocks()))
+                        while (Step(work, tile))
+                            yield return work.Current;
+                    if (tile.Reader.BlocksAreKnown)
+                        TakeBlocks(tile);
+                    TakeWarnings(tile);
+                }
+                finally
+                {
+                    Leave(tile);
+                }
+            }
+            Settle();
+        }
+
+        /// <summary>Runs a step of a tile's work; in a folder, a tile that turns out to be broken is left out.</summary>
+        bool Step(WorkSteps work, Tile tile)
+        {
+            try
+            {
+                return work.MoveNext();
+            }
+            catch (PointCloudException e) when (m_leavesOut && e.IsBadInput)
+            {
+                WarnLeftOut(tile.Path, e);
+                return false;
+            }
+        }
+
+        internal Tile TileOfBlock(int block)
+        {
+            if ((uint)block >= (uint)BlockCount)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + BlockCount + " blocks");
+            int low = 0, high = m_tiles.Count - 1;
+            while (low < high)
+            {
+                int middle = (low + high + 1) / 2;
+                if (m_tiles[middle].FirstBlock <= block)
+                    low = middle;
+                else
+                    high = middle - 1;
+            }
+            return m_tiles[low];
+        }
+
+        /// <summary>Opens a tile for one more user; <see cref="Leave"/> ends that.</summary>
+        internal void Enter(Tile tile)
+        {
+            tile.LastUse = ++m_clock;
+            if (tile.IsOpen)
+            {
+                tile.Users++;
+                return;
+            }
+            CloseOldest();
+            if (tile.Reader == null)
+            {
+                var reader = m_openFile(tile.Path);
+                if (reader.Info.FileBytes != tile.FileBytes || reader.BlocksAreKnown != tile.IsKnown ||
+                    tile.IsKnown && (reader.BlockCount != tile.BlockCount || reader.PointCount != tile.Points))
+                {
+                    reader.Dispose();
+                    throw PointCloudException.Wanted(FailureCode.ReadFailed, tile.Path, -1, "the file has changed",
+                        tile.FileBytes + " bytes as before", reader.Info.FileBytes);
+                }
+                tile.Reader = reader;
+            }
+            tile.IsOpen = true;
+            tile.Users++;
+            if (!m_open.Contains(tile))
+                m_open.Add(tile);
+        }
+
+        internal void Leave(Tile tile) => tile.Users--;
+
+        /// <summary>Takes over the warnings that a tile's reader has so far, each line once.</summary>
+        internal void TakeWarnings(Tile tile)
+        {
+            var warnings = tile.Reader.Info.Warnings;
+            if (warnings.Count == 0)
+                return;
+            tile.Warnings ??= new List<int>();
+            for (int i = 0; i < warnings.Count; i++)
+            {
+                var warning = warnings[i];
+                bool isTold = false;
+                foreach (int place in tile.Warnings)
+                    isTold |= place >= 0 && Info.Warnings[place].ByteOffset == warning.ByteOffset &&
+                        Info.Warnings[place].Path == warning.Path && Info.Warnings[place].Text == warning.Text;
+                if (isTold)
+                    continue;
+                // A reader continues counting in the warning that it has.
+                if (i < tile.Warnings.Count && tile.Warnings[i] >= 0 && !Contains(warnings, Info.Warnings[tile.Warnings[i]]))
+                    Info.Warnings[tile.Warnings[i]] = warning;
+                else if (i >= tile.Warnings.Count)
+                    tile.Warnings.Add(Tell(warning));
+            }
+        }
+
+        static bool Contains(List<CloudWarning> warnings, CloudWarning wanted)
+        {
+            foreach (var warning in warnings)
+                if (warning.ByteOffset == wanted.ByteOffset && warning.Text == wanted.Text)
+                    return true;
+            return false;
+        }
+
+        /// <returns>Its index, or -1 if enough files have said the same.</returns>
+        int Tell(CloudWarning warning)
+        {
+            m_equalWarnings.TryGetValue(warning.Text, out int told);
+            m_equalWarnings[warning.Text] = told + 1;
+            if (told > MaxEqualWarnings)
+                return -1;
+            if (told == MaxEqualWarnings)
+                warning = new CloudWarning(Info.Path, -1, "more files say: " + warning.Text);
+            Info.Warnings.Add(warning);
+            return told == MaxEqualWarnings ? -1 : Info.Warnings.Count - 1;
+        }
+
+        public override void CloseFile()
+        {
+            foreach (var tile in m_open)
+                Close(tile);
+            m_open.Clear();
+        }
+
+        public override void DisposeUnread()
+        {
+            foreach (var tile in m_tiles)
+            {
+                tile.Reader?.DisposeUnread();
+                tile.Reader = null;
+            }
+        }
+
+        void CloseOldest()
+        {
+            while (m_open.Count >= MaxOpen)
+            {
+                Tile oldest = null;
+                foreach (var tile in m_open)
+                    if (tile.Users == 0 && (oldest == null || tile.LastUse < oldest.LastUse))
+                        oldest = tile;
+                if (oldest == null)
+                    return;
+                m_open.Remove(oldest);
+                Close(oldest);
+            }
+        }
+
+        static void Close(Tile tile)
+        {
+            tile.IsOpen = false;
+            // Finding this again would take another pass over the file.
+            if (!tile.IsKnown)
+            {
+                tile.Reader.CloseFile();
+                return;
+            }
+            tile.Reader.Dispose();
+            tile.Reader = null;
+        }
+
+        long[] Found() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
+
+        TiledReader OpenAll(IReadOnlyList<string> paths)
+        {
+            var summary = new TileSummary(Info);
+            var strangers = new List<string>();
+            bool isKnown = true;
+            m_pointsOfBlock = new List<long>();
+            foreach (string path in paths)
+            {
+                PointReader reader;
+                try
+                {
+                    reader = m_openFile(path);
+                }
+                catch (PointCloudException e) when (m_leavesOut)
+                {
+                    if (e.Code == FailureCode.Unsupported && e.ByteOffset == 0)
+                        strangers.Add(Path.GetFileName(path));
+                    else
+                        WarnLeftOut(path, e);
+                    continue;
+                }
+                try
+                {
+                    var tile = new Tile
+                    {
+                        Path = path,
+                        FileBytes = reader.Info.FileBytes,
+                        Schema = Shared(reader.Info.Schema),
+                        Transform = reader.Info.Transform,
+                        IsKnown = reader.BlocksAreKnown,
+                        HasFixedStride = reader.HasFixedStride,
+                        RecordBytes = reader.Info.RecordBytes,
+                        Reader = reader,
+                    };
+                    m_tiles.Add(tile);
+                    if (tile.IsKnown)
+                        TakeBlocks(tile);
+                    isKnown &= tile.IsKnown;
+                    m_hasFixedStride &= tile.HasFixedStride;
+                    summary.Include(reader.Info);
+                    if (m_tiles.Count <= MaxShown)
+                        Info.Fact(Path.GetFileName(path), summary.Describe(reader.Info));
+                    TakeWarnings(tile);
+                    tile.Reader = null;
+                }
+                finally
+                {
+                    reader.DisposeUnread();
+                }
+            }
+            if (strangers.Count > 0)
+                Info.Warn(-1, strangers.Count + " files in it are no point clouds: " + strangers[0] +
+                    (strangers.Count > 1 ? " and others" : ""));
+            if (m_tiles.Count == 0)
+                throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "the folder has no point cloud that can " +
+                    "be read" + (Info.Warnings.Count > 0 ? ": " + Info.Warnings[Info.Warnings.Count - 1].Text : ""));
+            if (m_tiles.Count > MaxShown)
+                Info.Fact("and", (m_tiles.Count - MaxShown) + " more files");
+            summary.End(m_tiles.Count);
+            new TileSchema(m_tiles, Info).Unite();
+            if (isKnown)
+                Settle();
+            return this;
+        }
+
+        void WarnLeftOut(string path, PointCloudException failure)
+        {
+            string text = failure.Message.StartsWith(failure.Path + ": ", StringComparison.Ordinal)
+                ? failure.Message.Substring(failure.Path.Length + 2)
+                : failure.Message;
+            Tell(new CloudWarning(path, -1, "left out: " + text));
+        }
+
+        PointSchema Shared(PointSchema schema)
+        {
+            if (!m_schemas.TryGetValue(schema, out var shared))
+                m_schemas[schema] = shared = schema;
+            return shared;
+        }
+
+        void TakeBlocks(Tile tile)
+        {
+            var reader = tile.Reader;
+            tile.FirstBlock = m_pointsOfBlock.Count;
+            tile.BlockCount = reader.BlockCount;
+            tile.Points = reader.PointCount;
+            tile.MaxPointsPerBlock = tile.BlockCount == 0 ? 0 : reader.MaxPointsPerBlock;
+            for (int block = 0; block < tile.BlockCount; block++)
+                m_pointsOfBlock.Add(reader.PointsInBlock(block));
+        }
+
+        void Settle()
+        {
+            // Tiles without points get the first block of the next tile, and come before it.
+            var first = new long[m_pointsOfBlock.Count + 1];
+            for (int block = 0; block < m_pointsOfBlock.Count; block++)
+                first[block + 1] = first[block] + m_pointsOfBlock[block];
+            m_pointsOfBlock = null;
+            foreach (var tile in m_tiles)
+            {
+                tile.FirstPoint = first[tile.FirstBlock];
+                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, tile.MaxPointsPerBlock);
+            }
+            m_firstPointOfBlock = first;
+            Info.PointsReadable = first[first.Length - 1];
+        }
+    }
+}

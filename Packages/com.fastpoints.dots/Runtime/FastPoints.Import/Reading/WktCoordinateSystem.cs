@@ -1,0 +1,70 @@
+using System.Globalization;
+using FastPoints.Core;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Extracts from a CRS in well-known text what is shown: name, EPSG codes, length of the unit. WKT 1 and
+    /// 2.</summary>
+    internal static class WktCoordinateSystem
+    {
+        static readonly string[] s_authority = { "AUTHORITY", "ID" };
+        static readonly string[] s_compound = { "COMPD_CS", "COMPOUNDCRS" };
+        static readonly string[] s_geographic = { "GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS" };
+        static readonly string[] s_horizontal =
+        {
+            "PROJCS", "PROJCRS", "PROJECTEDCRS", "GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS", "GEOCCS",
+            "LOCAL_CS", "ENGCRS", "BOUNDCRS",
+        };
+        static readonly string[] s_vertical = { "VERT_CS", "VERTCRS", "VERTICALCRS" };
+        static readonly string[] s_unit = { "UNIT", "LENGTHUNIT" };
+
+        /// <summary>Fills <paramref name="crs"/> from <paramref name="wkt"/>.</summary>
+        /// <returns>Whether the text is well-known text at all; if not, nothing is filled in.</returns>
+        public static bool Read(string wkt, CoordinateSystem crs)
+        {
+            var root = WktNode.Parse(wkt);
+            if (root == null || root.Values.Count == 0 && root.Children.Count == 0)
+                return false;
+            bool isCompound = System.Array.IndexOf(s_compound, root.Keyword) >= 0;
+            var horizontal = isCompound ? root.Child(s_horizontal) ?? root : root;
+            crs.Wkt = wkt;
+            crs.Name = root.Values.Count > 0 ? root.Values[0] : null;
+            crs.Epsg = EpsgOf(root);
+            if (crs.Epsg == 0)
+                crs.Epsg = EpsgOf(horizontal);
+            crs.VerticalEpsg = isCompound ? EpsgOf(root.Child(s_vertical)) : 0;
+            crs.MetresPerUnit = UnitOf(horizontal);
+            return true;
+        }
+
+        static int EpsgOf(WktNode node)
+        {
+            var authority = node?.Child(s_authority);
+            return authority != null && authority.Values.Count >= 2 && authority.Values[0].ToUpperInvariant() == "EPSG"
+                && int.TryParse(authority.Values[1], NumberStyles.None, CultureInfo.InvariantCulture, out int code)
+                ? code
+                : 0;
+        }
+
+        static double UnitOf(WktNode horizontal)
+        {
+            if (System.Array.IndexOf(s_geographic, horizontal.Keyword) >= 0)
+                return IsCartesian(horizontal.Child("CS")) ? LengthOf(horizontal) : double.NaN;
+            return LengthOf(horizontal);
+        }
+
+        /// <summary>WKT 2 writes geocentric systems with the geographic ones' keyword.</summary>
+        static bool IsCartesian(WktNode axes) =>
+            axes != null && axes.Values.Count > 0 && axes.Values[0].ToUpperInvariant() == "CARTESIAN";
+
+        /// <summary>WKT 1 and most of WKT 2 give the unit of the whole system; WKT 2 may give it axis by axis instead.</summary>
+        static double LengthOf(WktNode system)
+        {
+            var unit = system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit);
+            return unit != null && unit.Values.Count >= 2 && NumberText.TryRead(unit.Values[1], out double metres)
+                && metres > 0 && !double.IsInfinity(metres)
+                ? metres
+                : 0;
+        }
+    }
+}

@@ -1,0 +1,82 @@
+using FastPoints.Core;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>Measures a sample: where it lies, and how fine its numbers are.</summary>
+    [BurstCompile]
+    internal struct MeasureSampleJob : IJob
+    {
+        /// <summary>Points of one run of the job.</summary>
+        public const int PointsOfSlice = 1 << 16;
+
+        [ReadOnly] public NativeArray<double3> Stored;
+        public int First;
+        public int End;
+
+        /// <summary>Of the points so far; reset by the first slice.</summary>
+        public NativeReference<SampleStatistics> Statistics;
+        public SliceTimes Slices;
+
+        /// <summary>Schedules all slices of a sample.</summary>
+        public static JobHandle Schedule(MeasureSampleJob job, JobHandle done)
+        {
+            do
+            {
+                job.First = job.End;
+                job.End = math.min(job.Stored.Length, job.First + PointsOfSlice);
+                done = job.Schedule(done);
+            }
+            while (job.End < job.Stored.Length);
+            return done;
+        }
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            var found = First > 0 ? Statistics.Value : new SampleStatistics
+            {
+                Min = new double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
+                Max = new double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
+                LowestDigit = new int3(int.MaxValue, int.MaxValue, int.MaxValue),
+            };
+            for (int i = First; i < End; i++)
+            {
+                var p = Stored[i];
+                if (!math.all(math.isfinite(p)))
+                    continue;
+                found.Min = math.min(found.Min, p);
+                found.Max = math.max(found.Max, p);
+                found.LowestDigit = math.min(found.LowestDigit, new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
+            }
+            Statistics.Value = found;
+            Slices.End(begin);
+        }
+
+        static int LowestDigit(double value)
+        {
+            ulong bits = math.asulong(value);
+            int exponent = (int)(bits >> 52 & 0x7FF);
+            ulong mantissa = bits & (1UL << 52) - 1;
+            if (exponent > 0)
+                mantissa |= 1UL << 52;
+            else
+                exponent = 1;
+            return mantissa == 0 ? int.MaxValue : exponent - 1075 + math.tzcnt(mantissa);
+        }
+    }
+
+    /// <summary>Statistics of the stored positions of a sample, axis by axis. Blittable.</summary>
+    internal struct SampleStatistics
+    {
+        /// <summary>Bounds of the finite ones; min exceeds max if there are none.</summary>
+        public double3 Min;
+        public double3 Max;
+
+        /// <summary>The lowest binary digit of any value, as a power of two; int.MaxValue if all are zero.</summary>
+        public int3 LowestDigit;
+    }
+}

@@ -1,0 +1,140 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Reading;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>Plans how many points a sample of prefixes takes from which blocks, wave by wave: first some blocks spread over
+    /// the source, then all of them, then more of each, in proportion to their points. For a source with an octree it takes
+    /// levels from the top, all of them whole except the last.</summary>
+    sealed class PrefixPlan
+    {
+        /// <summary>Points that make starting a block worthwhile: if all blocks would get fewer, fewer blocks are
+        /// chosen.</summary>
+        public const int LeastPoints = 50;
+
+        readonly PointReader m_reader;
+        readonly SampleOrder m_order;
+
+        /// <summary>Points given so far by blocks that have given any: few among millions.</summary>
+        readonly Dictionary<int, int> m_taken = new Dictionary<int, int>();
+
+        /// <summary>Blocks of each level of the source's own octree, or null.</summary>
+        readonly List<List<int>> m_levels;
+
+        public PrefixPlan(PointReader reader, uint seed)
+        {
+            m_reader = reader;
+            m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
+            if (reader.Tree == null)
+                return;
+            m_levels = new List<List<int>>();
+            for (int i = 0; i < reader.Tree.NodeCount; i++)
+            {
+                var node = reader.Tree[i];
+                while (m_levels.Count <= node.Level)
+                    m_levels.Add(new List<int>());
+                if (node.Block >= 0)
+                    m_levels[node.Level].Add(node.Block);
+            }
+        }
+
+        /// <summary>Points taken in the waves so far.</summary>
+        public int Taken { get; private set; }
+
+        /// <summary>Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in
+        /// all.</summary>
+        public List<Prefix> Next(int wanted)
+        {
+            var prefixes = new List<Prefix>();
+            if (m_levels == null)
+            {
+                Take(Choose(wanted), wanted, wanted, prefixes);
+                return prefixes;
+            }
+            // The levels above are taken whole, and are not shared out here.
+            long left = wanted;
+            foreach (var level in m_levels)
+            {
+                long points = PointsOf(level);
+                Take(level, (int)Math.Min(left, points), wanted, prefixes);
+                left -= points;
+                if (left <= 0)
+                    break;
+            }
+            return prefixes;
+        }
+
+        /// <summary>Distributes <paramref name="wanted"/> points among the blocks, minus those taken before.</summary>
+        /// <param name="most">The most points that are taken in all.</param>
+        void Take(List<int> blocks, int wanted, int most, List<Prefix> prefixes)
+        {
+            long points = PointsOf(blocks), before = 0;
+            foreach (int block in blocks)
+            {
+                int inBlock = m_reader.PointsInBlock(block);
+                // Counts are differences of rounded sums, so that they add up.
+                int count = (int)(Share(before + inBlock, points, wanted) - Share(before, points, wanted));
+                before += inBlock;
+                m_taken.TryGetValue(block, out int taken);
+                count = Math.Min(count, inBlock) - taken;
+                // If an earlier wave of fewer blocks took more than its share of some, the last ones wait for the next wave.
+                count = Math.Min(count, most - Taken);
+                if (count <= 0)
+                    continue;
+                prefixes.Add(new Prefix { Block = block, First = taken, Count = count, Place = Taken });
+                m_taken[block] = taken + count;
+                Taken += count;
+            }
+        }
+
+        long PointsOf(List<int> blocks)
+        {
+            long points = 0;
+            foreach (int block in blocks)
+                points += m_reader.PointsInBlock(block);
+            return points;
+        }
+
+        /// <summary>Computes floor(part * wanted / whole) with the product split so that it does not overflow.</summary>
+        static long Share(long part, long whole, int wanted) =>
+            whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
+
+        /// <summary>Chooses blocks spread over the source: so many that each gets <see cref="LeastPoints"/>, and more if they do
+        /// not have as many.</summary>
+        List<int> Choose(int wanted)
+        {
+            var blocks = new List<int>();
+            long points = 0;
+            // Blocks found by jumping come in an order that is spread already.
+            bool isSpread = m_reader.PrefixesAreSpread && !m_reader.BlocksAreKnown;
+            int places = isSpread ? m_reader.BlockCount : m_order.Places;
+            for (int place = 0; place < places; place++)
+            {
+                if (blocks.Count > wanted / LeastPoints && points >= wanted)
+                    break;
+                int block = isSpread ? place : m_order.StratumAt(place);
+                if (block < 0 || block >= m_reader.BlockCount)
+                    continue;
+                blocks.Add(block);
+                points += m_reader.PointsInBlock(block);
+            }
+            blocks.Sort();
+            return blocks;
+        }
+    }
+
+    /// <summary>Points of a block's prefix that one wave adds to those of earlier waves, and where they go.</summary>
+    struct Prefix
+    {
+        public int Block;
+
+        /// <summary>Points of the block that were taken before.</summary>
+        public int First;
+
+        public int Count;
+
+        /// <summary>Place of the first one in the sample.</summary>
+        public int Place;
+    }
+}

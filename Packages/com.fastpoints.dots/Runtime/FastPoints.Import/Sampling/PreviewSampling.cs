@@ -1,0 +1,199 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Reading;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>Takes the sample of a preview from an open source: it finds the blocks if necessary, and if that takes a pass over
+    /// the whole file, waves from prefixes come before. Owns the sample.</summary>
+    public sealed class PreviewSampling : IDisposable
+    {
+        /// <summary>Stages that read all of a source: anything else that would read it may as well go first.</summary>
+        public const string FindBlocksStage = "find blocks", RefineStage = "refine";
+
+        readonly PointReader m_reader;
+        readonly SampleOptions m_options;
+        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly Stopwatch m_watch = new Stopwatch();
+        readonly (long Bytes, DateTime WrittenUtc) m_fileBefore;
+
+        public PreviewSampling(PointReader reader, SampleOptions options)
+        {
+            m_reader = reader;
+            m_options = options;
+            m_fileBefore = FileNow();
+        }
+
+        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it
+        /// belongs to the wave only until the work's next step.</summary>
+        public event Action<PreviewSample, SampleWave> WaveReady;
+
+        public PreviewSample Sample { get; private set; }
+
+        /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
+        public IReadOnlyList<SampleWave> Waves => m_waves;
+
+        /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="FindBlocksStage"/> and
+        /// <see cref="RefineStage"/>.</summary>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<Work> Run(StageProgress progress)
+        {
+            m_watch.Restart();
+            if (m_reader.HasPrefixes && !m_options.Exact)
+            {
+                yield return Work.Of(TakePrefixes(progress));
+                if (!m_options.Quick && Sample.IsOfPrefix)
+                    Drop();
+            }
+            if (Sample == null || !m_options.Quick && !Sample.IsWhole)
+            {
+                yield return Work.Of(FindBlocks(progress));
+                progress?.Begin("sample");
+                yield return Work.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
+            }
+
+            RaiseChanges();
+            progress?.End();
+        }
+
+        /// <summary>The state of the source's own file; a default if there is none.</summary>
+        (long Bytes, DateTime WrittenUtc) FileNow()
+        {
+            var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
+            return file != null && file.Exists ? (file.Length, file.LastWriteTimeUtc) : default;
+        }
+
+        /// <summary>Throws if the file has changed: a header and points of different files would give nonsense.</summary>
+        void RaiseChanges()
+        {
+            var now = FileNow();
+            if (now.Equals(m_fileBefore))
+                return;
+            m_reader.Info.Warn(0, "the file was changed while it was read (" + m_fileBefore.Bytes.ToString("N0",
+                CultureInfo.InvariantCulture) + " bytes before, " + now.Bytes.ToString("N0", CultureInfo.InvariantCulture)
+                + " now): the sample may be of neither state");
+        }
+
+        /// <summary>Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the cloud
+        /// bare: whole blocks replace them.</summary>
+        public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
+
+        IEnumerator<Work> Scan(StageProgress progress)
+        {
+            using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
+            {
+                yield return Work.Of(uniform.Run(0, progress));
+                Sample = uniform.TakeSample();
+            }
+            var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
+            Add(Sample, wave, m_watch.Elapsed.TotalSeconds, 0);
+            yield return default;
+        }
+
+        IEnumerator<Work> TakeWaves(StageProgress progress)
+        {
+            bool refines = !m_options.Quick && Refines(m_reader);
+            int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
+            if (Sample == null)
+                yield return Work.Of(Take(wanted, progress));
+            if (!refines || Sample.IsWhole)
+                yield break;
+            var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+            yield return Work.Of(ranges.Measure(Sample.Points, Sample.Transform, UpAxis.Z));
+            double before = m_watch.Elapsed.TotalSeconds;
+            long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
+            progress?.Begin(RefineStage);
+            using var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, ranges.Robust);
+            sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
+            yield return Work.Of(sampler.Run(0, progress));
+            Sample.Dispose();
+            Sample = sampler.TakeSample();
+        }
+
+        /// <summary>Takes a sample of the known blocks.</summary>
+        IEnumerator<Work> Take(int wanted, StageProgress progress)
+        {
+            double before = m_watch.Elapsed.TotalSeconds;
+            long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
+            using var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed);
+            sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
+            yield return Work.Of(sampler.Run(0, progress));
+            Sample = sampler.TakeSample();
+        }
+
+        void Add(PreviewSample sample, SampleWave wave, double secondsBefore, long bytesBefore)
+        {
+            wave.Seconds += secondsBefore;
+            wave.BytesRead += bytesBefore;
+            m_waves.Add(wave);
+            WaveReady?.Invoke(sample, wave);
+        }
+
+        /// <summary>Takes a sample of what can be read before the blocks are found, which takes a pass over the whole file: of
+        /// its beginning, or spread all over it.</summary>
+        IEnumerator<Work> TakePrefixes(StageProgress progress)
+        {
+            progress?.Begin("sample");
+            // A sampler searches for as many spread prefixes as a wave needs.
+            yield return Work.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
+            yield return Work.Of(Take(m_options.Points, progress));
+            var estimate = m_reader.EstimatedPoints;
+            Sample.StandFor((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
+            Sample.IsOfPrefix = !Sample.IsWhole && !m_reader.PrefixesAreSpread;
+            Sample.StandsForStretches &= !Sample.IsOfPrefix;
+            if (m_reader.PrefixesAreSpread)
+            {
+                Sample.Method = "lines of stretches all over the file";
+                if (m_options.Quick && estimate.StandardError > 0)
+                    m_reader.Info.Warn(0, "the lines were not counted: "
+                        + estimate.Points.ToString("N0", CultureInfo.InvariantCulture)
+                        + " is an estimate with a standard error of "
+                        + estimate.StandardError.ToString("N0", CultureInfo.InvariantCulture));
+            }
+            if (!Sample.IsOfPrefix)
+                yield break;
+            Sample.Method = "the file's beginning alone";
+            if (m_options.Quick)
+                m_reader.Info.Warn(0, "where the points lie is not known before all are decoded: the sample is of the file's "
+                    + "beginning alone, " + (100 * Sample.Share).ToString("0.##", CultureInfo.InvariantCulture)
+                    + " % of the points, and shows nothing of the rest");
+        }
+
+        IEnumerator<Work> FindBlocks(StageProgress progress)
+        {
+            if (m_reader.BlocksAreKnown)
+                yield break;
+            progress?.Begin(FindBlocksStage);
+            yield return Work.Of(m_reader.FindBlocks());
+        }
+
+        void Drop()
+        {
+            Sample?.Dispose();
+            Sample = null;
+        }
+
+        public void Dispose() => Drop();
+    }
+
+    /// <summary>Options of a <see cref="PreviewSampling"/>.</summary>
+    public class SampleOptions
+    {
+        /// <summary>Number of points in the sample.</summary>
+        public int Points = 1_000_000;
+
+        public uint Seed = 1;
+
+        /// <summary>Whether to choose from a scan of all points instead of short runs.</summary>
+        public bool Exact;
+
+        /// <summary>Whether to stop at the sample that reads little, even if it consists of prefixes of blocks, or of the file's
+        /// prefix.</summary>
+        public bool Quick;
+    }
+}

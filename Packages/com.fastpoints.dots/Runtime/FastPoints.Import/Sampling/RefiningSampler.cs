@@ -1,0 +1,318 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and offers a
+    /// sample to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for
+    /// point.</summary>
+    /// <remarks>Until then the sample has those of its points that were reached, and instead of the others the first point of
+    /// each cell that would be empty although points in it were read (spatial thinning). It is the same for any number of threads
+    /// and slots. All members belong to the pump's thread; disposing the work stops at once and leaves the last wave's
+    /// sample.</remarks>
+    internal sealed class RefiningSampler : IThrottledConsumer, IDisposable
+    {
+        /// <summary>Shares of the points at which a wave ends. Each costs as much as a twentieth of decoding some million points,
+        /// for keeping states and composing the sample: one more, at a fifteenth, delayed all others.</summary>
+        static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
+
+        /// <summary>From this share on, waves come at any cost; before it, only if this many points are decoded for one, which
+        /// takes half a second.</summary>
+        const double FirstShareOfAny = 0.2;
+        const long LeastPointsBeforeFifth = 2_000_000;
+
+        /// <summary>A first sample of this many points is always worth its time; one in so many if there are too many blocks to
+        /// reach together.</summary>
+        const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
+
+        readonly PointReader m_reader;
+        readonly PointSchema m_schema;
+        readonly SampleStrata m_strata;
+        readonly BoundsGeo m_bounds;
+        readonly uint m_seed;
+        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly Stopwatch m_watch = new Stopwatch();
+        SampleBuffer m_buffer;
+        DepthPlan m_plan;
+        DecoderState[] m_stateOfBlock;
+        readonly Stack<DecoderState> m_freeStates = new Stack<DecoderState>();
+        readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
+        ReadSlots m_slots;
+        SubstitutePoints m_others;
+        StageProgress m_progress;
+        readonly PreviewSample m_before;
+        PreviewSample m_sample;
+        long m_pointsFound;
+        long m_bytesRead;
+        int m_rangesRead;
+        bool m_isLastWave;
+
+        /// <param name="reader">A reader whose blocks are known.</param>
+        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
+        /// <param name="before">A first sample, shown where nothing else has been reached; the caller owns it and keeps it
+        /// until the first wave.</param>
+        /// <param name="bounds">The bounds of nearly all points, by that sample.</param>
+        /// <exception cref="PointCloudException">The source has no positions.</exception>
+        public RefiningSampler(PointReader reader, int wanted, uint seed, PreviewSample before, BoundsGeo bounds)
+        {
+            m_before = before;
+            m_reader = reader;
+            m_seed = seed;
+            m_schema = SampleSchema.Of(reader.Info);
+            m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
+            m_bounds = bounds;
+        }
+
+        /// <summary>Points of the first sample before this one: what it decodes is decoded again.</summary>
+        public static int PointsBefore(PointReader reader, int wanted) => (int)Math.Min(wanted,
+            reader.BlockCount <= DepthPlan.MostSlicedBlocks ? LeastPointsBefore
+                : Math.Max(LeastPointsBefore, reader.PointCount / PointsPerPointBefore));
+
+        /// <summary>Raised after each wave.</summary>
+        public event Action<SampleWave> WaveReady;
+
+        public IReadOnlyList<SampleWave> Waves => m_waves;
+
+        /// <summary>The last wave's sample until the next one replaces and disposes it; null before the first.</summary>
+        public PreviewSample Sample => m_sample;
+
+        /// <summary>While set, no more reads begin, so that other work can use the machine.</summary>
+        public bool IsPaused { get; set; }
+
+        bool IThrottledConsumer.IsReady => !IsPaused;
+
+        /// <summary>Takes the sample as work for a pump, once.</summary>
+        /// <param name="slots">Blocks in flight; 0 for what <see cref="PreviewSampler.AheadFor"/> says.</param>
+        public IEnumerator<Work> Run(int slots, StageProgress progress)
+        {
+            m_watch.Restart();
+            try
+            {
+                Allocate(slots);
+                if (!m_plan.IsSliced && m_before != null)
+                    yield return Work.Of(m_others.Append(m_before));
+                foreach (double share in s_shares)
+                {
+                    if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
+                        continue;
+                    // A wave never shows less than what it follows.
+                    if (share < 1 && m_plan.IsSliced && m_before != null && share * m_strata.Count < m_before.Count)
+                        continue;
+                    m_isLastWave = share == 1;
+                    m_progress = progress;
+                    for (var next = NextRanges(share); next.Count > 0; next = NextRanges(share))
+                    {
+                        var ranges = next;
+                        yield return Work.Of(m_slots.Run(this, 0, ranges.Count, (read, n) => Begin(read, ranges[n]), null));
+                        while (!m_isLastWave && m_others.AreTooMany)
+                            yield return Work.Of(m_others.Coarsen(m_buffer));
+                    }
+                    if (m_isLastWave)
+                        yield return Work.Of(m_slots.Free());
+                    yield return Work.Of(m_isLastWave ? Close() : Compose());
+                    RaiseWave();
+                    // The wave belongs to the code that steps the work until the next step.
+                    yield return default;
+                }
+            }
+            finally
+            {
+                Free();
+            }
+        }
+
+        void Allocate(int slots)
+        {
+            m_buffer = new SampleBuffer(m_schema, m_strata.Count);
+            m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
+                PreviewSampler.AheadFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
+            bool canSlice = m_reader.BlockCount <= DepthPlan.MostSlicedBlocks && m_slots.TryKeepStates();
+            m_plan = new DepthPlan(m_reader, canSlice, m_seed);
+            m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
+            m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
+        }
+
+        /// <summary>A round of the wave, after which others can be thinned. In the last wave there are none: it is one round,
+        /// since reads run out at the end of each.</summary>
+        List<BlockRange> NextRanges(double share)
+        {
+            var ranges = m_plan.Next(share);
+            for (var more = ranges; m_isLastWave && more.Count > 0; ranges.AddRange(more))
+                more = m_plan.Next(share);
+            return ranges;
+        }
+
+        void Begin(BlockRead read, BlockRange range)
+        {
+            if (!m_plan.IsSliced)
+            {
+                read.Begin(range);
+                return;
+            }
+            var from = m_stateOfBlock[range.Block];
+            read.Begin(range, from);
+            if (from == null)
+                return;
+            m_freeStates.Push(from);
+            m_stateOfBlock[range.Block] = null;
+        }
+
+        JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            if (m_strata.Count == 0)
+                return decoded;
+            while (m_columnsOfSlot.Count <= slot)
+                m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
+            var chosen = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, decoded);
+            // In the final sample no point stands in for another one.
+            return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_others.ScheduleAppend(read.Points,
+                m_columnsOfSlot[slot], read.Result, read.Range.Count, read.FirstPoint, m_strata, decoded));
+        }
+
+        void IBlockConsumer.Completed(BlockRead read, int slot)
+        {
+            int block = read.Range.Block;
+            m_pointsFound += read.Points.Count;
+            m_rangesRead++;
+            m_bytesRead += m_reader.BytesOfRange(read.Range) - (read.Range.First == 0 ? 0
+                : m_reader.BytesOfRange(new BlockRange(block, 0, read.Range.First)));
+            m_plan.Add(read.Range, read.Points.Count);
+            if (m_plan.IsSliced && !m_plan.IsTaken(block))
+                m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
+            m_progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
+        }
+
+        /// <summary>Composes a sample of the points so far: its own points, and others where there are none.</summary>
+        IEnumerator<Work> Compose()
+        {
+            // A point of the first sample may have been reached again.
+            if (!m_plan.IsSliced)
+                yield return Work.Of(m_others.Thin(m_buffer));
+            // Consecutive points are chosen from at most as many strata as they span, plus one at either end.
+            long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
+            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
+            var gathered = new NativeReference<int>(Allocator.Persistent);
+            var others = new NativeReference<DecodeResult>(Allocator.Persistent);
+            var all = default(JobHandle);
+            PreviewSample composed = null;
+            try
+            {
+                yield return Work.Of(Slices.Run(0, m_strata.Count, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                    new GatherPlacesJob
+                    {
+                        Sample = m_buffer.Points.Bytes,
+                        Filled = m_buffer.Filled,
+                        First = first,
+                        End = end,
+                        Columns = m_buffer.Columns,
+                        ColumnsOfTarget = drawn.Columns,
+                        Target = drawn.Points.Bytes,
+                        TargetFilled = drawn.Filled,
+                        Gathered = gathered,
+                    }.Schedule(after)));
+                others.Value = new DecodeResult { Points = Math.Min(m_others.Count, drawn.Places - gathered.Value) };
+                int ownPoints = gathered.Value, otherPoints = others.Value.Points;
+                yield return Work.Of(Slices.Schedule(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                    new CopyPrefixJob
+                    {
+                        Decoded = m_others.Points.Bytes,
+                        ColumnsOfDecoded = m_others.Columns,
+                        Result = others,
+                        First = first,
+                        End = end,
+                        ColumnsOfSample = drawn.Columns,
+                        FirstPlace = ownPoints,
+                        Sample = drawn.Points.Bytes,
+                        Filled = drawn.Filled,
+                    }.Schedule(after), 1, default, copied => all = copied));
+                yield return Work.Of(drawn.ScheduleClose(m_reader.Info.Transform, 0, ownPoints + otherPoints, all,
+                    closed => all = closed));
+                composed = drawn.ShareSample(m_reader.Info.Transform);
+                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, composed.RunList));
+                yield return Work.Of(drawn.MoveRuns(composed.RunList, composed.RunList.Length, ownPoints, all));
+                drawn.EndClose();
+                drawn.Measure(composed);
+                Replace(composed);
+                composed = null;
+                m_sample.StandsForStretches = true;
+                m_sample.IsOfBlockPrefixes = m_plan.IsSliced;
+                m_sample.PointsInSource = m_reader.PointCount;
+                m_sample.Substitutes = otherPoints;
+                m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
+            }
+            finally
+            {
+                all.Complete();
+                gathered.Dispose();
+                others.Dispose();
+                drawn.Dispose();
+                composed?.Dispose();
+            }
+        }
+
+        /// <summary>Closes the full scan's sample.</summary>
+        IEnumerator<Work> Close()
+        {
+            yield return Work.Of(m_buffer.Close(m_reader.Info.Transform));
+            Replace(m_buffer.TakeSample(m_reader.Info.Transform));
+            m_sample.PointsInSource = m_pointsFound;
+            m_sample.IsFullScan = true;
+            m_sample.StandsForStretches = true;
+            m_sample.Method = "full scan, one point of each stratum";
+        }
+
+        void Replace(PreviewSample sample)
+        {
+            m_sample?.Dispose();
+            m_sample = sample;
+            m_sample.BytesRead = m_bytesRead;
+        }
+
+        void RaiseWave()
+        {
+            double seconds = m_watch.Elapsed.TotalSeconds;
+            var wave = new SampleWave { Points = m_sample.Count, Seconds = seconds, BytesRead = m_bytesRead };
+            m_waves.Add(wave);
+            WaveReady?.Invoke(wave);
+        }
+
+        /// <summary>Hands over the last wave's sample, once; null if there is none.</summary>
+        public PreviewSample TakeSample()
+        {
+            var sample = m_sample;
+            m_sample = null;
+            return sample;
+        }
+
+        /// <summary>Frees everything except the last wave's sample and awaits jobs in flight. May be called twice.</summary>
+        void Free()
+        {
+            m_slots?.Dispose();
+            m_slots = null;
+            foreach (var columns in m_columnsOfSlot)
+                columns.Dispose();
+            m_columnsOfSlot.Clear();
+            for (int i = 0; m_stateOfBlock != null && i < m_stateOfBlock.Length; i++)
+                m_stateOfBlock[i]?.Dispose();
+            m_stateOfBlock = null;
+            while (m_freeStates.Count > 0)
+                m_freeStates.Pop().Dispose();
+            m_buffer?.Dispose();
+            m_buffer = null;
+            m_others?.Dispose();
+            m_others = null;
+        }
+
+        public void Dispose()
+        {
+            Free();
+            m_sample?.Dispose();
+            m_sample = null;
+        }
+    }
+}

@@ -1,0 +1,186 @@
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Text
+{
+    /// <summary>Decodes LZF, as liblzf writes it: runs of up to 32 bytes as they are, and copies of up to 264 bytes from at most
+    /// <see cref="WindowBytes"/> back. HPC#.</summary>
+    static unsafe class Lzf
+    {
+        public const int WindowBytes = 8192;
+
+        /// <summary>What one step writes, and takes of the input, at most.</summary>
+        public const int MostWritten = 264;
+        public const int MostTaken = 33;
+
+        /// <summary>One step.</summary>
+        /// <param name="known">Bytes before <paramref name="output"/> that may be copied from.</param>
+        /// <param name="taken">Bytes of the input that it took.</param>
+        /// <returns>Bytes written; 0 if the input ends before, -1 if it is damaged.</returns>
+        public static int Step(byte* input, long inputBytes, byte* output, long known, out int taken)
+        {
+            taken = 0;
+            if (inputBytes < 1)
+                return 0;
+            int control = *input;
+            if (control < 32)
+            {
+                if (inputBytes < control + 2)
+                    return 0;
+                taken = control + 2;
+                UnsafeUtility.MemCpy(output, input + 1, control + 1);
+                return control + 1;
+            }
+            int length = control >> 5, header = length == 7 ? 3 : 2;
+            if (inputBytes < header)
+                return 0;
+            if (length == 7)
+                length += input[1];
+            int back = ((control & 31) << 8) + input[header - 1] + 1;
+            if (back > known)
+                return -1;
+            taken = header;
+            // Byte by byte: a copy may reach into what it writes.
+            for (int i = 0; i < length + 2; i++)
+                output[i] = output[i - back];
+            return length + 2;
+        }
+    }
+
+    /// <summary>A place in an LZF stream from which decoding can begin.</summary>
+    struct LzfCheckpoint
+    {
+        /// <summary>Offset in the compressed stream.</summary>
+        public long Input;
+
+        /// <summary>Decoded bytes before the wanted ones.</summary>
+        public int Skip;
+    }
+
+    /// <summary>Progress of a walk through an LZF stream.</summary>
+    struct LzfWalk
+    {
+        public long Input;
+        public long Output;
+        public int Checkpoints;
+        public bool IsBroken;
+    }
+
+    /// <summary>Decodes a piece of an LZF stream and keeps only its checkpoints: the place, and the window before it.</summary>
+    [BurstCompile]
+    unsafe struct WalkLzfJob : IJob
+    {
+        /// <summary>Decoded at most by one job, so that it stays short.</summary>
+        public const int SliceBytes = 1 << 20;
+
+        public const int BufferBytes = Lzf.WindowBytes + SliceBytes + Lzf.MostWritten;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        public int InputBytes;
+        public long DecodedBytes;
+
+        /// <summary>Begins with the window before the piece.</summary>
+        public NativeArray<byte> Buffer;
+
+        /// <summary>Offsets of decoded bytes that get checkpoints, ascending.</summary>
+        [ReadOnly] public NativeArray<long> Places;
+        [WriteOnly] public NativeArray<LzfCheckpoint> Checkpoints;
+        [WriteOnly] public NativeArray<byte> Windows;
+        public NativeReference<LzfWalk> State;
+
+        public void Execute()
+        {
+            var state = State.Value;
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* buffer = (byte*)Buffer.GetUnsafePtr();
+            byte* windows = (byte*)Windows.GetUnsafePtr();
+            int done = 0, taken = 0;
+            while (done < SliceBytes && state.Output < DecodedBytes)
+            {
+                byte* output = buffer + Lzf.WindowBytes + done;
+                int written = Lzf.Step(input + taken, InputBytes - taken, output, state.Output, out int bytes);
+                if (written <= 0 || written > DecodedBytes - state.Output)
+                {
+                    state.IsBroken = written != 0 || taken == 0;
+                    break;
+                }
+                long after = state.Output + written;
+                for (; state.Checkpoints < Places.Length && Places[state.Checkpoints] < after; state.Checkpoints++)
+                {
+                    Checkpoints[state.Checkpoints] = new LzfCheckpoint
+                    {
+                        Input = state.Input,
+                        Skip = (int)(Places[state.Checkpoints] - state.Output),
+                    };
+                    UnsafeUtility.MemCpy(windows + (long)state.Checkpoints * Lzf.WindowBytes, output - Lzf.WindowBytes,
+                        Lzf.WindowBytes);
+                }
+                state.Output = after;
+                state.Input += bytes;
+                done += written;
+                taken += bytes;
+            }
+            UnsafeUtility.MemMove(buffer, buffer + done, Lzf.WindowBytes);
+            State.Value = state;
+        }
+    }
+
+    /// <summary>Where a wanted field of a range lies in the slot's input. Blittable.</summary>
+    struct LzfStretch
+    {
+        public int FirstByte;
+        public int Bytes;
+        public int Checkpoint;
+        public int Skip;
+        public int FieldBytes;
+        public int FirstCopy;
+        public int Copies;
+    }
+
+    /// <summary>Decodes the stretches of a range, one field after the other, into columns.</summary>
+    [BurstCompile]
+    unsafe struct DecodeLzfJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<LzfStretch> Stretches;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        [ReadOnly] public NativeArray<byte> Windows;
+        public NativeArray<byte> Buffer;
+        public int First;
+        public int Count;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+
+        public void Execute()
+        {
+            byte* buffer = (byte*)Buffer.GetUnsafePtr();
+            byte* decoded = buffer + Lzf.WindowBytes;
+            byte* windows = (byte*)Windows.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < Stretches.Length; i++)
+            {
+                var stretch = Stretches[i];
+                UnsafeUtility.MemCpy(buffer, windows + (long)stretch.Checkpoint * Lzf.WindowBytes, Lzf.WindowBytes);
+                byte* input = (byte*)Input.GetUnsafeReadOnlyPtr() + stretch.FirstByte;
+                long wanted = stretch.Skip + (long)(First + Count) * stretch.FieldBytes;
+                int taken = 0;
+                for (long done = 0; done < wanted;)
+                {
+                    int written = Lzf.Step(input + taken, stretch.Bytes - taken, decoded + done, Lzf.WindowBytes, out int bytes);
+                    if (written <= 0)
+                    {
+                        Result.Value = new DecodeResult { Error = 1 };
+                        return;
+                    }
+                    done += written;
+                    taken += bytes;
+                }
+                PointRecords.ToColumns(decoded + stretch.Skip + (long)First * stretch.FieldBytes, stretch.FieldBytes, Count,
+                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + stretch.FirstCopy, stretch.Copies, (byte*)Columns.GetUnsafePtr());
+            }
+            Result.Value = new DecodeResult { Points = Count };
+        }
+    }
+}

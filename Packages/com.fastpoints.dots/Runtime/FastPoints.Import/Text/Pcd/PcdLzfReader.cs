@@ -1,0 +1,300 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Ply;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Text
+{
+    /// <summary>A binary_compressed PCD file: one LZF stream in which each field has the values of all points, field after
+    /// field.</summary>
+    /// <remarks>One pass decodes it and keeps a checkpoint where each block of points begins in each field, so that ranges are
+    /// read alone and in any order. The checkpoints take at most about 3 % of the decoded bytes, and 32 MB.</remarks>
+    sealed class PcdLzfReader : PointReader
+    {
+        const int UsualBlockPoints = 65536, MaxBlockPoints = 1 << 20, MaxFieldBytes = 4 << 20, MaxCheckpoints = 4096;
+        const int SizesBytes = 8;
+
+        /// <summary>A copy of 264 bytes takes 3: a small file cannot claim a large cloud.</summary>
+        const int MostInflation = 88;
+
+        readonly PlyFile m_file;
+        readonly PcdField[] m_fields;
+        readonly long[] m_starts;
+        readonly long m_decodedBytes;
+        readonly int m_blockPoints;
+        readonly int m_widestBytes = 1;
+        NativeArray<LzfCheckpoint> m_checkpoints;
+        NativeArray<byte> m_windows;
+        long m_points = -1;
+
+        /// <exception cref="PointCloudException">The sizes of the stream are not those of the points.</exception>
+        public PcdLzfReader(FileSource source, PcdHeader header, PlyFile file)
+        {
+            Info = file.Info;
+            m_file = file;
+            m_fields = header.Fields.ToArray();
+            var sizes = source.Read(header.DataOffset, SizesBytes, "sizes of the compressed points");
+            StreamBytes = Math.Min(BitConverter.ToUInt32(sizes.Bytes, 0), source.Length - header.DataOffset - SizesBytes);
+            StreamOffset = header.DataOffset + SizesBytes;
+            m_decodedBytes = BitConverter.ToUInt32(sizes.Bytes, 4);
+            int recordBytes = file.Vertex.FixedBytes;
+            if ((ulong)m_decodedBytes / (ulong)recordBytes != header.Points || m_decodedBytes % recordBytes != 0)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, header.DataOffset + 4, "decompressed size",
+                    NumberText.Of(header.Points) + " points of " + recordBytes + " bytes", NumberText.Of(m_decodedBytes));
+            if (m_decodedBytes > StreamBytes * MostInflation)
+                throw PointCloudException.Wanted(FailureCode.Truncated, source.Path, StreamOffset, "compressed points",
+                    "at least " + NumberText.Of(m_decodedBytes / MostInflation) + " bytes", NumberText.Of(StreamBytes));
+            m_starts = new long[m_fields.Length];
+            for (int i = 0; i < m_fields.Length; i++)
+            {
+                m_starts[i] = i == 0 ? 0 : m_starts[i - 1] + (long)header.Points * m_fields[i - 1].Bytes;
+                m_widestBytes = Math.Max(m_widestBytes, m_fields[i].Bytes);
+            }
+            m_blockPoints = Math.Max(1, Math.Min(UsualBlockPoints, MaxFieldBytes / m_widestBytes));
+            while (m_blockPoints < MaxBlockPoints && BlocksOf((long)header.Points) * m_fields.Length > MaxCheckpoints)
+                m_blockPoints *= 2;
+            if (header.Points == 0)
+                m_points = Info.PointsReadable = 0;
+        }
+
+        public long StreamOffset { get; }
+        public long StreamBytes { get; }
+        public SourceHandle File => m_file.Handle;
+        public NativeArray<byte> Windows => m_windows;
+
+        /// <summary>Bytes of a block's widest field, decoded.</summary>
+        public int MaxDecodedBytes => m_widestBytes * m_blockPoints;
+
+        public override bool BlocksAreKnown => m_points >= 0;
+        public override int BlockCount => (int)BlocksOf(Found());
+        public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Found());
+
+        long BlocksOf(long points) => (points + m_blockPoints - 1) / m_blockPoints;
+
+        long Found() => m_points >= 0 ? m_points : throw new InvalidOperationException("FindBlocks comes first");
+
+        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
+
+        public override int PointsInBlock(int block) => (int)Math.Min(m_blockPoints, Found() - FirstPointOfBlock(block));
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            long bytes = 0;
+            for (int field = 0; range.Count > 0 && field < m_fields.Length; field++)
+                bytes += StretchOf(field, range.Block, out _).Bytes;
+            return bytes;
+        }
+
+        /// <summary>The stretch of a field's values of a block; its offset is one in the file.</summary>
+        public LzfStretch StretchOf(int field, int block, out long offset)
+        {
+            int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
+            var checkpoint = m_checkpoints[index];
+            // The shortest copy takes two bytes and writes three: twice what is wanted is enough anywhere.
+            long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MostTaken
+                + 2 * (checkpoint.Skip + (long)m_blockPoints * m_fields[field].Bytes));
+            if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].Input > 0)
+                end = Math.Min(end, m_checkpoints[index + 1].Input + Lzf.MostTaken);
+            offset = StreamOffset + checkpoint.Input;
+            return new LzfStretch
+            {
+                Bytes = (int)(end - checkpoint.Input),
+                Checkpoint = index,
+                Skip = checkpoint.Skip,
+                FieldBytes = m_fields[field].Bytes,
+            };
+        }
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            DisposeUnread();
+            var state = new NativeReference<LzfWalk>(Allocator.Persistent);
+            var buffer = new NativeArray<byte>(WalkLzfJob.BufferBytes, Allocator.Persistent);
+            var places = new NativeArray<long>(PlacesOfCheckpoints(), Allocator.Persistent);
+            m_checkpoints = new NativeArray<LzfCheckpoint>(places.Length, Allocator.Persistent);
+            m_windows = new NativeArray<byte>(places.Length * Lzf.WindowBytes, Allocator.Persistent);
+            var read = new NativeFileRead(Math.Min(StreamBytes, WalkLzfJob.SliceBytes), Allocator.Persistent);
+            var walked = default(JobHandle);
+            try
+            {
+                while (state.Value.Output < m_decodedBytes && !state.Value.IsBroken)
+                {
+                    long at = state.Value.Input;
+                    int bytes = (int)Math.Min(StreamBytes - at, WalkLzfJob.SliceBytes);
+                    walked = new WalkLzfJob
+                    {
+                        Input = read.Buffer,
+                        InputBytes = bytes,
+                        DecodedBytes = m_decodedBytes,
+                        Buffer = buffer,
+                        Places = places,
+                        Checkpoints = m_checkpoints,
+                        Windows = m_windows,
+                        State = state,
+                    }.Schedule(read.Begin(File, StreamOffset + at, bytes));
+                    yield return walked;
+                    walked.Complete();
+                    read.End();
+                }
+                Settle(state.Value);
+            }
+            finally
+            {
+                walked.Complete();
+                read.Dispose();
+                places.Dispose();
+                buffer.Dispose();
+                state.Dispose();
+            }
+        }
+
+        long[] PlacesOfCheckpoints()
+        {
+            int blocks = (int)BlocksOf((long)Info.PointsClaimed);
+            var places = new long[blocks * m_fields.Length];
+            for (int i = 0; i < places.Length; i++)
+                places[i] = m_starts[i / blocks] + i % blocks * (long)m_blockPoints * m_fields[i / blocks].Bytes;
+            return places;
+        }
+
+        /// <summary>A stream that breaks off leaves those points whose last field is there.</summary>
+        void Settle(LzfWalk end)
+        {
+            int last = m_fields.Length - 1;
+            while (m_fields[last].Bytes == 0)
+                last--;
+            long points = Math.Max(0, (end.Output - m_starts[last]) / m_fields[last].Bytes);
+            m_file.SettlePoints(points, StreamOffset + end.Input, "the compressed stream " +
+                (end.Input >= StreamBytes ? "ends" : "is damaged") + " here, and the values of a field follow one another");
+            m_points = points;
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            Found();
+            return new PcdLzfRead(this, wanted, capacity, allocator);
+        }
+
+        /// <summary>The fields of the file that fill a batch, each with its copies.</summary>
+        public List<(int Field, FieldCopy[] Copies)> PlanFor(PointBatch batch)
+        {
+            var plan = new List<(int, FieldCopy[])>();
+            int property = 0;
+            for (int i = 0; i < m_fields.Length; i++)
+            {
+                var fields = new List<PointField>();
+                var columns = new List<PointColumn>();
+                for (int j = 0; j < m_fields[i].Count; j++, property++)
+                    foreach (var field in m_file.FieldsOf(property, j * m_fields[i].Type.SizeOf()))
+                    {
+                        int column = batch.Schema.IndexOf(field.Name);
+                        if (column < 0)
+                            continue;
+                        fields.Add(field);
+                        columns.Add(batch.Column(column));
+                    }
+                if (fields.Count > 0)
+                    plan.Add((i, FieldCopyPlan.Make(fields.ToArray(), columns.ToArray())));
+            }
+            return plan;
+        }
+
+        public override void CloseFile() => File.Close();
+
+        public override void DisposeUnread()
+        {
+            if (m_windows.IsCreated)
+                m_windows.Dispose();
+            if (m_checkpoints.IsCreated)
+                m_checkpoints.Dispose();
+        }
+
+    }
+
+    /// <summary>A slot of <see cref="PcdLzfReader"/>.</summary>
+    sealed unsafe class PcdLzfRead : SlotRead
+    {
+        readonly PcdLzfReader m_reader;
+        readonly List<(int Field, FieldCopy[] Copies)> m_plan;
+        readonly NativeFileRead m_file;
+        NativeArray<LzfStretch> m_stretches;
+        NativeArray<FieldCopy> m_copies;
+        NativeArray<byte> m_buffer;
+
+        public PcdLzfRead(PcdLzfReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_reader = reader;
+            m_plan = reader.PlanFor(Points);
+            long most = 0;
+            for (int block = 0; block < reader.BlockCount; block++)
+            {
+                long bytes = 0;
+                foreach (var (field, _) in m_plan)
+                    bytes += reader.StretchOf(field, block, out _).Bytes;
+                most = Math.Max(most, bytes);
+            }
+            var copies = new List<FieldCopy>();
+            foreach (var (_, ofField) in m_plan)
+                copies.AddRange(ofField);
+            m_file = new NativeFileRead(most, allocator, m_plan.Count);
+            m_stretches = new NativeArray<LzfStretch>(m_plan.Count, allocator);
+            m_copies = new NativeArray<FieldCopy>(copies.ToArray(), allocator);
+            m_buffer = new NativeArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MostWritten, allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var commands = m_file.Commands;
+            byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();
+            int used = 0, copies = 0;
+            for (int i = 0; i < m_plan.Count; i++)
+            {
+                var stretch = m_reader.StretchOf(m_plan[i].Field, range.Block, out long offset);
+                stretch.FirstByte = used;
+                stretch.FirstCopy = copies;
+                stretch.Copies = m_plan[i].Copies.Length;
+                m_stretches[i] = stretch;
+                commands[i] = new ReadCommand { Buffer = buffer + used, Offset = offset, Size = stretch.Bytes };
+                used += stretch.Bytes;
+                copies += stretch.Copies;
+            }
+            return new DecodeLzfJob
+            {
+                Input = m_file.Buffer,
+                Stretches = m_stretches,
+                Copies = m_copies,
+                Windows = m_reader.Windows,
+                Buffer = m_buffer,
+                First = range.First,
+                Count = range.Count,
+                Columns = Points.Bytes,
+                Result = Result,
+            }.Schedule(Behind(m_file.Begin(m_reader.File, m_plan.Count)));
+        }
+
+        protected override void EndRead() => m_file.End();
+
+        protected override void Warn(DecodeResult result)
+        {
+            if (result.Error != 0)
+                throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, m_reader.StreamOffset,
+                    "the compressed points are not those that were found: the file has changed");
+        }
+
+        protected override void DisposeMemory()
+        {
+            m_file.Dispose();
+            m_stretches.Dispose();
+            m_copies.Dispose();
+            m_buffer.Dispose();
+        }
+    }
+}

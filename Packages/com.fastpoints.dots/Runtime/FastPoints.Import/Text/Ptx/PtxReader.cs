@@ -1,0 +1,253 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Ply;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Text
+{
+    /// <summary>Reads PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by
+    /// row of its grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1.</summary>
+    /// <remarks>As with other text, a block is a stretch with the lines that start in it. Places where the scanner had no return
+    /// count among a block's points, and are left out when it is decoded.</remarks>
+    internal sealed class PtxReader : StretchReader
+    {
+        const int MaxBlockBytes = 256 << 10;
+        const int MaxLineBytes = 16 << 10;
+
+        /// <summary>PointSourceId holds no more.</summary>
+        const int MaxScans = ushort.MaxValue;
+
+        readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
+        readonly List<ushort> m_scanOfBlock = new List<ushort>();
+        readonly int m_values;
+        BitArray m_isTold;
+        long m_badRows;
+        long m_firstBadRow;
+        int m_warning = -1;
+        bool m_areAllFound;
+
+        PtxReader(FileSource source, PtxScanHeader first, int values)
+        {
+            m_values = values;
+            m_scans.Add(first);
+            File = new SourceHandle(source.Path);
+            var attributes = new List<PointAttribute>();
+            foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
+                attributes.Add(new PointAttribute(axis, AttributeType.Float64));
+            if (values >= 4)
+                attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.Float32));
+            for (int i = 0; i < values - 4; i++)
+                attributes.Add(new PointAttribute(PlyPlan.ColorNames[i], AttributeType.UInt8));
+            attributes.Add(new PointAttribute(AttributeNames.PointSourceId, AttributeType.UInt16));
+            Info = new SourceInfo
+            {
+                Path = source.Path,
+                FileBytes = source.Length,
+                Format = "PTX",
+                HasPointsClaimed = false,
+                Schema = new PointSchema(attributes),
+            };
+            Info.Fact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
+        }
+
+        internal SourceHandle File { get; }
+
+        public override bool BlocksAreKnown => m_areAllFound;
+
+        /// <returns>Null if the file does not begin with the header of a scan.</returns>
+        /// <exception cref="PointCloudException">Its lines have another number of values than 3, 4 or 7.</exception>
+        public static PtxReader Open(FileSource source)
+        {
+            byte[] head = source.ReadAtMost(0, 2 * PtxScanHeader.MaxBytes).Bytes;
+            if (!PtxScanHeader.TryParse(head, out var first))
+                return null;
+            int at = first.Bytes;
+            while (at < head.Length && head[at] <= ' ')
+                at++;
+            int end = at;
+            while (end < head.Length && !AsciiLines.IsLineEnd(head[end]))
+                end++;
+            int values = System.Text.Encoding.ASCII.GetString(head, at, end - at)
+                .Split((char[])null, StringSplitOptions.RemoveEmptyEntries).Length;
+            if (values != 0 && values != 3 && values != 4 && values != 7)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, at, "values in a line",
+                    "3 (x y z), 4 (intensity) or 7 (r g b)", values);
+            return new PtxReader(source, first, values);
+        }
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (m_areAllFound)
+                yield break;
+            m_scans.Clear();
+            m_scanOfBlock.Clear();
+            var blocks = new List<StretchBlock>();
+            long points = 0, offset = 0;
+            using var read = new NativeFileRead(Math.Min(MaxBlockBytes + MaxLineBytes, Info.FileBytes), Allocator.Persistent);
+            while (offset < Info.FileBytes)
+            {
+                int bytes = (int)Math.Min(PtxScanHeader.MaxBytes, Info.FileBytes - offset);
+                yield return read.Begin(File, offset, bytes);
+                read.End();
+                if (!TakeHeader(read, bytes, offset))
+                    break;
+                var header = m_scans[m_scans.Count - 1];
+                offset += header.Bytes;
+                using var scan = new AsciiRowScan(this, File, offset, MaxBlockBytes, 0, header.Places);
+                while (scan.Next(out var handle))
+                    yield return handle;
+                var found = scan.TakeBlocks();
+                for (int i = 0; i < found.Length; i++)
+                {
+                    found[i].FirstPoint += points;
+                    m_scanOfBlock.Add((ushort)m_scans.Count);
+                }
+                blocks.AddRange(found);
+                points += scan.Points;
+                if ((ulong)scan.Points < header.Places)
+                {
+                    Info.Warn(Info.FileBytes, "scan " + NumberText.Of(m_scans.Count) + ": wanted " +
+                        NumberText.Of(header.Places) + " places, got " + NumberText.Of(scan.Points) + ": the file ends before");
+                    break;
+                }
+                if (found.Length == 0)
+                    continue;
+                var last = found[found.Length - 1];
+                bytes = (int)Math.Min(last.Bytes + MaxLineBytes, Info.FileBytes - last.OffsetBytes);
+                yield return read.Begin(File, last.OffsetBytes, bytes);
+                read.End();
+                offset = last.OffsetBytes + EndOfRows(read.Buffer, bytes, last);
+            }
+            Info.PointsReadable = Blocks.Take(blocks.ToArray());
+            if (points == 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, offset, "the scans have no points");
+            Info.Fact("scans", NumberText.Of(m_scans.Count));
+            m_isTold = new BitArray(blocks.Count);
+            m_areAllFound = true;
+        }
+
+        /// <returns>Whether there is another scan: blank lines may end the file.</returns>
+        bool TakeHeader(NativeFileRead read, int bytes, long offset)
+        {
+            byte[] text = read.Buffer.GetSubArray(0, bytes).ToArray();
+            bool isBlank = true;
+            foreach (byte b in text)
+                isBlank &= b <= ' ';
+            if (isBlank)
+                return false;
+            bool isHeader = PtxScanHeader.TryParse(text, out var header) && m_scans.Count < MaxScans;
+            if (isHeader)
+                m_scans.Add(header);
+            else
+                Info.Warn(offset, "behind scan " + NumberText.Of(m_scans.Count) + ": wanted the header of another, got other " +
+                    "text, which is left out");
+            return isHeader;
+        }
+
+        /// <summary>The byte behind the last row of a block, from the block's start.</summary>
+        static unsafe int EndOfRows(NativeArray<byte> text, int bytes, in StretchBlock block)
+        {
+            byte* start = (byte*)text.GetUnsafeReadOnlyPtr(), p = start, end = start + bytes;
+            for (int row = block.StartsInRow ? -1 : 0; row < block.Points; row++)
+            {
+                while (row >= 0 && p < end && *p <= ' ')
+                    p++;
+                while (p < end && !AsciiLines.IsLineEnd(*p))
+                    p++;
+            }
+            return (int)(p - start);
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new PtxRead(this, wanted, capacity, allocator);
+
+        public override void CloseFile() => File.Close();
+
+        internal DecodePtxJob JobFor(BlockRange range, PointBatch batch)
+        {
+            int Offset(string name)
+            {
+                int column = batch.Schema.IndexOf(name);
+                return column < 0 ? -1 : batch.Column(column).OffsetBytes;
+            }
+            ushort scan = m_scanOfBlock[range.Block];
+            return new DecodePtxJob
+            {
+                Range = AsciiRange.Of(Blocks[range.Block], range, Info.FileBytes, MaxLineBytes),
+                Scan = m_scans[scan - 1],
+                ScanNumber = scan,
+                Columns = new PtxColumns
+                {
+                    Values = m_values,
+                    Position = new int3(Offset(AttributeNames.X), Offset(AttributeNames.Y), Offset(AttributeNames.Z)),
+                    Color = new int3(Offset(AttributeNames.Red), Offset(AttributeNames.Green), Offset(AttributeNames.Blue)),
+                    Intensity = Offset(AttributeNames.Intensity),
+                    ScanNumber = Offset(AttributeNames.PointSourceId),
+                },
+            };
+        }
+
+        internal long SlotBytes => Math.Min(MaxBlockBytes + MaxLineBytes, Info.FileBytes);
+
+        /// <summary>Counts the bad lines of a block, once for each.</summary>
+        internal void Warn(BlockRange range, in PtxAnomalies found)
+        {
+            if (m_isTold[range.Block])
+                return;
+            m_isTold[range.Block] = true;
+            if (found.BadRows == 0)
+                return;
+            if (m_warning < 0)
+            {
+                m_warning = Info.Warnings.Count;
+                m_firstBadRow = found.FirstBadRow;
+                Info.Warn(m_firstBadRow, "");
+            }
+            m_badRows += found.BadRows;
+            Info.Warnings[m_warning] = new CloudWarning(Info.Path, m_firstBadRow, NumberText.Of(m_badRows) +
+                " lines are no points of " + NumberText.Of(m_values) + " values and left out");
+        }
+    }
+
+    /// <summary>A slot of <see cref="PtxReader"/>.</summary>
+    sealed class PtxRead : SlotRead
+    {
+        readonly PtxReader m_reader;
+        readonly NativeFileRead m_file;
+        NativeReference<PtxAnomalies> m_anomalies;
+
+        public PtxRead(PtxReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_reader = reader;
+            m_file = new NativeFileRead(reader.SlotBytes, allocator);
+            m_anomalies = new NativeReference<PtxAnomalies>(allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var job = m_reader.JobFor(range, Points);
+            job.Input = m_file.Buffer;
+            job.Output = Points.Bytes;
+            job.Result = Result;
+            job.Anomalies = m_anomalies;
+            return job.Schedule(Behind(m_file.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
+        }
+
+        protected override void EndRead() => m_file.End();
+
+        protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
+
+        protected override void DisposeMemory()
+        {
+            m_file.Dispose();
+            m_anomalies.Dispose();
+        }
+    }
+}

@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+
+namespace FastPoints.Text
+{
+    /// <summary>Names the columns of a text file: by names that it or the caller gives, or by guessing from the values.</summary>
+    static class XyzNames
+    {
+        static readonly Dictionary<string, string> s_names = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase)
+        {
+            { "x", AttributeNames.X }, { "easting", AttributeNames.X }, { "east", AttributeNames.X },
+            { "lon", AttributeNames.X }, { "longitude", AttributeNames.X },
+            { "y", AttributeNames.Y }, { "northing", AttributeNames.Y }, { "north", AttributeNames.Y },
+            { "lat", AttributeNames.Y }, { "latitude", AttributeNames.Y },
+            { "z", AttributeNames.Z }, { "height", AttributeNames.Z }, { "elevation", AttributeNames.Z },
+            { "h", AttributeNames.Z }, { "altitude", AttributeNames.Z },
+            { "i", AttributeNames.Intensity }, { "intensity", AttributeNames.Intensity }, { "int", AttributeNames.Intensity },
+            { "scalar_intensity", AttributeNames.Intensity }, { "reflectance", AttributeNames.Intensity },
+            { "red", AttributeNames.Red }, { "green", AttributeNames.Green }, { "blue", AttributeNames.Blue },
+            { "alpha", AttributeNames.Alpha },
+            { "nx", AttributeNames.NormalX }, { "ny", AttributeNames.NormalY }, { "nz", AttributeNames.NormalZ },
+            { "normal_x", AttributeNames.NormalX }, { "normal_y", AttributeNames.NormalY },
+            { "normal_z", AttributeNames.NormalZ }, { "normalx", AttributeNames.NormalX },
+            { "normaly", AttributeNames.NormalY }, { "normalz", AttributeNames.NormalZ },
+        };
+
+        static readonly string[] s_rgb = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
+        static readonly string[] s_normal = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
+
+        /// <summary>Attribute names of named columns; null for "-". Names that repeat get a number.</summary>
+        public static string[] Of(IReadOnlyList<string> given, int columns)
+        {
+            var result = new string[columns];
+            var taken = new HashSet<string>();
+            bool hasRgb = Has(given, "r") && Has(given, "g") && Has(given, "b");
+            for (int i = 0; i < columns && i < given.Count; i++)
+            {
+                string name = given[i].Trim();
+                if (name == "-" || name.Length == 0)
+                    continue;
+                int color = hasRgb ? "rgb".IndexOf(name, StringComparison.OrdinalIgnoreCase) : -1;
+                if (color >= 0)
+                    name = s_rgb[color];
+                else if ((s_names.TryGetValue(name, out string usual) || (usual = UsualNames.Of(name)) != null) &&
+                    !taken.Contains(usual))
+                    name = usual;
+                string free = name;
+                for (int n = 2; !taken.Add(free); n++)
+                    free = name + "_" + n;
+                result[i] = free;
+            }
+            return result;
+        }
+
+        /// <summary>Whether x, y and z are among the names.</summary>
+        public static bool HavePosition(string[] names) => Array.IndexOf(names, AttributeNames.X) >= 0 &&
+            Array.IndexOf(names, AttributeNames.Y) >= 0 && Array.IndexOf(names, AttributeNames.Z) >= 0;
+
+        /// <summary>Guesses x y z, and then by count and values: intensity, colour, normals, or columns without a name.</summary>
+        /// <param name="unitLength">For each column, the share of sampled rows that have a vector of length 1 from there
+        /// on.</param>
+        public static string[] Guess(XyzColumn[] columns, double[] unitLength)
+        {
+            int count = columns.Length;
+            var names = new string[count];
+            names[0] = AttributeNames.X;
+            names[1] = AttributeNames.Y;
+            names[2] = AttributeNames.Z;
+            bool hasIntensity = false, hasColor = false, hasNormal = false;
+            for (int i = 3; i < count;)
+            {
+                int left = count - i;
+                bool isNormal = !hasNormal && IsNormal(columns, unitLength, i);
+                bool isColor = !hasColor && IsColor(columns, i);
+                // Of four columns the intensity comes first (PTS), if the other three then fit, and the last is no opacity.
+                bool hasAlpha = left == 4 && isColor && columns[i + 3].IsWithin(byte.MaxValue, byte.MaxValue);
+                bool intensityFirst = !hasIntensity && left % 3 == 1 && !hasAlpha &&
+                    (!hasColor && IsColor(columns, i + 1) || !hasNormal && IsNormal(columns, unitLength, i + 1));
+                if (!intensityFirst && (isNormal || isColor))
+                {
+                    Array.Copy(isNormal ? s_normal : s_rgb, 0, names, i, 3);
+                    hasNormal |= isNormal;
+                    hasColor |= !isNormal;
+                    i += 3;
+                    if (hasAlpha)
+                        names[i++] = AttributeNames.Alpha;
+                    continue;
+                }
+                names[i] = hasIntensity ? "Column" + (i + 1) : AttributeNames.Intensity;
+                hasIntensity = true;
+                i++;
+            }
+            return names;
+        }
+
+        static bool Has(IReadOnlyList<string> names, string name)
+        {
+            foreach (string other in names)
+                if (string.Equals(other.Trim(), name, StringComparison.OrdinalIgnoreCase))
+                    return true;
+            return false;
+        }
+
+        static bool IsNormal(XyzColumn[] columns, double[] unitLength, int at) => at + 3 <= columns.Length &&
+            unitLength[at] > 0.9 && !(columns[at].IsInteger && columns[at + 1].IsInteger && columns[at + 2].IsInteger);
+
+        /// <summary>Whether the values are whole numbers of 8 or 16 bits, or shares of 1.</summary>
+        static bool IsColor(XyzColumn[] columns, int at)
+        {
+            if (at + 3 > columns.Length)
+                return false;
+            bool areInteger = true, areShares = true;
+            for (int i = at; i < at + 3; i++)
+            {
+                areInteger &= columns[i].IsWhole && columns[i].IsWithin(0, ushort.MaxValue);
+                areShares &= !columns[i].IsInteger && columns[i].IsWithin(0, 1);
+            }
+            return areInteger || areShares;
+        }
+    }
+}

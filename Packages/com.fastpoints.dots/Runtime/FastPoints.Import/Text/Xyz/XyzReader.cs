@@ -1,0 +1,290 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Text
+{
+    /// <summary>Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is
+    /// stated in <see cref="SourceInfo.Facts"/>; names that a caller gives override it.</summary>
+    /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
+    /// digits in a sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found
+    /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
+    internal sealed class XyzReader : StretchReader
+    {
+        public const int MaxBlockBytes = 256 << 10;
+
+        /// <summary>The last line may extend this many bytes behind its block: longer ones are not points.</summary>
+        public const int MaxLineBytes = 16 << 10;
+
+        /// <summary>Printed digits that are kept even if the sample has zeros there.</summary>
+        const int UsualDecimals = 4;
+
+        readonly XyzSniff m_sniff;
+        readonly string[] m_names;
+        readonly int[] m_decimals = new int[3];
+        readonly int[] m_warningOf = { -1, -1, -1, -1, -1 };
+        readonly long[] m_countOf = new long[5];
+        readonly long[] m_firstOf = new long[5];
+        BitArray m_isTold;
+        string m_firstError;
+        bool m_areAllFound;
+        PointEstimate m_estimate;
+        AsciiStretches m_stretches;
+
+        XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
+        {
+            m_sniff = sniff;
+            m_names = names;
+            Info = info;
+            File = new SourceHandle(info.Path);
+        }
+
+        public override bool BlocksAreKnown => m_areAllFound;
+
+        /// <summary>Whether lines all over the file can be found by jumping.</summary>
+        public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
+
+        public override bool PrefixesAreSpread => true;
+        public override int MaxPrefixes => AsciiStretches.Count;
+        internal override PointEstimate EstimatedPoints => m_estimate;
+
+        internal XyzDialect Dialect => m_sniff.Dialect;
+
+        internal SourceHandle File { get; }
+
+        /// <summary>Opens a text file, of which it reads little.</summary>
+        /// <returns>Null if the file is not lines of numbers.</returns>
+        /// <exception cref="PointCloudException">The columns are not points: they have no x, y and z.</exception>
+        public static XyzReader Open(FileSource source, string[] textColumns)
+        {
+            var sniff = XyzSniff.Find(source, textColumns);
+            if (sniff == null)
+                return null;
+            int columns = sniff.Columns.Length;
+            string[] given = textColumns ?? sniff.Names;
+            string origin = textColumns != null ? "as told" : sniff.Names != null ? "by the file's header" :
+                "guessed from " + sniff.Rows.ToString("N0", CultureInfo.InvariantCulture) + " lines";
+            if (given != null && given.Length > columns)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, sniff.DataOffset, "columns in a line",
+                    given.Length + " (" + string.Join(", ", given) + ")", columns);
+            string[] names = given != null ? XyzNames.Of(given, columns) : XyzNames.Guess(sniff.Columns, sniff.UnitLength);
+            if (!XyzNames.HavePosition(names))
+                throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, 0, "columns of the text",
+                    "x, y and z among them (name them to override)", string.Join(", ", given ?? names));
+            var reader = new XyzReader(sniff, names, new SourceInfo { Path = source.Path, FileBytes = source.Length });
+            reader.Describe(origin);
+            return reader;
+        }
+
+        void Describe(string origin)
+        {
+            var info = Info;
+            info.Format = m_sniff.CountClaimed >= 0 ? "PTS" : "XYZ";
+            info.PointsClaimed = (ulong)Math.Max(0, m_sniff.CountClaimed);
+            info.HasPointsClaimed = m_sniff.CountClaimed >= 0;
+            var attributes = new List<PointAttribute>();
+            var shown = new List<string>();
+            for (int i = 0; i < m_names.Length; i++)
+            {
+                shown.Add(m_names[i] ?? "-");
+                if (m_names[i] == null)
+                    continue;
+                int axis = AxisOf(m_names[i]);
+                if (axis >= 0)
+                    m_decimals[axis] = DecimalsOf(m_sniff.Columns[i]);
+                attributes.Add(new PointAttribute(m_names[i],
+                    axis >= 0 ? AttributeType.Int64 : m_sniff.Columns[i].TypeOf(m_names[i])));
+            }
+            info.Schema = new PointSchema(attributes);
+            info.Transform.Scale = new double3(StepOf(0), StepOf(1), StepOf(2));
+            info.Fact("columns", string.Join(" ", shown) + " (" + origin + ")");
+            info.Fact("separator", m_sniff.Dialect.Name);
+            info.Fact("decimals", string.Join(", ", m_decimals));
+            if (m_sniff.HeaderLines > 0)
+                info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
+        }
+
+        /// <summary>The digits that the sample has, limited to what a coordinate on the grid has room for.</summary>
+        static int DecimalsOf(XyzColumn column)
+        {
+            int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, UsualDecimals));
+            // One digit is left for coordinates that are larger than the sample's.
+            double room = CommonGrid.Limit / (10 * Math.Max(1, column.MaxMagnitude));
+            return Math.Max(0, Math.Min(decimals, Math.Min(18, (int)Math.Floor(Math.Log10(room)))));
+        }
+
+        double StepOf(int axis)
+        {
+            // Powers of ten are exact doubles to 10^22, so that this is the double nearest to 0.001.
+            double power = 1;
+            for (int i = 0; i < m_decimals[axis]; i++)
+                power *= 10;
+            return 1 / power;
+        }
+
+        static int AxisOf(string name) =>
+            name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
+
+        public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
+
+        public override IEnumerator<Work> FindPrefixes(int places)
+        {
+            m_stretches ??= new AsciiStretches(File, Info.FileBytes, m_sniff.DataOffset);
+            yield return Work.Of(m_stretches.Find(places));
+            var told = m_isTold;
+            Take(m_stretches.Blocks);
+            for (int block = 0; told != null && block < told.Length; block++)
+                m_isTold[block] = told[block];
+            m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_stretches.Estimate;
+        }
+
+        public override IEnumerator<Work> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            using var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue);
+            while (scan.Next(out var handle))
+                yield return handle;
+            Take(scan.TakeBlocks());
+            Array.Clear(m_countOf, 0, m_countOf.Length);
+            m_areAllFound = true;
+            Info.PointsReadable = scan.Points;
+            if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
+                Info.Warn(0, "points: wanted " + NumberText.Of(m_sniff.CountClaimed) + ", got " +
+                    NumberText.Of(scan.Points) + " lines");
+        }
+
+        void Take(StretchBlock[] blocks)
+        {
+            Blocks.Take(blocks);
+            m_isTold = new BitArray(blocks.Length);
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new XyzRead(this, wanted, capacity, allocator);
+
+        public override void CloseFile() => File.Close();
+
+        internal StretchBlock Block(int block) => Blocks[block];
+
+        internal XyzStep[] StepsFor(PointBatch batch)
+        {
+            var steps = new XyzStep[m_names.Length];
+            for (int i = 0; i < steps.Length; i++)
+            {
+                int axis = m_names[i] == null ? -1 : AxisOf(m_names[i]);
+                int column = m_names[i] == null ? -1 : batch.Schema.IndexOf(m_names[i]);
+                var step = new XyzStep
+                {
+                    Kind = m_names[i] == null ? XyzStepKind.Skip : XyzStepKind.Check,
+                    IsPosition = axis >= 0,
+                };
+                if (column >= 0 || axis >= 0)
+                {
+                    step.Type = column >= 0 ? batch.Schema[column].Type : AttributeType.Int64;
+                    step.Bytes = step.Type.SizeOf();
+                    step.IsStored = column >= 0;
+                    step.ColumnOffsetBytes = column >= 0 ? batch.Column(column).OffsetBytes : 0;
+                    step.Decimals = axis >= 0 ? m_decimals[axis] : 0;
+                    step.Kind = axis >= 0 ? XyzStepKind.Place
+                        : step.Type == AttributeType.Float32 ? XyzStepKind.Float32
+                        : step.Type == AttributeType.Float64 ? XyzStepKind.Float64 : XyzStepKind.Integer;
+                }
+                steps[i] = step;
+            }
+            return steps;
+        }
+
+        /// <summary>Collects the anomalies of a block, once for each block: warnings have running counts.</summary>
+        internal void Warn(BlockRange range, in XyzAnomalies found)
+        {
+            if (m_isTold[range.Block])
+                return;
+            m_isTold[range.Block] = true;
+            if (found.BadRows > 0)
+            {
+                m_firstError ??= TextOf(found.FirstError);
+                Warn(0, found.BadRows, found.FirstBadRow, " lines are no points and left out; the first one: " + m_firstError);
+            }
+            Warn(1, found.Rounded, found.FirstRounded, " coordinates have more digits than the lines that were looked at " +
+                "first: rounded to " + NumberText.Of(Info.Transform.Scale));
+            Warn(2, found.Misfits, found.FirstMisfit, " values do not fit the whole numbers that their column has elsewhere: " +
+                "the nearest that do were taken");
+            Warn(3, found.EmptyValues, found.FirstEmpty, " values are empty: 0 was taken");
+            Warn(4, found.RowsWithMore, found.FirstWithMore, " lines have more values than there are columns: left out");
+        }
+
+        void Warn(int kind, int count, long firstOffset, string text)
+        {
+            if (count == 0)
+                return;
+            if (m_warningOf[kind] < 0)
+            {
+                m_warningOf[kind] = Info.Warnings.Count;
+                m_firstOf[kind] = firstOffset;
+                Info.Warn(firstOffset, "");
+            }
+            m_countOf[kind] += count;
+            Info.Warnings[m_warningOf[kind]] = new CloudWarning(Info.Path, m_firstOf[kind],
+                NumberText.Of(m_countOf[kind]) + text);
+        }
+
+        static string TextOf(XyzError error) => error switch
+        {
+            XyzError.TooFewValues => "too few values",
+            XyzError.NoNumber => "not a finite number",
+            XyzError.TooLarge => "a coordinate beyond what a grid of these steps holds",
+            _ => "longer than 16,384 bytes",
+        };
+    }
+
+    sealed class XyzRead : SlotRead
+    {
+        readonly XyzReader m_reader;
+        readonly NativeFileRead m_file;
+        NativeArray<XyzStep> m_steps;
+        NativeReference<XyzAnomalies> m_anomalies;
+
+        public XyzRead(XyzReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_reader = reader;
+            m_file = new NativeFileRead(
+                Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
+            m_steps = new NativeArray<XyzStep>(reader.StepsFor(Points), allocator);
+            m_anomalies = new NativeReference<XyzAnomalies>(allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var lines = AsciiRange.Of(m_reader.Block(range.Block), range, m_reader.Info.FileBytes, XyzReader.MaxLineBytes);
+            return new DecodeXyzJob
+            {
+                Input = m_file.Buffer,
+                Range = lines,
+                Dialect = m_reader.Dialect,
+                Steps = m_steps,
+                Output = Points.Bytes,
+                Result = Result,
+                Anomalies = m_anomalies,
+            }.Schedule(Behind(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes)));
+        }
+
+        protected override void EndRead() => m_file.End();
+
+        protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
+
+        protected override void DisposeMemory()
+        {
+            m_file.Dispose();
+            m_steps.Dispose();
+            m_anomalies.Dispose();
+        }
+    }
+}

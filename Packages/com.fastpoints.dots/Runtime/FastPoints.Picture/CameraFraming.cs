@@ -1,0 +1,222 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Makes cameras that show the whole of a cloud, as large as the picture allows.</summary>
+    internal static class CameraFraming
+    {
+        /// <summary>Share of the picture's width and height that stays free on each side, if points are not larger.</summary>
+        const double Margin = 0.03;
+
+        /// <summary>Points are never so large that the cloud gets less than half of the picture.</summary>
+        const double MostMargin = 0.25;
+
+        /// <summary>This share of the outline on each side may lie outside of a first picture ...</summary>
+        const double StrayShare = 0.005;
+
+        /// <summary>... and whatever would make it this many times as large stays outside in the end.</summary>
+        const double MostWider = 3;
+
+        /// <summary>Shifts towards the middle: each leaves half the error or less.</summary>
+        const int Rounds = 10, RoundsOfAll = 4;
+
+        /// <summary>Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one
+        /// unit.</summary>
+        /// <param name="outline">Positions in the box that the camera frames; if null or fewer than eight, it frames the box's
+        /// corners.</param>
+        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
+            UpAxis upAxis) => Frame(new PictureOptions
+            {
+                View = view,
+                WidthPx = widthPx,
+                HeightPx = heightPx,
+                UpAxis = upAxis,
+            }, bounds, outline, null, new double3(1, 1, 1));
+
+        /// <param name="rim">Positions at the cloud's surface, in the box or not, which are framed as well unless they are
+        /// strays; or null.</param>
+        /// <param name="lengthsPerUnit">Length of a CRS unit along each axis: for a cloud in degrees, the horizontal and
+        /// vertical ones differ.</param>
+        public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim,
+            double3 lengthsPerUnit)
+        {
+            if (lengthsPerUnit.Equals(new double3(1, 1, 1)))
+                return FrameLengths(options, bounds, outline, rim);
+            if (!bounds.IsEmpty)
+                bounds = new BoundsGeo(bounds.Min * lengthsPerUnit, bounds.Max * lengthsPerUnit);
+            var camera = FrameLengths(options, bounds, Stretched(outline, lengthsPerUnit), Stretched(rim, lengthsPerUnit));
+            camera.EyeGeo /= lengthsPerUnit;
+            camera.Right *= lengthsPerUnit;
+            camera.Up *= lengthsPerUnit;
+            camera.Forward *= lengthsPerUnit;
+            return camera;
+        }
+
+        static double3[] Stretched(double3[] positions, double3 lengthsPerUnit)
+        {
+            var stretched = new double3[positions?.Length ?? 0];
+            for (int i = 0; i < stretched.Length; i++)
+                stretched[i] = positions[i] * lengthsPerUnit;
+            return stretched;
+        }
+
+        static Camera FrameLengths(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim)
+        {
+            var solid = Solid(bounds);
+            bool isPoint = bounds.IsEmpty || math.cmax(solid.Size) > 2 * math.cmax(bounds.Size);
+            bounds = solid;
+            if (outline == null || outline.Length < 8 || isPoint)
+                outline = Corners(bounds);
+            options.UpAxis.Directions(out var east, out var north, out var up);
+            double width = math.dot(bounds.Size, math.abs(east));
+            double depth = math.dot(bounds.Size, math.abs(north));
+            double height = math.dot(bounds.Size, math.abs(up));
+
+            // A box much thinner from front to back than it is wide and high is a wall (or a single scan line).
+            var view = options.View;
+            if (view == ViewDirection.Auto && depth < 0.02 * math.min(width, height))
+                view = ViewDirection.Front;
+            bool isFlat = view == ViewDirection.Top || view == ViewDirection.Front;
+            var across = view == ViewDirection.Auto && depth > 1.2 * width ? -east : north;
+            var aside = view == ViewDirection.Auto && depth > 1.2 * width ? north : -east;
+            bool isLong = view == ViewDirection.Auto && math.max(width, depth) > 3 * math.min(width, depth);
+            var forward = view == ViewDirection.Top ? -up : isFlat ? north
+                : across + (isLong ? 0.25 : 0.55) * aside - 0.75 * up;
+            up = view == ViewDirection.Top ? north : up;
+            var camera = isFlat ? Camera.Orthographic(bounds.Center, bounds.Center + forward, up, 1)
+                : Camera.Perspective(bounds.Center, bounds.Center + forward, up, options.FovDegrees);
+
+            double pointPx = options.PointSizePx >= 1 ? options.PointSizePx : PointSizing.MaxPx;
+            double perTangent = isFlat ? 2 : 1 / math.tan(math.radians(options.FovDegrees) / 2);
+            var perTan = perTangent * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
+                1 / ShareOf(options.HeightPx, pointPx));
+            var target = bounds.Center;
+            int strays = (int)(outline.Length * StrayShare);
+            double most = Fit(ref camera, ref target, bounds, outline, strays, perTan, Rounds);
+            var near = Near(camera, target, outline, rim, perTan, most * MostWider);
+            Fit(ref camera, ref target, bounds, near, 0, perTan, RoundsOfAll);
+            if (isFlat)
+                camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
+            return camera;
+        }
+
+        /// <summary>What is left of an edge between the margins.</summary>
+        static double ShareOf(int edgePx, double pointPx) =>
+            1 - 2 * math.min(MostMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
+
+        /// <summary>Those of both that a camera at this distance would show.</summary>
+        static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 perTan, double distance)
+        {
+            camera.EyeGeo = target;
+            var near = new List<double3>(outline.Length);
+            foreach (var part in new[] { outline, rim ?? Array.Empty<double3>() })
+                foreach (var position in part)
+                    if (NeededFor(camera, position, perTan) <= distance)
+                        near.Add(position);
+            return near.ToArray();
+        }
+
+        /// <summary>The distance from which a camera that looks from here shows a position; of an orthographic one, the
+        /// height of its picture.</summary>
+        static double NeededFor(in Camera camera, double3 position, double2 perTan)
+        {
+            var view = camera.ToView(position);
+            return math.max(math.abs(view.x) * perTan.x, math.abs(view.y) * perTan.y) - (camera.IsOrthographic ? 0 : view.z);
+        }
+
+        /// <summary>Moves a camera to the closest place on its line of sight from which the positions, except some strays, are in
+        /// the picture, and shifts the line until their extent is centred.</summary>
+        /// <returns>The distance to the target, or the height of an orthographic picture.</returns>
+        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int strays,
+            double2 perTan, int rounds)
+        {
+            var needed = new double[positions.Length];
+            for (int round = 0; ; round++)
+            {
+                camera.EyeGeo = target;
+                for (int i = 0; i < positions.Length; i++)
+                    needed[i] = NeededFor(camera, positions[i], perTan);
+                double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestBut(strays, needed, 1));
+                if (camera.IsOrthographic)
+                    camera.HeightGeo = distance;
+                else
+                    camera.EyeGeo = target - camera.Forward * distance;
+                if (round == rounds)
+                    return distance;
+                Extent(camera, positions, strays, out var min, out var max);
+                var shift = (min + max) / 2 * (camera.IsOrthographic ? 1 : distance);
+                target += camera.Right * shift.x + camera.Up * shift.y;
+            }
+        }
+
+        /// <summary>Extent of the outline in the picture, without the given number of strays on each side: in units, or, of a
+        /// perspective camera, in tangents of the angle from the axis.</summary>
+        static void Extent(in Camera camera, double3[] outline, int strays, out double2 min, out double2 max)
+        {
+            var x = new double[outline.Length];
+            var y = new double[outline.Length];
+            for (int i = 0; i < outline.Length; i++)
+            {
+                var view = camera.ToView(outline[i]);
+                double by = camera.IsOrthographic ? 1 : math.max(view.z, 1e-9 * math.length(view));
+                x[i] = view.x / by;
+                y[i] = view.y / by;
+            }
+            min = new double2(-LargestBut(strays, x, -1), -LargestBut(strays, y, -1));
+            max = new double2(LargestBut(strays, x, 1), LargestBut(strays, y, 1));
+        }
+
+        /// <summary>The largest value after leaving out the given number of larger ones. They are few, so not all values need
+        /// sorting.</summary>
+        /// <param name="sign">1, or -1 for the values' negatives.</param>
+        static double LargestBut(int strays, double[] values, double sign)
+        {
+            // Holds the largest values so far, in rising order.
+            var kept = new double[strays + 1];
+            for (int i = 0; i < kept.Length; i++)
+                kept[i] = double.NegativeInfinity;
+            foreach (double unsigned in values)
+            {
+                double value = sign * unsigned;
+                if (!(value > kept[0]))
+                    continue;
+                int at = 0;
+                for (; at + 1 < kept.Length && kept[at + 1] < value; at++)
+                    kept[at] = kept[at + 1];
+                kept[at] = value;
+            }
+            return kept[0];
+        }
+
+        static double3[] Corners(BoundsGeo bounds)
+        {
+            var corners = new double3[8];
+            for (int i = 0; i < corners.Length; i++)
+                corners[i] = Corner(bounds, i);
+            return corners;
+        }
+
+        static double3 Corner(BoundsGeo bounds, int corner) => new double3(
+            (corner & 1) == 0 ? bounds.Min.x : bounds.Max.x,
+            (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
+            (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
+
+        /// <summary>Makes the box at least a millionth as thick in every direction as it is long; one place becomes a cube of
+        /// a unit, or of what doubles can resolve there.</summary>
+        static BoundsGeo Solid(BoundsGeo bounds)
+        {
+            if (bounds.IsEmpty || !bounds.IsFinite)
+                bounds = new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0));
+            var center = bounds.Center;
+            double length = math.cmax(bounds.Max * 0.5 - bounds.Min * 0.5);
+            double least = length > math.cmax(math.abs(center)) * 1e-12 ? length * 1e-6
+                : Math.Max(0.5, math.cmax(math.abs(center)) * 1e-9);
+            var half = math.max(bounds.Max * 0.5 - bounds.Min * 0.5, new double3(1, 1, 1) * least);
+            return new BoundsGeo(center - half, center + half);
+        }
+    }
+}

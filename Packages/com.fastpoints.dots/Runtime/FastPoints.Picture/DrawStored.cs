@@ -1,0 +1,73 @@
+using System.Collections.Generic;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Store;
+using Unity.Collections;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Draws a picture of a stored cloud within a point budget: the top of the octree decides on camera, colours and
+    /// size, then the nodes that the camera needs most are drawn.</summary>
+    public sealed class DrawStored
+    {
+        public const long DefaultBudget = 2000000;
+
+        /// <summary>Points that the choices are made from.</summary>
+        public const int PointsToPlanWith = 200000;
+
+        readonly CloudFolder m_folder;
+        readonly PictureOptions m_options;
+        readonly long m_budget;
+
+        /// <param name="budget">The most points to draw; 0 for <see cref="DefaultBudget"/>.</param>
+        public DrawStored(CloudFolder folder, PictureOptions options, long budget = 0)
+        {
+            m_folder = folder;
+            m_options = options;
+            m_budget = budget > 0 ? budget : DefaultBudget;
+        }
+
+        /// <summary>Whether camera and colours follow from the ranges in the manifest, without examining points, so that nothing
+        /// occupies the main thread for long. Degrees are then drawn as they are, and if the manifest does not say what to show,
+        /// outlying points make the rest small.</summary>
+        public bool PlansByManifest { get; set; }
+
+        /// <summary>Points that were drawn, including those outside the picture.</summary>
+        public long PointsDrawn { get; private set; }
+        public int NodesDrawn { get; private set; }
+        internal PicturePlan Plan { get; private set; }
+
+        /// <summary>Null until the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>select</c> and <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public IEnumerator<Work> Run(StageProgress progress)
+        {
+            progress?.Begin("select");
+            var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
+            var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
+            var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest) : new DisplayRanges();
+            using (var selection = new NodeSelection(m_folder))
+            {
+                if (!PlansByManifest)
+                    yield return Work.Of(StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges));
+                Plan = new PicturePlan(m_options, ranges, transform);
+
+                selection.Choose(Plan.Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx), m_budget);
+                int points = StoredRanges.CheckedCount(m_folder, selection.Points);
+                using var batch = new PointBatch(schema, points, Allocator.Persistent);
+                using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent);
+                yield return Work.Of(LoadNodes.Run(m_folder, selection, batch, progress));
+                NodesDrawn = selection.NodeCount;
+                PointsDrawn = batch.Count;
+                progress?.Begin("draw");
+                yield return Work.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
+                yield return Work.Of(SamplePicture.DrawAndResolve(canvas, batch, Plan, m_options.Background, progress));
+                Image = canvas.ToImage();
+            }
+            progress?.End();
+        }
+    }
+}

@@ -1,0 +1,192 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>A picture while it is drawn: 12 bytes a pixel of native memory. The caller that makes it owns it; main
+    /// thread.</summary>
+    internal sealed class PictureCanvas : IDisposable
+    {
+        /// <summary>Limit of both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
+        public const int MaxEdgePx = 16384;
+        const long MaxPixels = 1L << 27;
+
+        NativeArray<ulong> m_pixels;
+        NativeArray<ulong> m_sums;
+        NativeArray<uint> m_colors;
+        readonly NativeArray<uint> m_palettes;
+        NativeArray<float> m_sizeOfTile;
+        NativeReference<float> m_typicalSizePx;
+        bool m_isBlending;
+
+        public PictureCanvas(int widthPx, int heightPx, Allocator allocator)
+        {
+            if (widthPx < 1 || heightPx < 1 || widthPx > MaxEdgePx || heightPx > MaxEdgePx ||
+                (long)widthPx * heightPx > MaxPixels)
+                throw new ArgumentOutOfRangeException(nameof(widthPx), widthPx + "x" + heightPx,
+                    "wanted edges of 1 to " + MaxEdgePx + " pixels, and at most " + MaxPixels + " pixels");
+            WidthPx = widthPx;
+            HeightPx = heightPx;
+            int pixels = widthPx * heightPx;
+            m_pixels = new NativeArray<ulong>(pixels, allocator, NativeArrayOptions.UninitializedMemory);
+            m_colors = new NativeArray<uint>(pixels, allocator, NativeArrayOptions.UninitializedMemory);
+            m_sizeOfTile = new NativeArray<float>(PointSizing.TilesAlong(widthPx) * PointSizing.TilesAlong(heightPx), allocator);
+            m_typicalSizePx = new NativeReference<float>(allocator);
+            UseSize(PointSizing.MinPx);
+            m_palettes = Picture.Palettes.CreateAll(allocator);
+            Clear();
+        }
+
+        public int WidthPx { get; }
+        public int HeightPx { get; }
+
+        /// <summary>Depth and colour of each pixel: see <see cref="PointDrawing"/>.</summary>
+        public NativeArray<ulong> Pixels => m_pixels;
+
+        /// <summary>Sums of blended points: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.</summary>
+        public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
+
+        /// <summary>Tables of 256 colours in which values are looked up.</summary>
+        public NativeArray<uint> Palettes => m_palettes;
+
+        /// <summary>Size of points in each tile, row by row from the top: see <see cref="PointSizing"/>.</summary>
+        public NativeArray<float> SizeOfTile => m_sizeOfTile;
+
+        /// <summary>Size of points in the median tile.</summary>
+        public float TypicalSizePx => m_typicalSizePx.Value;
+
+        /// <summary>The largest size that a tile may have.</summary>
+        public float LargestPx { get; private set; }
+
+        /// <summary>Gives all points one size, 1 to <see cref="PointDrawing.MaxSizePx"/>. No drawing may be in flight.</summary>
+        public void UseSize(float sizePx)
+        {
+            for (int i = 0; i < m_sizeOfTile.Length; i++)
+                m_sizeOfTile[i] = sizePx;
+            m_typicalSizePx.Value = sizePx;
+            LargestPx = sizePx;
+        }
+
+        /// <summary>Removes all points. No drawing may be in flight.</summary>
+        public unsafe void Clear()
+        {
+            UnsafeUtility.MemSet(m_pixels.GetUnsafePtr(), 0xFF, (long)m_pixels.Length * sizeof(ulong));
+            m_isBlending = false;
+        }
+
+        /// <summary>Begins to blend. The picture so far shows how far away each pixel's nearest point is: drawing the same points
+        /// again blends them with it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
+        public unsafe void BeginBlending()
+        {
+            if (!m_sums.IsCreated)
+                m_sums = new NativeArray<ulong>(m_pixels.Length * BlendedPixels.WordsPerPixel, Allocator.Persistent,
+                    NativeArrayOptions.UninitializedMemory);
+            UnsafeUtility.MemClear(m_sums.GetUnsafePtr(), (long)m_sums.Length * sizeof(ulong));
+            m_isBlending = true;
+        }
+
+        /// <summary>Draws some of a batch's points; any number of draws may be in flight.</summary>
+        public JobHandle ScheduleDraw(PointBatch points, int first, int count, PointDrawing drawing, JobHandle inputDeps)
+        {
+            return new RasterizePointsJob
+            {
+                Bytes = points.Bytes,
+                Palettes = m_palettes,
+                SizeOfTile = m_sizeOfTile,
+                Drawing = drawing,
+                First = first,
+                Count = count,
+                Pixels = m_pixels,
+            }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
+        }
+
+        /// <summary>Chooses sizes from what was drawn with <see cref="UseSize"/> of 1. Call it after all drawing.</summary>
+        /// <param name="pointsPerPointDrawn">The final picture has this many times as many points.</param>
+        public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
+        {
+            LargestPx = PointSizing.MaxPx;
+            return new ChooseSizesJob
+            {
+                Pixels = m_pixels,
+                WidthPx = WidthPx,
+                HeightPx = HeightPx,
+                PointsPerPointDrawn = pointsPerPointDrawn,
+                SizeOfTile = m_sizeOfTile,
+                Typical = m_typicalSizePx,
+            }.Schedule(inputDeps);
+        }
+
+        /// <summary>Makes the colours that <see cref="ToImage"/> takes. Call it after all drawing.</summary>
+        /// <param name="background">Red, green, blue, alpha from the lowest byte.</param>
+        /// <param name="edlStrength">0 for no eye-dome lighting; 0.25 is usual.</param>
+        /// <param name="fillsHoles">See <see cref="ResolvePictureJob.FillsHoles"/>.</param>
+        public JobHandle ScheduleResolve(in PointDrawing drawing, uint background, float edlStrength, JobHandle inputDeps,
+            bool fillsHoles = false)
+        {
+            return new ResolvePictureJob
+            {
+                Pixels = m_pixels,
+                Sums = Sums,
+                Projection = drawing.Projection,
+                Background = background,
+                EdlStrength = edlStrength,
+                FillsHoles = fillsHoles,
+                Colors = m_colors,
+            }.ScheduleParallel(HeightPx, 16, inputDeps);
+        }
+
+        /// <summary>A copy of the resolved colours.</summary>
+        public RgbaImage ToImage()
+        {
+            var image = new RgbaImage(WidthPx, HeightPx);
+            m_colors.Reinterpret<byte>(sizeof(uint)).CopyTo(image.Rgba);
+            return image;
+        }
+
+        public void Dispose()
+        {
+            if (!m_pixels.IsCreated)
+                return;
+            m_pixels.Dispose();
+            if (m_sums.IsCreated)
+                m_sums.Dispose();
+            m_colors.Dispose();
+            m_sizeOfTile.Dispose();
+            m_typicalSizePx.Dispose();
+            m_palettes.Dispose();
+        }
+    }
+
+    /// <summary>Draws a range of a batch's points; index i is its i-th piece of <see cref="PointsPerPiece"/> points.</summary>
+    [BurstCompile]
+    internal struct RasterizePointsJob : IJobFor
+    {
+        public const int PointsPerPiece = 2048;
+
+        [ReadOnly] public NativeArray<byte> Bytes;
+        [ReadOnly] public NativeArray<uint> Palettes;
+        [ReadOnly] public NativeArray<float> SizeOfTile;
+        public PointDrawing Drawing;
+        public int First;
+        public int Count;
+
+        /// <summary>Written by atomic minimum, so that jobs on other batches may draw at the same time.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
+
+        public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;
+
+        public unsafe void Execute(int index)
+        {
+            int start = index * PointsPerPiece;
+            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palettes.GetUnsafeReadOnlyPtr(),
+                (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
+                (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
+        }
+    }
+}

@@ -1,0 +1,226 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Streaming;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Options of a picture.</summary>
+    public sealed class PictureOptions
+    {
+        /// <summary>Default strength of eye-dome lighting: strong enough to read shapes by, not so strong that noise
+        /// shows.</summary>
+        public const float DefaultEdlStrength = 0.25f;
+
+        internal const double DefaultFovDegrees = 45;
+
+        public int WidthPx = 1280;
+        public int HeightPx = 720;
+
+        /// <summary>Used if <see cref="Camera"/> is null.</summary>
+        public ViewDirection View = ViewDirection.Auto;
+
+        /// <summary>Replaces a standard view.</summary>
+        public Camera? Camera;
+
+        /// <summary>The most points of <see cref="DisplayRanges.Outline"/> that a standard view frames: all of them take ten
+        /// milliseconds on an editor's main thread.</summary>
+        public int OutlinePoints = int.MaxValue;
+
+        public double FovDegrees = DefaultFovDegrees;
+        public UpAxis UpAxis = UpAxis.Z;
+
+        /// <summary>Whether a preview of a format that does not say what is up sets <see cref="UpAxis"/>: see
+        /// <see cref="UpGuess"/>.</summary>
+        internal bool GuessesUp;
+
+        public ColorMode Color = ColorMode.Auto;
+        public Gradient Gradient = Gradient.Auto;
+
+        /// <summary>Size in pixels; 0 makes points as large as surfaces need to look closed.</summary>
+        public float PointSizePx;
+
+        /// <summary>Replaces <see cref="PointSizePx"/> with a length in the world, or an adaptive size. Only streamed clouds can
+        /// be adaptive; for others that means 0.</summary>
+        public PointSize? SizeInWorld;
+
+        /// <summary>Whether sizes are chosen from a first picture of the points.</summary>
+        public bool IsAutoSize => PointSizePx < 1 && SizeInWorld?.Mode != PointSizeMode.World;
+
+        /// <summary>Streamed clouds do not draw points of these classes.</summary>
+        public ClassMask HiddenClasses;
+
+        /// <summary>The boxes that streamed clouds are clipped by, georeferenced.</summary>
+        public readonly List<ClipBox> ClipBoxes = new List<ClipBox>();
+
+        /// <summary>Whether some points are not drawn.</summary>
+        public bool IsFiltered => ClipBoxes.Count > 0 || !HiddenClasses.IsEmpty;
+
+        /// <summary>Draws discs instead of squares.</summary>
+        public bool RoundPoints;
+
+        /// <summary>Blends discs that lie behind one another, for streamed clouds: see <see cref="BlendedPixels"/>.</summary>
+        public bool BlendedPoints;
+
+        /// <summary>See <see cref="PointDrawing.IsDomed"/>.</summary>
+        public bool DomedPoints;
+
+        /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
+        public uint Background = Palettes.Pack(24, 26, 30);
+
+        /// <summary>Strength of the eye-dome lighting: 0 for none; a negative value means 0 for RGB and the default for the other
+        /// modes.</summary>
+        public float EdlStrength = -1;
+
+        /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
+        public float EdlFor(ColorMode mode) => EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
+
+        /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
+        public bool FillsHoles;
+
+        /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
+        public const string StyleHelp =
+            "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
+            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
+            "points=square|round|paraboloid|splat (the last of converted clouds), " +
+            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
+            "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
+
+        /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
+        /// <param name="error">What was wanted, or null.</param>
+        public bool TrySetStyle(string key, string value, out string error)
+        {
+            error = null;
+            float number;
+            switch (key)
+            {
+                case "color":
+                    return TryName(value, out Color, ref error);
+                case "gradient":
+                    return TryName(value, out Gradient, ref error);
+                case "up":
+                    GuessesUp = false;
+                    if (TryName(value.StartsWith("-") ? "Negative" + value.Substring(1) : value, out UpAxis, ref error))
+                        return true;
+                    error = "wanted x, y, z, -x, -y or -z, got " + value;
+                    return false;
+                case "size":
+                    if (!TrySize(value))
+                        error = "size: wanted auto, 1 to " + NumberText.Of(PointDrawing.MaxSizePx) +
+                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive, with distances " +
+                            "between points as in adaptive:1.2; got " + value;
+                    break;
+                case "points":
+                    if (value != "square" && value != "round" && value != "paraboloid" && value != "splat")
+                        error = "points: wanted square, round, paraboloid or splat, got " + value;
+                    RoundPoints = value == "round" || value == "splat";
+                    BlendedPoints = value == "splat";
+                    DomedPoints = value == "paraboloid";
+                    break;
+                case "classes":
+                    if (!TryClasses(value))
+                        error = "classes: wanted numbers from 0 to 255 as in 2+6, got " + value;
+                    break;
+                case "edl":
+                    if (value == "auto" || value == "on" || value == "off")
+                        EdlStrength = value == "auto" ? -1 : value == "on" ? DefaultEdlStrength : 0;
+                    else if (TryNumber(value, 0, 100, out number))
+                        EdlStrength = number;
+                    else
+                        error = "edl: wanted auto, on, off or a strength, got " + value;
+                    break;
+                case "holes":
+                    if (value != "fill" && value != "keep")
+                        error = "holes: wanted fill or keep, got " + value;
+                    FillsHoles = value == "fill";
+                    break;
+                case "background":
+                    if (!TryColor(value, out Background))
+                        error = "background: wanted RRGGBB or RRGGBBAA in hexadecimal, got " + value;
+                    break;
+                default:
+                    error = "no such style: " + key + "; there are " + StyleHelp;
+                    break;
+            }
+            return error == null;
+        }
+
+        static bool TryName<T>(string text, out T value, ref string error) where T : struct, Enum
+        {
+            if (text.Length > 0 && char.IsLetter(text[0]) && Enum.TryParse(text, true, out value))
+                return true;
+            value = default;
+            error = "wanted " + string.Join(", ", Enum.GetNames(typeof(T))).ToLowerInvariant() + ", got " + text;
+            return false;
+        }
+
+        static bool TryNumber(string text, float min, float max, out float value)
+        {
+            bool isNumber = NumberText.TryRead(text, out double number);
+            value = (float)number;
+            return isNumber && value >= min && value <= max;
+        }
+
+        bool TrySize(string value)
+        {
+            const string adaptive = "adaptive", ofGaps = adaptive + ":";
+            float number = 0;
+            PointSize? inWorld = null;
+            if (value == adaptive)
+                inWorld = PointSize.Adaptive();
+            else if (value.StartsWith(ofGaps, StringComparison.Ordinal) &&
+                TryNumber(value.Substring(ofGaps.Length), 0.01f, 100, out number))
+                inWorld = PointSize.Adaptive(number);
+            else if (value.EndsWith("u", StringComparison.Ordinal) &&
+                TryNumber(value.Substring(0, value.Length - 1), float.Epsilon, float.MaxValue, out number))
+                inWorld = PointSize.World(number);
+            else if (value != "auto" && !TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
+                return false;
+            SizeInWorld = inWorld;
+            PointSizePx = inWorld.HasValue ? 0 : number;
+            return true;
+        }
+
+        bool TryClasses(string value)
+        {
+            var shown = new ClassMask();
+            foreach (string part in value.Split('+'))
+            {
+                if (!byte.TryParse(part, NumberStyles.None, CultureInfo.InvariantCulture, out byte c))
+                    return false;
+                shown.Add(c);
+            }
+            HiddenClasses = shown.Inverse;
+            return true;
+        }
+
+        static bool TryColor(string text, out uint color)
+        {
+            string hex = text.TrimStart('#');
+            color = 0;
+            if (hex.Length == 6)
+                hex += "FF";
+            if (hex.Length != 8 || !uint.TryParse(hex, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture,
+                out uint value))
+                return false;
+            color = Palettes.Pack((byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value);
+            return true;
+        }
+    }
+
+    /// <summary>Standard views; x is east, y north and z up for a cloud whose up axis is Z.</summary>
+    public enum ViewDirection
+    {
+        /// <summary>The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a
+        /// wall.</summary>
+        Auto,
+        /// <summary>Orthographic, from above, north at the top.</summary>
+        Top,
+        /// <summary>Orthographic, from the south.</summary>
+        Front,
+        /// <summary>Perspective, from the south-east and above.</summary>
+        Iso,
+    }
+}

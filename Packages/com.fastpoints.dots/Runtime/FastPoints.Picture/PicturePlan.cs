@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>A picture's options resolved for one cloud, from the ranges of a sample, before a point is drawn.</summary>
+    internal sealed class PicturePlan
+    {
+        readonly PictureOptions m_options;
+        readonly DisplayRanges m_ranges;
+        readonly PositionTransform m_transform;
+
+        public PicturePlan(PictureOptions options, DisplayRanges ranges, PositionTransform transform)
+        {
+            m_options = options;
+            m_ranges = ranges;
+            m_transform = transform;
+            Mode = ranges.Resolve(options.Color);
+            EdlStrength = options.EdlFor(Mode);
+            SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
+            Camera = options.Camera ?? CameraFraming.Frame(options, ranges.Robust,
+                Thinned(ranges.Outline, options.OutlinePoints), ranges.Rim, ranges.LengthsPerUnit);
+            Assumptions = new List<string>(ranges.Assumptions);
+            if (options.Color == ColorMode.Auto)
+                Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());
+            else if (options.Color != Mode)
+                Assumptions.Add("no " + options.Color.ToString().ToLowerInvariant() + " to colour by: coloured by " +
+                    Mode.ToString().ToLowerInvariant());
+        }
+
+        public Camera Camera { get; }
+
+        /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
+        public ColorMode Mode { get; }
+
+        public DisplayRanges Ranges => m_ranges;
+        public float EdlStrength { get; }
+        public bool FillsHoles => m_options.FillsHoles;
+        public Gradient Gradient => m_options.Gradient;
+
+        /// <summary>Hidden classes of a streamed cloud.</summary>
+        public ClassMask HiddenClasses => m_options.HiddenClasses;
+
+        /// <summary>Size of a point in pixels; if sizes are chosen, that of the median tile.</summary>
+        public float SizePx { get; set; }
+
+        /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
+        public bool WantsAutoSize => m_options.IsAutoSize;
+
+        /// <summary>What was assumed for lack of better data: one line for people each.</summary>
+        public List<string> Assumptions { get; }
+
+        /// <summary>The mapping from values to colours, whatever columns these are in.</summary>
+        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, Gradient);
+
+        /// <summary>The drawing of points that lie in batches like this one, on a canvas whose sizes are set.</summary>
+        public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
+        {
+            var world = m_options.SizeInWorld.GetValueOrDefault();
+            bool hasOwnSize = world.Mode == PointSizeMode.World;
+            return new PointDrawing
+            {
+                Positions = PositionColumns.Of(batch),
+                Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
+                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, Gradient),
+                LargestPx = hasOwnSize ? world.MaxPx : canvas.LargestPx,
+                HasOwnSize = hasOwnSize,
+                Size = world,
+                IsRound = m_options.RoundPoints,
+                IsDomed = m_options.DomedPoints,
+            };
+        }
+
+        static double3[] Thinned(double3[] outline, int most)
+        {
+            if (outline.Length <= most)
+                return outline;
+            var thinned = new double3[most];
+            for (int i = 0; i < most; i++)
+                thinned[i] = outline[(int)((long)i * outline.Length / most)];
+            return thinned;
+        }
+    }
+}

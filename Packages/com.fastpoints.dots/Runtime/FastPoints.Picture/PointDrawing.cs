@@ -1,0 +1,165 @@
+using System.Runtime.CompilerServices;
+using System.Threading;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>
+    /// How the points of one batch layout are drawn: projection, colours, size. Draws into pixels of 64 bits, depth above
+    /// colour, of which the smallest wins:
+    /// <code>
+    /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
+    ///     depth (ordered)     radius    blue      green    red
+    /// </code>
+    /// (the radius is half a point's size in pixels, which eye-dome lighting looks around itself by) so that a picture depends on
+    /// no order and on no number of threads; of two points at one depth the smaller colour stays. Blittable, for jobs.
+    /// </summary>
+    internal struct PointDrawing
+    {
+        /// <summary>A pixel without a point.</summary>
+        public const ulong EmptyPixel = ulong.MaxValue;
+
+        public const float MaxSizePx = 64;
+
+        public PositionColumns Positions;
+        public PointProjection Projection;
+        public ColorMapping Colors;
+
+        /// <summary>The largest size of any point; a size of 1 is drawn faster.</summary>
+        public float LargestPx;
+
+        /// <summary>Whether the size of points is <see cref="Size"/>, whatever their tiles' size is.</summary>
+        public bool HasOwnSize;
+        public PointSize Size;
+
+        /// <summary>Draws discs instead of squares.</summary>
+        public bool IsRound;
+
+        /// <summary>Draws discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the
+        /// middle, which has the point's own depth. Each pixel of overlapping points goes to the nearest centre.</summary>
+        public bool IsDomed;
+
+        /// <summary>Draws the points from <paramref name="first"/> on. Any number of threads may draw at once.</summary>
+        /// <param name="bytes">The batch's memory.</param>
+        /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of <see
+        /// cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
+        /// <param name="pixels">The picture's pixels, row by row from the top.</param>
+        /// <param name="gaps">The gap of each drawn point: see <see cref="PointSize.ToPx"/>. Null if no size is adaptive.</param>
+        /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see
+        /// cref="BlendedPixels"/>.</param>
+        public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
+            ulong* pixels, float* gaps = null, ulong* sums = null)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            uint* colors = stackalloc uint[ColumnValues.RunLength];
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                Positions.Load(bytes, first + done, run, x, y, z);
+                PointColoring.ColorRun(bytes, Colors, palettes, first + done, run, x, y, z, colors);
+                if (LargestPx <= 1 && sums == null)
+                    DrawPixels(x, y, z, colors, run, pixels);
+                else
+                    DrawSplats(x, y, z, colors, run, sizeOfTile, gaps == null ? null : gaps + done, pixels, sums);
+            }
+        }
+
+        readonly unsafe void DrawPixels(double* x, double* y, double* z, uint* colors, int count, ulong* pixels)
+        {
+            int width = Projection.WidthPx;
+            double widthPx = width, heightPx = Projection.HeightPx;
+            for (int i = 0; i < count; i++)
+            {
+                if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
+                    continue;
+                if (!(xPx >= 0 && xPx < widthPx && yPx >= 0 && yPx < heightPx))
+                    continue;
+                Lower(pixels + ((long)(int)yPx * width + (int)xPx), KeyOf(depth, 1, colors[i]));
+            }
+        }
+
+        readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, float* sizeOfTile,
+            float* gaps, ulong* pixels, ulong* sums)
+        {
+            int width = Projection.WidthPx, height = Projection.HeightPx;
+            int tilesAcross = PointSizing.TilesAlong(width);
+            double mostHalf = LargestPx * 0.5;
+            for (int i = 0; i < count; i++)
+            {
+                if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
+                    continue;
+                if (!(xPx >= -mostHalf && xPx < width + mostHalf && yPx >= -mostHalf && yPx < height + mostHalf))
+                    continue;
+                float size;
+                if (HasOwnSize)
+                {
+                    size = Size.ToPx(gaps == null ? 0 : gaps[i], (float)Projection.PixelsPerUnitAt(depth));
+                }
+                else
+                {
+                    int tileX = math.clamp((int)xPx, 0, width - 1) / PointSizing.TileEdgePx;
+                    int tileY = math.clamp((int)yPx, 0, height - 1) / PointSizing.TileEdgePx;
+                    size = sizeOfTile[tileY * tilesAcross + tileX];
+                }
+                double half = size * 0.5;
+                uint radiusPx = PointSizing.RadiusOf(size);
+                ulong key = KeyOf(depth, radiusPx, colors[i]);
+                // Depth in world units behind the middle, for each squared pixel of distance: the radius at the rim.
+                double behindPerSq = IsDomed ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
+                float nearest = sums == null ? 0
+                    : (float)(depth - BlendedPixels.WindowOf(size, Projection.PixelsPerUnitAt(depth)));
+
+                // Selects the pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
+                int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);
+                int right = math.min(width - 1, (int)math.floor(xPx + half - 0.5));
+                int top = math.max(0, (int)math.floor(yPx - half - 0.5) + 1);
+                int bottom = math.min(height - 1, (int)math.floor(yPx + half - 0.5));
+                for (int row = top; row <= bottom; row++)
+                {
+                    double dy = row + 0.5 - yPx;
+                    for (int column = left; column <= right; column++)
+                    {
+                        double dx = column + 0.5 - xPx;
+                        double distanceSq = dx * dx + dy * dy;
+                        if ((IsRound || IsDomed) && distanceSq > half * half)
+                            continue;
+                        long pixel = (long)row * width + column;
+                        if (sums != null)
+                        {
+                            if (nearest <= PointProjection.DepthFromBits((uint)(pixels[pixel] >> 32)))
+                                BlendedPixels.Add(sums + pixel * BlendedPixels.WordsPerPixel, colors[i],
+                                    BlendedPixels.WeightOf(distanceSq / (half * half)));
+                            continue;
+                        }
+                        if (IsDomed)
+                            key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, colors[i]);
+                        Lower(pixels + pixel, key);
+                    }
+                }
+            }
+        }
+
+        /// <summary>The pixel value of a point.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
+            (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
+
+        /// <summary>Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early
+        /// costs one more round; the plain read is atomic on 64-bit processors.</summary>
+        static unsafe void Lower(ulong* pixel, ulong key)
+        {
+            ulong seen = *pixel;
+            while (key < seen)
+            {
+                ulong was = (ulong)Interlocked.CompareExchange(ref *(long*)pixel, (long)key, (long)seen);
+                if (was == seen)
+                    return;
+                seen = was;
+            }
+        }
+    }
+}

@@ -1,0 +1,137 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Reading;
+using FastPoints.Sampling;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Makes a first picture of an open source: it finds the blocks if necessary, takes a sample, measures it, and draws
+    /// it. Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
+    public sealed class PreviewCloud : IDisposable
+    {
+        /// <summary>From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they
+        /// gain.</summary>
+        const float LeastThinPx = 2;
+
+        readonly PointReader m_reader;
+        readonly PreviewOptions m_options;
+        readonly PreviewSampling m_sampling;
+
+        public PreviewCloud(PointReader reader, PreviewOptions options)
+        {
+            m_reader = reader;
+            m_options = options;
+            m_sampling = new PreviewSampling(reader, options);
+        }
+
+        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it
+        /// belongs to the wave only until the work's next step.</summary>
+        public event Action<PreviewSample, SampleWave> WaveReady
+        {
+            add => m_sampling.WaveReady += value;
+            remove => m_sampling.WaveReady -= value;
+        }
+
+        public PreviewSample Sample => m_sampling.Sample;
+
+        /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
+        public IReadOnlyList<SampleWave> Waves => m_sampling.Waves;
+
+        public DisplayRanges Ranges { get; private set; }
+
+        /// <summary>The estimated density with its error, as of the sample at that time; null before
+        /// <see cref="EstimateDensity"/>, and for sources whose sample does not show it.</summary>
+        internal DensityEstimate Density { get; private set; }
+
+        /// <summary>The chosen camera, colours and size, and what was assumed.</summary>
+        internal PicturePlan Plan { get; private set; }
+
+        /// <summary>Null until the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="PreviewSampling.FindBlocksStage"/>,
+        /// <see cref="PreviewSampling.RefineStage"/> and <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<Work> Run(StageProgress progress)
+        {
+            yield return Work.Of(TakeSample(progress));
+            yield return Work.Of(PlanPicture());
+
+            progress?.Begin("draw");
+            // Here and below: each of these takes milliseconds.
+            yield return default;
+            using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
+            {
+                yield return default;
+                yield return Work.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
+                // Degrees are not lengths of a cube's edge.
+                if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))
+                {
+                    yield return Work.Of(EstimateDensity());
+                    if (Density != null)
+                        yield return Work.Of(SamplePicture.CloseSurfaces(canvas, Density,
+                            (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan));
+                }
+                yield return Work.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
+                    progress));
+                Image = canvas.ToImage();
+            }
+            progress?.End();
+        }
+
+        /// <summary>Work for a pump: takes the sample alone.</summary>
+        public IEnumerator<Work> TakeSample(StageProgress progress) => m_sampling.Run(progress);
+
+        /// <summary>Work for a pump, with a sample: finds <see cref="Ranges"/> and <see cref="Plan"/>.</summary>
+        public IEnumerator<Work> PlanPicture()
+        {
+            yield return Work.Of(MeasureSample());
+            string why = null;
+            if (m_options.Picture.GuessesUp && UpGuess.IsWanted(m_reader.Info.Format))
+            {
+                m_options.Picture.UpAxis = UpGuess.Of(Ranges.Outline, out why);
+                Ranges = Ranges.Along(m_options.Picture.UpAxis);
+            }
+            Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
+            if (why != null)
+                Plan.Assumptions.Add(why);
+            int most = PreviewSample.MaxPoints(Sample.Points.Schema);
+            if (m_options.Points > most && Sample.PointsInSource > most)
+                Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " +
+                    most);
+            if (Sample.NonFinite > 0)
+                Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
+        }
+
+        /// <summary>Work for a pump, with a sample: fills <see cref="Density"/>.</summary>
+        public IEnumerator<Work> EstimateDensity()
+        {
+            Density?.Dispose();
+            Density = null;
+            return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
+        }
+
+        IEnumerator<Work> MeasureSample()
+        {
+            Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+            return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
+        }
+
+        public void Dispose()
+        {
+            m_sampling.Dispose();
+            Density?.Dispose();
+            Density = null;
+        }
+    }
+
+    /// <summary>Options of a <see cref="PreviewCloud"/>.</summary>
+    public sealed class PreviewOptions : SampleOptions
+    {
+        public PictureOptions Picture = new PictureOptions();
+    }
+}

@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Drawing;
+using FastPoints.Sampling;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Draws a sample in slices.</summary>
+    static class SamplePicture
+    {
+        /// <summary>Points of one slice: about 4 ms of managed code.</summary>
+        const int PointsPerSlice = 1 << 17;
+
+        /// <summary>Work for a pump: draws the points on top of what the canvas has.</summary>
+        /// <param name="then">Schedules what comes behind it, if anything does.</param>
+        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
+            Func<JobHandle, JobHandle> then = null)
+        {
+            var drawing = plan.DrawingOf(points, canvas);
+            var all = default(JobHandle);
+            try
+            {
+                yield return Work.Of(Slices.Schedule(0, points.Count, PointsPerSlice, (first, end, after) =>
+                    canvas.ScheduleDraw(points, first, end - first, drawing, after), 1, default, drawn => all = drawn));
+                all = then == null ? all : then(all);
+                yield return all;
+            }
+            finally
+            {
+                all.Complete();
+            }
+            progress?.Report(1, points.Count, 0);
+        }
+
+        /// <summary>Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single
+        /// pixels. The canvas is empty before and after.</summary>
+        /// <param name="pointsToDraw">Points that the picture will have.</param>
+        public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan, long pointsToDraw)
+        {
+            canvas.UseSize(plan.SizePx);
+            if (!plan.WantsAutoSize || points.Count == 0)
+                yield break;
+            yield return Work.Of(Draw(canvas, points, plan, null,
+                drawn => canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, drawn)));
+            plan.SizePx = canvas.TypicalSizePx;
+            canvas.Clear();
+        }
+
+        /// <summary>Work for a pump, after <see cref="ChooseSize"/>: enlarges points that leave a surface open.</summary>
+        /// <param name="density">The density of the cloud.</param>
+        /// <param name="share">The drawn share of the cloud's points.</param>
+        public static IEnumerator<Work> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
+            PicturePlan plan)
+        {
+            var cells = new NativeList<ThinCell>(Allocator.Persistent);
+            JobHandle closed = default;
+            try
+            {
+                foreach (var leaf in density.Leaves())
+                    if (leaf.Cell.IsKnown)
+                        cells.Add(new ThinCell
+                        {
+                            Center = leaf.Min + leaf.Edge / 2,
+                            Edge = leaf.Edge,
+                            PointsDrawn = leaf.Cell.Points * share,
+                        });
+                closed = new CloseSurfacesJob
+                {
+                    Cells = cells.AsArray(),
+                    Projection = new PointProjection(plan.Camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
+                    TypicalPx = canvas.TypicalSizePx,
+                    SizeOfTile = canvas.SizeOfTile,
+                }.Schedule();
+                yield return closed;
+            }
+            finally
+            {
+                closed.Complete();
+                cells.Dispose();
+            }
+        }
+
+        /// <summary>Work for a pump: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>
+        public static IEnumerator<Work> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            uint background, StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
+                canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, drawn, plan.FillsHoles));
+
+        /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
+        public static IEnumerator<Work> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
+        {
+            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,
+                plan.FillsHoles);
+            try
+            {
+                yield return resolved;
+            }
+            finally
+            {
+                resolved.Complete();
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>Type of one component of one attribute, as it lies in a column.</summary>
+    public enum AttributeType : byte
+    {
+        UInt8,
+        Int8,
+        UInt16,
+        Int16,
+        UInt32,
+        Int32,
+        UInt64,
+        Int64,
+        Float32,
+        Float64,
+    }
+
+    /// <summary>What the types are. HPC#: two bits a type, or one, stand in for a table that jobs could not have.</summary>
+    internal static class AttributeTypes
+    {
+        /// <summary>By type from the right: the logarithm of its bytes.</summary>
+        const int SizeLog2s = 0b_11_10_11_11_10_10_01_01_00_00;
+
+        /// <summary>By type from the right: whether it has a sign.</summary>
+        const int Signed = 0b_11_10_10_10_10;
+
+        /// <summary>Bytes of one value.</summary>
+        public static int SizeOf(this AttributeType type) => 1 << (SizeLog2s >> 2 * (int)type & 3);
+
+        public static bool IsFloat(this AttributeType type) => type >= AttributeType.Float32;
+
+        public static bool IsSigned(this AttributeType type) => (Signed >> (int)type & 1) != 0;
+
+        /// <summary>The integer type of 1, 2, 4 or 8 bytes.</summary>
+        public static AttributeType Integer(int bytes, bool isSigned) =>
+            (AttributeType)(2 * math.tzcnt((uint)bytes) + (isSigned ? 1 : 0));
+
+        /// <summary>What an integer type of 32 bits and less holds; of any other type what 32 bits hold.</summary>
+        public static void RangeOf(this AttributeType type, out long least, out long most)
+        {
+            long values = 1L << 8 * math.min(4, type.SizeOf());
+            least = type.IsSigned() ? -values / 2 : 0;
+            most = least + values - 1;
+        }
+
+        /// <summary>The narrowest type that holds the values of both; 64-bit floats if none does.</summary>
+        public static AttributeType Common(AttributeType a, AttributeType b)
+        {
+            if (a == b)
+                return a;
+            if (a.IsFloat() || b.IsFloat())
+                return FitsFloat32(a) && FitsFloat32(b) ? AttributeType.Float32 : AttributeType.Float64;
+            int bytes = math.max(a.SizeOf(), b.SizeOf());
+            if (a.IsSigned() == b.IsSigned())
+                return a.SizeOf() == bytes ? a : b;
+            var unsigned = a.IsSigned() ? b : a;
+            if (unsigned.SizeOf() == bytes)
+                bytes *= 2;
+            return bytes <= 8 ? Integer(bytes, true) : AttributeType.Float64;
+        }
+
+        static bool FitsFloat32(AttributeType type) => type == AttributeType.Float32 || type.SizeOf() <= 2;
+    }
+}

@@ -1,0 +1,24 @@
+namespace FastPoints.Core
+{
+    /// <summary>What a cloud says of its coordinate system, as far as it says anything.</summary>
+    public sealed class CloudCrs
+    {
+        /// <summary>A name for people: one line, or null.</summary>
+        public string Name;
+
+        /// <summary>OGC well-known text, or null.</summary>
+        public string Wkt;
+
+        /// <summary>EPSG codes of the horizontal (or compound) and of the vertical system, or 0.</summary>
+        public int Epsg;
+        public int VerticalEpsg;
+
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
+        public double MetresPerUnit;
+
+        /// <summary>Whether both are known to be the same system.</summary>
+        public bool IsSameAs(CloudCrs other) =>
+            Epsg != 0 && Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg ||
+            !string.IsNullOrEmpty(Wkt) && Wkt == other.Wkt;
+    }
+}

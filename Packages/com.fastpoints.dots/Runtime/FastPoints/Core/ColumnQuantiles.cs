@@ -1,0 +1,73 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>The range of a column's finite values, and the values below which given shares of them lie.</summary>
+    /// <remarks>They come from at most 65,536 values taken at even distances: the share below each is right within 0.2 % of all
+    /// values (4 sigma of a binomial at a half), whatever the outliers.</remarks>
+    internal struct ColumnQuantiles
+    {
+        const int MaxValuesTaken = 65536;
+
+        public ColumnRange Range;
+
+        /// <summary>Values of the column itself (nearest rank); NaN if it has no finite value.</summary>
+        public double Low;
+        public double High;
+
+        /// <summary>A quarter of the values lies below the first, a quarter above the second.</summary>
+        public double LowQuarter;
+        public double HighQuarter;
+
+        /// <summary>Number of values sorted for a column of this length, which is the length of the scratch memory.</summary>
+        public static int ValuesTaken(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
+
+        static int Step(int count) => (count - 1) / MaxValuesTaken + 1;
+
+        /// <summary>The result before any value was examined.</summary>
+        public static ColumnQuantiles Empty => new ColumnQuantiles { Range = ColumnRange.Empty };
+
+        /// <param name="stored">Range of the column.</param>
+        /// <param name="keys">Scratch memory for <see cref="ValuesTaken"/> values, as is <paramref name="keyScratch"/>.</param>
+        public static unsafe ColumnQuantiles Measure(in ColumnRange stored, byte* column, AttributeType type, int count,
+            double scale, double offset, double lowShare, double highShare, ulong* keys, ulong* keyScratch)
+        {
+            double a = stored.Min * scale + offset, b = stored.Max * scale + offset;
+            var found = new ColumnQuantiles
+            {
+                Range = stored,
+                Low = double.NaN,
+                High = double.NaN,
+                LowQuarter = double.NaN,
+                HighQuarter = double.NaN
+            };
+            if (stored.IsEmpty)
+                return found;
+            found.Range.Min = math.min(a, b);
+            found.Range.Max = math.max(a, b);
+
+            int taken = 0;
+            int step = Step(count);
+            for (long i = 0; i < count; i += step)
+            {
+                double value = ColumnValues.ToDouble(column, type, (int)i) * scale + offset;
+                if (value - value == 0)
+                    keys[taken++] = ColumnValues.OrderedBits(value);
+            }
+            if (taken == 0)
+            {
+                found.Low = found.LowQuarter = found.Range.Min;
+                found.High = found.HighQuarter = found.Range.Max;
+                return found;
+            }
+            RadixSort.Sort(keys, null, keyScratch, null, taken);
+            found.Low = ColumnValues.FromOrderedBits(keys[Rank(lowShare, taken)]);
+            found.High = ColumnValues.FromOrderedBits(keys[Rank(highShare, taken)]);
+            found.LowQuarter = ColumnValues.FromOrderedBits(keys[Rank(0.25, taken)]);
+            found.HighQuarter = ColumnValues.FromOrderedBits(keys[Rank(0.75, taken)]);
+            return found;
+        }
+
+        static int Rank(double share, int count) => (int)math.clamp(share * (count - 1) + 0.5, 0, count - 1);
+    }
+}

@@ -1,0 +1,120 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>Widens columns of any type, some values at a time: the type is examined once for these, and the loops over values
+    /// have no branches.</summary>
+    internal static unsafe class ColumnValues
+    {
+        /// <summary>The number of values that callers widen at once, on the stack: three arrays of doubles this long stay in the
+        /// first-level cache.</summary>
+        public const int RunLength = 256;
+
+        /// <summary>Stored values as doubles: exact except for 64-bit integers beyond 2^53.</summary>
+        public static void ToDoubles(byte* column, AttributeType type, int first, int count, double* values)
+        {
+            switch (type)
+            {
+                case AttributeType.UInt8:
+                    for (int i = 0; i < count; i++)
+                        values[i] = column[first + i];
+                    break;
+                case AttributeType.Int8:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((sbyte*)column)[first + i];
+                    break;
+                case AttributeType.UInt16:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((ushort*)column)[first + i];
+                    break;
+                case AttributeType.Int16:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((short*)column)[first + i];
+                    break;
+                case AttributeType.UInt32:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((uint*)column)[first + i];
+                    break;
+                case AttributeType.Int32:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((int*)column)[first + i];
+                    break;
+                case AttributeType.UInt64:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((ulong*)column)[first + i];
+                    break;
+                case AttributeType.Int64:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((long*)column)[first + i];
+                    break;
+                case AttributeType.Float32:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((float*)column)[first + i];
+                    break;
+                default:
+                    for (int i = 0; i < count; i++)
+                        values[i] = ((double*)column)[first + i];
+                    break;
+            }
+        }
+
+        /// <summary>One of them: for few values.</summary>
+        public static double ToDouble(byte* column, AttributeType type, int index)
+        {
+            double value;
+            ToDoubles(column, type, index, 1, &value);
+            return value;
+        }
+
+        /// <summary>Stored values as 64 bits: integers are sign-extended; floats keep their bits, extended by zeros.</summary>
+        public static void ToBits(byte* column, AttributeType type, int first, int count, ulong* bits)
+        {
+            switch (type)
+            {
+                case AttributeType.UInt8:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = column[first + i];
+                    break;
+                case AttributeType.Int8:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = (ulong)((sbyte*)column)[first + i];
+                    break;
+                case AttributeType.UInt16:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = ((ushort*)column)[first + i];
+                    break;
+                case AttributeType.Int16:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = (ulong)((short*)column)[first + i];
+                    break;
+                case AttributeType.Int32:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = (ulong)((int*)column)[first + i];
+                    break;
+                case AttributeType.UInt32:
+                case AttributeType.Float32:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = ((uint*)column)[first + i];
+                    break;
+                default:
+                    for (int i = 0; i < count; i++)
+                        bits[i] = ((ulong*)column)[first + i];
+                    break;
+            }
+        }
+
+        /// <summary>A double's bits, changed so that unsigned integers order as the numbers do (not for NaN).</summary>
+        public static ulong OrderedBits(double value)
+        {
+            ulong bits = math.asulong(value);
+            return (bits & 0x8000000000000000UL) != 0 ? ~bits : bits | 0x8000000000000000UL;
+        }
+
+        /// <summary>The inverse of <see cref="OrderedBits(double)"/>.</summary>
+        public static double FromOrderedBits(ulong ordered)
+        {
+            ulong bits = (ordered & 0x8000000000000000UL) != 0 ? ordered & 0x7FFFFFFFFFFFFFFFUL : ~ordered;
+            return math.asdouble(bits);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>
+    /// Three coordinates of 21 bits and one 63-bit code whose order is the Z curve's:
+    /// <code>
+    /// bit  62 61 60  59 58 57  ...  5  4  3   2  1  0
+    ///       z  y  x   z  y  x  ...  z  y  x   z  y  x
+    ///      bit 20     bit 19        bit 1     bit 0
+    /// </code>
+    /// </summary>
+    /// <remarks>Spread and gathered by shifts and masks (Warren, Hacker's Delight, ch. 7): no table to keep in the cache, and a
+    /// compiler can do several codes at once.</remarks>
+    internal static unsafe class Morton
+    {
+        /// <summary>Bits of one coordinate.</summary>
+        public const int BitsPerAxis = 21;
+
+        /// <summary>Bits of one coordinate that <see cref="EncodeFew"/> takes.</summary>
+        public const int FewBits = 7;
+
+        // One bit for each of three numbers of 21 bits.
+        const ulong Lanes = 1 | 1UL << 21 | 1UL << 42;
+
+        /// <summary>The largest coordinate.</summary>
+        public const uint MaxCoordinate = (1u << BitsPerAxis) - 1;
+
+        /// <summary>Interleaves the coordinates; bits above <see cref="MaxCoordinate"/> are ignored.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
+
+        /// <summary>Interleaves coordinates of at most <see cref="FewBits"/> bits: three of them fit one number.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int EncodeFew(uint x, uint y, uint z)
+        {
+            ulong v = x | (ulong)y << 21 | (ulong)z << 42;
+            v = (v | v << 8) & 0x700FUL * Lanes;
+            v = (v | v << 4) & 0x430C3UL * Lanes;
+            v = (v | v << 2) & 0x49249UL * Lanes;
+            return (int)(v | v >> 20 | v >> 40) & (1 << 3 * FewBits) - 1;
+        }
+
+        /// <summary>The codes of many positions: coordinates relative to a corner, shifted right. Burst makes vectors of
+        /// it.</summary>
+        public static void Encode(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, ulong* codes)
+        {
+            for (int i = 0; i < count; i++)
+                codes[i] = Encode(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
+        }
+
+        /// <summary>The same for coordinates that have at most <see cref="FewBits"/> bits when shifted.</summary>
+        public static void EncodeFew(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, uint* codes)
+        {
+            for (int i = 0; i < count; i++)
+                codes[i] = (uint)EncodeFew(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Decode(ulong code, out uint x, out uint y, out uint z)
+        {
+            x = Gather(code);
+            y = Gather(code >> 1);
+            z = Gather(code >> 2);
+        }
+
+        /// <summary>Moves bit i of the low 21 to bit 3i.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static ulong Spread(uint value)
+        {
+            ulong v = value & MaxCoordinate;
+            v = (v | v << 32) & 0x001F00000000FFFFUL;
+            v = (v | v << 16) & 0x001F0000FF0000FFUL;
+            v = (v | v << 8) & 0x100F00F00F00F00FUL;
+            v = (v | v << 4) & 0x10C30C30C30C30C3UL;
+            v = (v | v << 2) & 0x1249249249249249UL;
+            return v;
+        }
+
+        /// <summary>Moves bit 3i to bit i: the inverse of <see cref="Spread"/>, whatever lies between.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint Gather(ulong code)
+        {
+            ulong v = code & 0x1249249249249249UL;
+            v = (v | v >> 2) & 0x10C30C30C30C30C3UL;
+            v = (v | v >> 4) & 0x100F00F00F00F00FUL;
+            v = (v | v >> 8) & 0x001F0000FF0000FFUL;
+            v = (v | v >> 16) & 0x001F00000000FFFFUL;
+            v = (v | v >> 32) & MaxCoordinate;
+            return (uint)v;
+        }
+    }
+}

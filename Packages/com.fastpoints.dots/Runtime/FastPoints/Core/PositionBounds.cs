@@ -1,0 +1,90 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>Georeferenced bounds of the finite positions among some points, and how many were not finite.</summary>
+    internal struct PositionBounds
+    {
+        public BoundsGeo Bounds;
+
+        /// <summary>Number of points with a coordinate that is infinite or NaN, which lie outside <see cref="Bounds"/>.</summary>
+        public long NonFinite;
+
+        public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
+
+        public void Include(in PositionBounds other)
+        {
+            Bounds.Include(other.Bounds);
+            NonFinite += other.NonFinite;
+        }
+
+        /// <summary>Includes at most <see cref="ColumnValues.RunLength"/> georeferenced positions.</summary>
+        public unsafe void IncludeRun(double* x, double* y, double* z, int count)
+        {
+            double3 min = Bounds.Min, max = Bounds.Max;
+            for (int i = 0; i < count; i++)
+            {
+                double px = x[i], py = y[i], pz = z[i];
+                if (!IsFinite(px, py, pz))
+                {
+                    NonFinite++;
+                    continue;
+                }
+                min.x = px < min.x ? px : min.x;
+                min.y = py < min.y ? py : min.y;
+                min.z = pz < min.z ? pz : min.z;
+                max.x = px > max.x ? px : max.x;
+                max.y = py > max.y ? py : max.y;
+                max.z = pz > max.z ? pz : max.z;
+            }
+            Bounds = new BoundsGeo(min, max);
+        }
+
+        /// <summary>Whether all are finite: x - x is 0 for a finite x and NaN for any other.</summary>
+        public static bool IsFinite(double x, double y, double z) => x - x + (y - y) + (z - z) == 0;
+
+        /// <summary>The bounds of the points from <paramref name="first"/> on in a batch's memory.</summary>
+        public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
+            int first, int count)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            var found = Empty;
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                columns.LoadGeo(bytes, transform, first + done, run, x, y, z);
+                found.IncludeRun(x, y, z, run);
+            }
+            return found;
+        }
+
+        /// <summary>Measures on the calling thread.</summary>
+        public static unsafe PositionBounds RunImmediate(PointBatch points, PositionTransform transform) =>
+            Measure((byte*)points.Bytes.GetUnsafeReadOnlyPtr(), PositionColumns.Of(points), transform, 0, points.Count);
+    }
+
+    /// <summary>Adds the bounds of a range of points to those found before.</summary>
+    [BurstCompile]
+    internal struct MeasureBoundsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Bytes;
+        public PositionColumns Columns;
+        public PositionTransform Transform;
+        public int First;
+        public int Count;
+        public NativeReference<PositionBounds> Found;
+
+        public unsafe void Execute()
+        {
+            var found = Found.Value;
+            found.Include(PositionBounds.Measure((byte*)Bytes.GetUnsafeReadOnlyPtr(), Columns, Transform, First, Count));
+            Found.Value = found;
+        }
+    }
+}

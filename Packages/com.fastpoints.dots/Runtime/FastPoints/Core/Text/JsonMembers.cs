@@ -1,0 +1,201 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>Members of a JSON object, each as what it must be. One that is missing or of another kind is a failure that names
+    /// the file and the member.</summary>
+    internal sealed class JsonMembers
+    {
+        readonly Dictionary<string, object> m_members;
+        readonly string m_prefix = "";
+        readonly bool m_isForeign;
+
+        JsonMembers(Dictionary<string, object> members, string path, bool isForeign, long fileBytes)
+        {
+            m_members = members;
+            m_isForeign = isForeign;
+            Path = path;
+            FileBytes = fileBytes;
+        }
+
+        JsonMembers(Dictionary<string, object> members, JsonMembers parent, string name)
+            : this(members, parent.Path, parent.m_isForeign, parent.FileBytes)
+        {
+            // In files of our own no name means two things.
+            if (m_isForeign)
+                m_prefix = parent.m_prefix + name + ".";
+        }
+
+        /// <summary>Of the file.</summary>
+        public string Path { get; }
+
+        /// <summary>Of the file, where <see cref="Parse"/> was told.</summary>
+        public long FileBytes { get; }
+
+        public IEnumerable<string> Names
+        {
+            get
+            {
+                foreach (string name in m_members.Keys)
+                    yield return Shown(name);
+            }
+        }
+
+        /// <param name="isForeign">Whether others write such files: trailing commas pass, as they are edited by hand, and control
+        /// characters in text become blanks, as it is shown to people as one line.</param>
+        /// <exception cref="PointCloudException">It is no JSON object.</exception>
+        public static JsonMembers Parse(string text, string path, bool isForeign = false, long fileBytes = 0)
+        {
+            try
+            {
+                return JsonReader.Parse(text, isForeign) is Dictionary<string, object> members
+                    ? new JsonMembers(members, path, isForeign, fileBytes)
+                    : throw new FormatException("wanted an object");
+            }
+            catch (FormatException e)
+            {
+                throw new PointCloudException(FailureCode.BadInput, path, -1, "no JSON: " + e.Message, e);
+            }
+        }
+
+        public bool Has(string name) => m_members.ContainsKey(name);
+
+        public bool IsObject(string name) => Find(name) is Dictionary<string, object>;
+
+        public bool IsText(string name) => Find(name) is string;
+
+        public bool IsList(string name) => Find(name) is List<object>;
+
+        /// <summary>Whether <see cref="Numbers"/> would give so many.</summary>
+        public bool IsNumbers(string name, int count) =>
+            Find(name) is List<object> list && list.Count == count && list.TrueForAll(JsonReader.IsNumber);
+
+        public long Long(string name) => Read(name, JsonReader.ToLong);
+
+        public long Long(string name, long otherwise) => Has(name) ? Long(name) : otherwise;
+
+        public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
+
+        /// <summary>A whole number from 0 to <paramref name="most"/>.</summary>
+        public long Count(string name, long most = long.MaxValue) => Read(name, v => InRange(v, 0, most));
+
+        public ulong Hex(string name) => Read(name, JsonReader.ToHex);
+
+        /// <summary>NaN for null: JSON has no word for it.</summary>
+        public double Double(string name) => Read(name, v => v == null ? double.NaN : JsonReader.ToDouble(v));
+
+        /// <summary>A finite number.</summary>
+        public double Number(string name) => Read(name, Finite);
+
+        public double Number(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
+
+        public string Text(string name) => Shown(Read(name, JsonReader.ToText));
+
+        /// <summary>Text, or what stands in where there is none.</summary>
+        public string Text(string name, string otherwise) => IsText(name) ? Text(name) : otherwise;
+
+        /// <summary>Text, or null where it is null or not there.</summary>
+        public string TextOrNull(string name) => Find(name) == null ? null : Text(name);
+
+        /// <summary>False where there is no such member.</summary>
+        public bool Flag(string name) => Has(name) &&
+            Read(name, v => v is bool flag ? flag : throw new FormatException("wanted true or false"));
+
+        public List<object> List(string name) =>
+            Read(name, v => v as List<object> ?? throw new FormatException("wanted a list, got " + JsonReader.Describe(v)));
+
+        public List<string> Texts(string name) => Read(name, _ => List(name).ConvertAll(i => Shown(JsonReader.ToText(i))));
+
+        /// <summary>A list of finite numbers, exactly so many.</summary>
+        public double[] Numbers(string name, int count)
+        {
+            var list = List(name);
+            return list.Count == count
+                ? Read(name, _ => list.ConvertAll(Finite)).ToArray()
+                : throw Wrong(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
+        }
+
+        /// <summary>A list of whole numbers; exactly so many unless <paramref name="count"/> is negative.</summary>
+        public long[] Longs(string name, int count = -1) => Read(name, v => ToLongs(v, count));
+
+        /// <summary>A list of such lists.</summary>
+        public List<long[]> Lists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));
+
+        /// <summary>A list of three finite numbers.</summary>
+        public double3 Vector(string name)
+        {
+            double[] numbers = Numbers(name, 3);
+            return new double3(numbers[0], numbers[1], numbers[2]);
+        }
+
+        public JsonMembers Object(string name) => ToObject(Find(name), name);
+
+        /// <summary>An object, or null where it is null or not there.</summary>
+        public JsonMembers ObjectOrNull(string name) => Find(name) == null ? null : Object(name);
+
+        public List<JsonMembers> Objects(string name)
+        {
+            int at = 0;
+            return List(name).ConvertAll(i => ToObject(i, name + "[" + NumberText.Of(at++) + "]"));
+        }
+
+        /// <summary>Checks a version, and says what to do about another one.</summary>
+        public void NeedVersion(long wanted)
+        {
+            long got = Long("version");
+            if (got != wanted)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, Path, -1, "\"version\"", wanted, got);
+        }
+
+        /// <summary>The failure of a member that is not what it must be.</summary>
+        public PointCloudException Bad(string name, string wanted) =>
+            Wrong(name, Has(name) ? "wanted " + wanted + ", got " + JsonReader.Describe(Find(name)) : "missing");
+
+        /// <summary>What is wrong with a member.</summary>
+        public PointCloudException Wrong(string name, string what, Exception inner = null) =>
+            new PointCloudException(FailureCode.BadInput, Path, -1, "\"" + m_prefix + name + "\": " + what, inner);
+
+        object Find(string name) => m_members.TryGetValue(name, out object value) ? value : null;
+
+        T Read<T>(string name, Func<object, T> read)
+        {
+            if (!m_members.TryGetValue(name, out object value))
+                throw Wrong(name, "missing");
+            try
+            {
+                return read(value);
+            }
+            catch (FormatException e)
+            {
+                throw Wrong(name, e.Message, e);
+            }
+        }
+
+        JsonMembers ToObject(object value, string name) => value is Dictionary<string, object> members
+            ? new JsonMembers(members, this, name)
+            : throw Wrong(name, value == null && !Has(name) ? "missing" : "wanted an object, got " + JsonReader.Describe(value));
+
+        string Shown(string text) => m_isForeign ? JsonReader.OneLine(text) : text;
+
+        static long InRange(object value, long least, long most)
+        {
+            long number = JsonReader.ToLong(value);
+            return number >= least && number <= most ? number : throw new FormatException("wanted " + NumberText.Of(least) +
+                " to " + NumberText.Of(most) + ", got " + NumberText.Of(number));
+        }
+
+        static long[] ToLongs(object value, int count) =>
+            value is List<object> list && (count < 0 || list.Count == count)
+                ? list.ConvertAll(JsonReader.ToLong).ToArray()
+                : throw new FormatException("wanted a list of " + (count < 0 ? "" : NumberText.Of(count) + " ") +
+                    "whole numbers, got " + JsonReader.Describe(value));
+
+        static double Finite(object value)
+        {
+            double number = JsonReader.ToDouble(value);
+            return double.IsInfinity(number) ? throw new FormatException("wanted a finite number") : number;
+        }
+    }
+}

@@ -1,0 +1,270 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+
+namespace FastPoints.Core
+{
+    /// <summary>A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays become lists. Numbers stay
+    /// text until they are converted to a type, so that 64-bit counts are exact.</summary>
+    /// <remarks>The package has its own reader because players should carry no JSON library, and Unity's fills the fields of a
+    /// class without saying what was missing or had the wrong type.</remarks>
+    internal sealed class JsonReader
+    {
+        const int MaxDepth = 64;
+
+        /// <summary>A number as it was written.</summary>
+        sealed class Number
+        {
+            public string Text;
+        }
+
+        readonly string m_text;
+        readonly bool m_allowsTrailingCommas;
+        int m_at;
+
+        JsonReader(string text, bool allowsTrailingCommas)
+        {
+            m_text = text;
+            m_allowsTrailingCommas = allowsTrailingCommas;
+        }
+
+        /// <param name="allowTrailingCommas">Whether a comma may stand behind the last item, as JavaScript lets it.</param>
+        /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see
+        /// cref="ToDouble"/>.</returns>
+        /// <exception cref="FormatException">The text is not JSON; the message says where.</exception>
+        public static object Parse(string text, bool allowTrailingCommas = false)
+        {
+            var reader = new JsonReader(text, allowTrailingCommas);
+            object value = reader.Value(0);
+            reader.Space();
+            if (reader.m_at != text.Length)
+                throw reader.Bad("nothing more");
+            return value;
+        }
+
+        /// <summary>A value that must be a whole number in the range of a long.</summary>
+        public static long ToLong(object value) =>
+            value is Number n && long.TryParse(n.Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture,
+                out long result)
+                ? result
+                : throw new FormatException("wanted a whole number, got " + Describe(value));
+
+        /// <summary>A value that must be a number.</summary>
+        public static double ToDouble(object value) =>
+            value is Number n && NumberText.TryRead(n.Text, out double result)
+                ? result
+                : throw new FormatException("wanted a number, got " + Describe(value));
+
+        /// <summary>A value that must be what <see cref="JsonWriter.AddHex"/> writes.</summary>
+        public static ulong ToHex(object value) =>
+            value is string text && text.Length == 16 &&
+            ulong.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong result)
+                ? result
+                : throw new FormatException("wanted 16 hexadecimal digits in a string, got " + Describe(value));
+
+        /// <summary>Whether <see cref="ToDouble"/> gives a finite number.</summary>
+        public static bool IsNumber(object value) =>
+            value is Number n && NumberText.TryRead(n.Text, out double result) && !double.IsInfinity(result);
+
+        /// <summary>A value that must be text.</summary>
+        public static string ToText(object value) =>
+            value as string ?? throw new FormatException("wanted text, got " + Describe(value));
+
+        /// <summary>A value as messages name it.</summary>
+        public static string Describe(object value) => value switch
+        {
+            null => "null",
+            Number n => n.Text,
+            string s => "\"" + OneLine(s) + "\"",
+            bool b => b ? "true" : "false",
+            _ => value is List<object> ? "a list" : "an object",
+        };
+
+        /// <summary>Text without control characters, for messages and names.</summary>
+        public static string OneLine(string text)
+        {
+            char[] line = text.ToCharArray();
+            for (int i = 0; i < line.Length; i++)
+                if (char.IsControl(line[i]))
+                    line[i] = ' ';
+            return new string(line);
+        }
+
+        object Value(int depth)
+        {
+            if (depth > MaxDepth)
+                throw Bad("fewer levels");
+            Space();
+            return (m_at < m_text.Length ? m_text[m_at] : '\0') switch
+            {
+                '{' => Object(depth),
+                '[' => Array(depth),
+                '"' => String(),
+                't' => Word("true", true),
+                'f' => Word("false", false),
+                'n' => Word("null", null),
+                _ => NumberAt(),
+            };
+        }
+
+        Dictionary<string, object> Object(int depth)
+        {
+            var members = new Dictionary<string, object>();
+            m_at++;
+            if (Takes('}'))
+                return members;
+            do
+            {
+                if (IsTrailing('}'))
+                    break;
+                Space();
+                string name = String();
+                Needs(':');
+                if (!members.TryAdd(name, Value(depth + 1)))
+                    throw Bad("one \"" + name + "\"");
+            }
+            while (Takes(','));
+            Needs('}');
+            return members;
+        }
+
+        List<object> Array(int depth)
+        {
+            var items = new List<object>();
+            m_at++;
+            if (Takes(']'))
+                return items;
+            do
+            {
+                if (IsTrailing(']'))
+                    break;
+                items.Add(Value(depth + 1));
+            }
+            while (Takes(','));
+            Needs(']');
+            return items;
+        }
+
+        string String()
+        {
+            if (m_at >= m_text.Length || m_text[m_at] != '"')
+                throw Bad("a string");
+            m_at++;
+            var result = new StringBuilder();
+            while (m_at < m_text.Length && m_text[m_at] != '"')
+            {
+                char c = m_text[m_at++];
+                if (c < ' ')
+                    throw Bad("no control character");
+                result.Append(c == '\\' ? Escaped() : c);
+            }
+            if (m_at >= m_text.Length)
+                throw Bad("an end of the string");
+            m_at++;
+            return result.ToString();
+        }
+
+        char Escaped()
+        {
+            char c = m_at < m_text.Length ? m_text[m_at++] : '\0';
+            switch (c)
+            {
+                case '"': case '\\': case '/': return c;
+                case 'b': return '\b';
+                case 'f': return '\f';
+                case 'n': return '\n';
+                case 'r': return '\r';
+                case 't': return '\t';
+                case 'u':
+                    if (m_at + 4 <= m_text.Length && ushort.TryParse(m_text.Substring(m_at, 4), NumberStyles.AllowHexSpecifier,
+                        CultureInfo.InvariantCulture, out ushort code))
+                    {
+                        m_at += 4;
+                        return (char)code;
+                    }
+                    break;
+            }
+            throw Bad("an escape");
+        }
+
+        object NumberAt()
+        {
+            int start = m_at;
+            if (m_at < m_text.Length && m_text[m_at] == '-')
+                m_at++;
+            int whole = m_at;
+            bool digits = Digits();
+            if (digits && m_text[whole] == '0' && m_at - whole > 1)
+                digits = false;
+            if (digits && m_at < m_text.Length && m_text[m_at] == '.')
+            {
+                m_at++;
+                digits = Digits();
+            }
+            if (digits && m_at < m_text.Length && (m_text[m_at] == 'e' || m_text[m_at] == 'E'))
+            {
+                m_at++;
+                if (m_at < m_text.Length && (m_text[m_at] == '+' || m_text[m_at] == '-'))
+                    m_at++;
+                digits = Digits();
+            }
+            if (!digits)
+                throw Bad("a value");
+            return new Number { Text = m_text.Substring(start, m_at - start) };
+        }
+
+        bool Digits()
+        {
+            int start = m_at;
+            while (m_at < m_text.Length && m_text[m_at] >= '0' && m_text[m_at] <= '9')
+                m_at++;
+            return m_at > start;
+        }
+
+        object Word(string word, object value)
+        {
+            if (string.CompareOrdinal(m_text, m_at, word, 0, word.Length) != 0)
+                throw Bad("a value");
+            m_at += word.Length;
+            return value;
+        }
+
+        bool Takes(char c)
+        {
+            Space();
+            if (m_at >= m_text.Length || m_text[m_at] != c)
+                return false;
+            m_at++;
+            return true;
+        }
+
+        /// <summary>Whether the comma just read ended its object or array, and may do so.</summary>
+        bool IsTrailing(char end)
+        {
+            if (!m_allowsTrailingCommas)
+                return false;
+            Space();
+            return m_at < m_text.Length && m_text[m_at] == end;
+        }
+
+        void Needs(char c)
+        {
+            if (!Takes(c))
+                throw Bad("'" + c + "'");
+        }
+
+        void Space()
+        {
+            while (m_at < m_text.Length && (m_text[m_at] == ' ' || m_text[m_at] == '\n' || m_text[m_at] == '\r' ||
+                m_text[m_at] == '\t'))
+                m_at++;
+        }
+
+        FormatException Bad(string wanted) =>
+            new FormatException(string.Format(CultureInfo.InvariantCulture, "at character {0}: wanted {1}, got {2}", m_at, wanted,
+                m_at >= m_text.Length ? "the end"
+                    : char.IsControl(m_text[m_at]) ? "U+" + ((int)m_text[m_at]).ToString("X4", CultureInfo.InvariantCulture)
+                    : "'" + m_text[m_at] + "'"));
+    }
+}

@@ -1,0 +1,63 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Core
+{
+    /// <summary>Directions that follow from the axis that points up.</summary>
+    internal static class UpAxes
+    {
+        /// <summary>Of X, Y and Z, whichever way it points.</summary>
+        public static int Index(this UpAxis axis) => (int)axis % 3;
+
+        public static bool IsNegative(this UpAxis axis) => axis >= UpAxis.NegativeX;
+
+        /// <summary>The height of a place, or of a direction's end.</summary>
+        public static double Height(this UpAxis axis, double3 geo) => axis.IsNegative() ? -geo[axis.Index()] : geo[axis.Index()];
+
+        /// <summary>Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its
+        /// axes.</summary>
+        public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
+        {
+            var x = new double3(1, 0, 0);
+            var y = new double3(0, 1, 0);
+            var z = new double3(0, 0, 1);
+            switch ((UpAxis)axis.Index())
+            {
+                case UpAxis.X:
+                    east = y;
+                    north = z;
+                    up = x;
+                    break;
+                case UpAxis.Y:
+                    east = x;
+                    north = -z;
+                    up = y;
+                    break;
+                default:
+                    east = x;
+                    north = y;
+                    up = z;
+                    break;
+            }
+            // Half a turn about the east.
+            if (axis.IsNegative())
+                (north, up) = (-north, -up);
+        }
+    }
+
+    /// <summary>The axis of a cloud that points up.</summary>
+    public enum UpAxis
+    {
+        X = 0,
+        Y = 1,
+        Z = 2,
+
+        /// <summary>X points down.</summary>
+        NegativeX = 3,
+
+        /// <summary>Y points down, as in cameras' coordinates.</summary>
+        NegativeY = 4,
+
+        /// <summary>Z points down: depths.</summary>
+        NegativeZ = 5,
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace FastPoints.Core
+{
+    /// <summary>Examines files off the main thread: opens them, asks for their lengths, reads what AsyncReadManager does not
+    /// suit. Whatever is thrown there reaches the caller as a <see cref="PointCloudException"/>.</summary>
+    public static class PoolWork
+    {
+        /// <summary>Begins work on a thread of the thread pool.</summary>
+        /// <param name="path">The file or folder that it works on, for messages.</param>
+        /// <param name="work">Must not use anything that other code changes: it continues even when its result is no longer
+        /// wanted.</param>
+        /// <param name="unwanted">Frees a result that nobody took before the work was disposed, on any thread.</param>
+        public static PoolWork<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
+            new PoolWork<T>(path, work, unwanted);
+
+        /// <summary>The same as work for a pump; it runs in place if the pump runs on a thread of the pool.</summary>
+        /// <param name="done">Takes the result, on the pump's thread.</param>
+        /// <param name="unwanted">Frees a result that came too late for that, on any thread.</param>
+        public static IEnumerator<Work> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
+        {
+            if (Thread.CurrentThread.IsThreadPoolThread)
+            {
+                done(work());
+                yield break;
+            }
+            using var begun = Begin(path, work, unwanted);
+            while (!begun.IsDone)
+                yield return default;
+            done(begun.Take());
+        }
+    }
+
+    /// <summary>Work that runs, or has ended, on a thread of the pool. One thread owns it and takes its result.</summary>
+    public sealed class PoolWork<T> : IDisposable
+    {
+        readonly string m_path;
+        readonly Task<T> m_task;
+        readonly Action<T> m_unwanted;
+        bool m_isTaken;
+
+        internal PoolWork(string path, Func<T> work, Action<T> unwanted)
+        {
+            m_path = path;
+            m_unwanted = unwanted;
+            m_task = Task.Run(work);
+        }
+
+        public bool IsDone => m_task.IsCompleted;
+
+        /// <summary>Hands over the result, which the caller owns from now on. Waits while the work is running.</summary>
+        /// <exception cref="PointCloudException">What was thrown; any other exception becomes one with <see
+        /// cref="FailureCode.Unexpected"/>.</exception>
+        public T Take()
+        {
+            m_isTaken = true;
+            try
+            {
+                return m_task.GetAwaiter().GetResult();
+            }
+            catch (Exception e)
+            {
+                throw PointCloudException.Of(m_path, e);
+            }
+        }
+
+        /// <summary>The same for callers that only dispose the result: the default if the work failed.</summary>
+        public T TakeIfSound()
+        {
+            try
+            {
+                return Take();
+            }
+            catch (PointCloudException)
+            {
+                // The result is no longer wanted.
+                return default;
+            }
+        }
+
+        /// <summary>Frees the result if nobody took it: now, or, while the work is running, on its thread when it ends.</summary>
+        public void Dispose()
+        {
+            if (m_isTaken || m_unwanted == null)
+                return;
+            m_isTaken = true;
+            m_task.ContinueWith(t => m_unwanted(t.Result),
+                TaskContinuationOptions.OnlyOnRanToCompletion | TaskContinuationOptions.ExecuteSynchronously);
+        }
+    }
+}

@@ -1,0 +1,238 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Threading;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Core
+{
+    /// <summary>One step of work: jobs that must finish before the next step can run, or other work to do first.</summary>
+    public readonly struct Work
+    {
+        internal readonly JobHandle Jobs;
+        internal readonly IEnumerator<Work> Inner;
+
+        Work(JobHandle jobs, IEnumerator<Work> inner)
+        {
+            Jobs = jobs;
+            Inner = inner;
+        }
+
+        /// <summary>Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
+        /// disposed.</summary>
+        public static Work Of(IEnumerator<Work> inner) => new Work(default, inner);
+
+        public static implicit operator Work(JobHandle jobs) => new Work(jobs, null);
+    }
+
+    /// <summary>Iterates the steps of work and of all work nested in it; each is the handle to await.</summary>
+    internal sealed class WorkSteps : IEnumerator<JobHandle>
+    {
+        readonly Stack<IEnumerator<Work>> m_stack = new Stack<IEnumerator<Work>>();
+
+        public WorkSteps(IEnumerator<Work> work) => m_stack.Push(work);
+
+        public JobHandle Current { get; private set; }
+
+        object IEnumerator.Current => Current;
+
+        /// <summary>Runs the next step. If it throws, everything is disposed from the inside out.</summary>
+        public bool MoveNext()
+        {
+            bool isWhole = false;
+            try
+            {
+                bool more = Next();
+                isWhole = true;
+                return more;
+            }
+            finally
+            {
+                if (!isWhole)
+                    Dispose();
+            }
+        }
+
+        /// <summary>Disposes what has not ended, from the inside out.</summary>
+        public void Dispose()
+        {
+            if (m_stack.Count == 0)
+                return;
+            try
+            {
+                m_stack.Pop().Dispose();
+            }
+            finally
+            {
+                Dispose();
+            }
+        }
+
+        void IEnumerator.Reset() => throw new NotSupportedException();
+
+        bool Next()
+        {
+            while (m_stack.Count > 0)
+            {
+                var innermost = m_stack.Peek();
+                if (!innermost.MoveNext())
+                {
+                    m_stack.Pop().Dispose();
+                }
+                else if (innermost.Current.Inner != null)
+                {
+                    m_stack.Push(innermost.Current.Inner);
+                }
+                else
+                {
+                    Current = innermost.Current.Jobs;
+                    return true;
+                }
+            }
+            Current = default;
+            return false;
+        }
+    }
+
+    /// <summary>Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete
+    /// before the next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the
+    /// converter calls <see cref="RunToEnd"/>, which waits.</summary>
+    /// <remarks>Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when
+    /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
+    public sealed class WorkPump
+    {
+        /// <summary>How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after
+        /// another, the ticks between two of them no longer double.</summary>
+        const double LookMs = 1;
+        const int MostLooksInVain = 4;
+
+        /// <summary>A tick that gets more than this is no part of a smooth frame: an editor's without focus, of which there are
+        /// few. It waits for jobs as long as its budget.</summary>
+        const double MostOfFrameMs = 16;
+
+        static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
+
+        readonly WorkSteps m_work;
+        readonly Func<double> m_nowMs;
+        JobHandle m_awaited;
+        int m_looksInVain;
+        int m_ticksUntilLook;
+
+        public WorkPump(IEnumerator<Work> work) : this(work, s_nowMs)
+        {
+        }
+
+        /// <param name="nowMs">The clock that budgets go by, in milliseconds.</param>
+        internal WorkPump(IEnumerator<Work> work, Func<double> nowMs)
+        {
+            m_work = new WorkSteps(work);
+            m_nowMs = nowMs;
+        }
+
+        public bool IsDone { get; private set; }
+
+        /// <summary>Ticks that waited for a job that did not end.</summary>
+        internal int LooksInVain { get; private set; }
+
+        /// <summary>Whether a job has ended. Without worker threads only who waits runs jobs: it is run here and now. Main
+        /// thread.</summary>
+        internal static bool HasEnded(JobHandle job)
+        {
+            if (JobsUtility.JobWorkerCount == 0)
+                job.Complete();
+            return job.IsCompleted;
+        }
+
+        /// <summary>Runs steps whose jobs are finished until <paramref name="budgetMs"/> is used up or a job is still running.
+        /// For a job that a step of this tick began it waits a moment, within the budget, as long as that has not been in
+        /// vain: many short jobs in a row would else take a tick each.</summary>
+        /// <returns>Whether the work is done.</returns>
+        public bool Tick(double budgetMs)
+        {
+            double beginMs = m_nowMs();
+            bool isAwaiting = false, isRare = budgetMs > MostOfFrameMs;
+            double lookUntilMs = 0;
+            if (m_ticksUntilLook > 0)
+                m_ticksUntilLook--;
+            while (!IsDone && m_nowMs() - beginMs < budgetMs)
+            {
+                if (HasEnded(m_awaited))
+                {
+                    if (isAwaiting)
+                        m_looksInVain = 0;
+                    isAwaiting = false;
+                    Step();
+                    lookUntilMs = m_ticksUntilLook == 0 ? m_nowMs() + LookMs : 0;
+                }
+                else if (isRare || m_nowMs() < lookUntilMs)
+                {
+                    isAwaiting = true;
+                    Thread.Yield();
+                }
+                else
+                {
+                    break;
+                }
+            }
+            JobHandle.ScheduleBatchedJobs();
+            if (!isAwaiting || isRare)
+                return IsDone;
+            LooksInVain++;
+            m_ticksUntilLook = 1 << (m_looksInVain = Math.Min(m_looksInVain + 1, MostLooksInVain));
+            return IsDone;
+        }
+
+        /// <summary>Ends the work: awaits jobs in flight and frees what the work allocated.</summary>
+        public void Cancel()
+        {
+            if (IsDone)
+                return;
+            IsDone = true;
+            m_work.Dispose();
+        }
+
+        /// <summary>Runs the work on the calling thread until it is done.</summary>
+        /// <exception cref="OperationCanceledException">The token was cancelled; everything is freed.</exception>
+        public static void RunToEnd(IEnumerator<Work> work, CancellationToken cancellation = default)
+        {
+            var pump = new WorkPump(work);
+            try
+            {
+                while (!pump.IsDone)
+                {
+                    cancellation.ThrowIfCancellationRequested();
+                    pump.Step();
+                    // A step that awaits no job may wait for another thread.
+                    Thread.Yield();
+                }
+            }
+            finally
+            {
+                pump.Cancel();
+            }
+        }
+
+        void Step()
+        {
+            m_awaited.Complete();
+            m_awaited = default;
+            bool more = false;
+            try
+            {
+                more = m_work.MoveNext();
+            }
+            finally
+            {
+                if (!more)
+                {
+                    IsDone = true;
+                    m_work.Dispose();
+                }
+            }
+            if (more)
+                m_awaited = m_work.Current;
+        }
+    }
+}

@@ -1,0 +1,180 @@
+using System.Runtime.InteropServices;
+using FastPoints.Core;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>Builds a <see cref="SizeTree"/> from the nodes to draw. If a node is several levels below its parent because
+    /// those between had no points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes
+    /// no place below it.</summary>
+    [BurstCompile]
+    internal unsafe struct BuildSizeTreeJob : IJob
+    {
+        /// <summary>Parents come before children.</summary>
+        [ReadOnly] public NativeArray<DrawnNode> Drawn;
+
+        /// <summary>Indexed by cloud number.</summary>
+        [ReadOnly] public NativeArray<SizeTreeCloud> Clouds;
+
+        /// <summary>Scratch; the first entry stands for nothing.</summary>
+        public NativeList<SizeTreeLink> Links;
+
+        /// <summary>Scratch: links in the order of their nodes.</summary>
+        public NativeList<int> Order;
+        public NativeList<GpuSizeNode> Nodes;
+
+        /// <summary>Holds the links while the job works.</summary>
+        public NativeList<int> NodeOfDrawn;
+
+        public void Execute()
+        {
+            Links.Clear();
+            Links.Add(default);
+            NodeOfDrawn.ResizeUninitialized(Drawn.Length);
+            for (int i = 0; i < Drawn.Length; i++)
+                NodeOfDrawn[i] = Link(i);
+            Number();
+            for (int i = 0; i < Drawn.Length; i++)
+                NodeOfDrawn[i] = Links[NodeOfDrawn[i]].Node;
+        }
+
+        /// <summary>Finds or makes the place of a node below its parent's.</summary>
+        int Link(int i)
+        {
+            var drawn = Drawn[i];
+            var link = new SizeTreeLink { Gap = GapOf(i), IsDrawn = true };
+            if (drawn.Parent < 0)
+                return AddRoot(link);
+            var above = Drawn[drawn.Parent];
+            var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
+            int level = cloud->Pages[drawn.Page].Places[drawn.Node].Level;
+            int levelAbove = cloud->Pages[above.Page].Places[above.Node].Level;
+            var place = cloud->Cubes.PlaceIn(cloud->Pages + drawn.Page, drawn.Node);
+            var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PlaceIn(cloud->Pages + above.Page, above.Node), levelAbove);
+            if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(place, levelAbove) != inAbove))
+                return AddRoot(link);
+            int at = NodeOfDrawn[drawn.Parent];
+            for (int between = levelAbove + 1; ; between++)
+            {
+                var octant = cloud->Cubes.IndexAt(place, between) - 2 * cloud->Cubes.IndexAt(place, between - 1);
+                int child = (int)math.csum(math.clamp(octant, 0, 1) * new double3(1, 2, 4));
+                int below = Links.GetUnsafePtr()[at].Children[child];
+                if (between == level && below != 0 && Links[below].IsDrawn)
+                    return AddRoot(link);
+                if (below == 0)
+                {
+                    below = Links.Length;
+                    Links.Add(between == level ? link : new SizeTreeLink { Gap = Links[at].Gap });
+                    Links.GetUnsafePtr()[at].Children[child] = below;
+                }
+                if (between == level)
+                {
+                    Links.GetUnsafePtr()[below].Gap = link.Gap;
+                    Links.GetUnsafePtr()[below].IsDrawn = true;
+                    return below;
+                }
+                at = below;
+            }
+        }
+
+        int AddRoot(SizeTreeLink link)
+        {
+            link.IsRoot = true;
+            Links.Add(link);
+            return Links.Length - 1;
+        }
+
+        /// <summary>Numbers the nodes in breadth-first order, so that the children of a node follow one another.</summary>
+        void Number()
+        {
+            Order.Clear();
+            for (int i = 1; i < Links.Length; i++)
+                if (Links[i].IsRoot)
+                    Order.Add(i);
+            Nodes.ResizeUninitialized(Links.Length - 1);
+            for (int node = 0; node < Order.Length; node++)
+            {
+                var link = Links.GetUnsafePtr() + Order[node];
+                uint mask = 0;
+                int first = Order.Length;
+                for (int octant = 0; octant < 8; octant++)
+                {
+                    if (link->Children[octant] == 0)
+                        continue;
+                    mask |= 1u << octant;
+                    Order.Add(link->Children[octant]);
+                }
+                link->Node = node;
+                Nodes[node] = new GpuSizeNode { Children = (uint)first << 8 | mask, Gap = link->Gap };
+            }
+        }
+
+        float GapOf(int i)
+        {
+            var drawn = Drawn[i];
+            var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
+            return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node]) * cloud->WorldPerUnit;
+        }
+
+        /// <summary>The gap between a node's points. A node with others below it has one point in each cell. The last node at its
+        /// place has all remaining points, most often on a surface or a line; the gap is then the larger of what the largest face
+        /// and the longest edge of its box give for that many points.</summary>
+        static float GapOf(in StreamNode node)
+        {
+            if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)
+                return node.Spacing;
+            var edges = 2 * node.Half;
+            float area = math.max(edges.x * edges.y, math.max(edges.y * edges.z, edges.z * edges.x));
+            float gap = math.max(math.sqrt(area / node.PointCount), math.cmax(edges) / node.PointCount);
+            return math.min(node.Spacing, gap);
+        }
+    }
+
+    /// <summary>One cloud as a <see cref="BuildSizeTreeJob"/> sees it. Blittable.</summary>
+    internal unsafe struct SizeTreeCloud
+    {
+        public HierarchyPage* Pages;
+        public NodeCubes Cubes;
+
+        /// <summary>World units of one CRS unit along the axis that is stretched most.</summary>
+        public float WorldPerUnit;
+    }
+
+    /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
+    internal unsafe struct SizeTreeLink
+    {
+        /// <summary>The link below for each octant; 0 for none, since no link is below the first.</summary>
+        public fixed int Children[8];
+
+        /// <summary>Distance between points in world units.</summary>
+        public float Gap;
+
+        /// <summary>Whether it stands for a node that is drawn, and not only for a level between two of these.</summary>
+        public bool IsDrawn;
+
+        /// <summary>Whether nothing is above it.</summary>
+        public bool IsRoot;
+
+        /// <summary>Its place in the tree.</summary>
+        public int Node;
+    }
+
+    /// <summary>A node of a <see cref="SizeTree"/> as shaders see it.</summary>
+    [GenerateHlsl]
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct GpuSizeNode
+    {
+        /// <summary>Bits 0-7: octants with a node of their own, X lowest; bits 8-31: index of the first of these nodes, in the
+        /// order of the octants.</summary>
+        public uint Children;
+
+        /// <summary>Distance in world units between points where no deeper node is drawn.</summary>
+        public float Gap;
+    }
+}

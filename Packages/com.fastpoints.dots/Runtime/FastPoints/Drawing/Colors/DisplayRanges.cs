@@ -1,0 +1,519 @@
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>What a display needs to know of a cloud, found from all points of a sample.</summary>
+    public sealed class DisplayRanges
+    {
+        /// <summary>Of the values, this share at either end is taken for strays.</summary>
+        const double StrayShare = 0.005;
+        const double IntensityStrayShare = 0.01;
+
+        /// <summary>Strays apart, the bounds are widened by this share of their size on either side.</summary>
+        const double Widening = 0.1;
+
+        /// <summary>What lies farther from the middle half than so many times its longest edge is not framed, however many points
+        /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one
+        /// pixel.</summary>
+        const double FarInMiddleHalves = 50;
+
+        /// <summary>Bounds so many times as large as those that are framed are told of.</summary>
+        const double FarTold = 10;
+
+        /// <summary>Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and
+        /// metres is a thousand times.</summary>
+        const double HeightsOfDegrees = 200;
+
+        const double MetresPerDegree = 111_320;
+
+        /// <summary>Of 255: colours that are darker but for strays cannot be told from the background.</summary>
+        const double DarkestColor = 12;
+
+        const int MaxOutlinePoints = 4096;
+
+        /// <summary>A millisecond each.</summary>
+        const int SignalParts = 4;
+
+        /// <summary>Of one slice of measuring: less than a millisecond of managed code.</summary>
+        const int PointsPerSlice = 1 << 17;
+
+        /// <summary>What is measured: the position first.</summary>
+        static readonly string[] s_columns =
+        {
+            AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Red,
+            AttributeNames.Green, AttributeNames.Blue,
+        };
+        const int IntensityColumn = 3;
+
+        bool m_hasFar;
+
+        /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is
+        /// framed.</summary>
+        double m_shareFramed = 1;
+
+        /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>
+        public bool IsInDegrees;
+
+        /// <summary>What a CRS unit along each axis is taken for in a picture: 1, or metres where X and Y are degrees.</summary>
+        public double3 LengthsPerUnit = new double3(1, 1, 1);
+
+        public UpAxis UpAxis = UpAxis.Z;
+
+        /// <summary>Of all finite positions.</summary>
+        public BoundsGeo Full = BoundsGeo.Empty;
+
+        /// <summary>Where nearly all points are: quantiles, widened, within <see cref="Full"/>.</summary>
+        public BoundsGeo Robust = BoundsGeo.Empty;
+
+        /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
+        public double3[] Outline = new double3[0];
+
+        /// <summary>The farthest positions in many directions, as far as they are not far outside of <see cref="Robust"/>: a
+        /// camera that shows them cuts nothing off. See <see cref="MeasureRimJob"/>.</summary>
+        public double3[] Rim = new double3[0];
+
+        /// <summary>Points with a position that is not finite: in no range.</summary>
+        public long NonFinite;
+
+        /// <summary>Heights along <see cref="UpAxis"/>, in CRS units: of a negative axis, coordinates with the other
+        /// sign.</summary>
+        public double ElevationLow;
+        public double ElevationHigh;
+
+        /// <summary>Stored values; both 0 where there is no intensity.</summary>
+        public double IntensityLow;
+        public double IntensityHigh;
+        public bool IntensityVaries;
+
+        public bool HasIntensity;
+
+        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by
+        /// it shows something.</summary>
+        public bool IntensityTells;
+
+        /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
+        public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
+
+        /// <summary>Classes of some of the points, where they have any.</summary>
+        public readonly SortedSet<int> Classes = new SortedSet<int>();
+
+        /// <summary>None where there is no colour or it is all black.</summary>
+        public ColorDepth Color;
+
+        /// <summary>What was assumed, and from what: a line for people each.</summary>
+        public readonly List<string> Assumptions = new List<string>();
+
+        /// <summary>For a cloud's manifest; null where nothing was measured. The up axis is Z.</summary>
+        internal ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
+        {
+            BoundsGeo = Robust,
+            Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },
+            Intensity = new CloudManifest.Range { Min = IntensityLow, Max = IntensityHigh },
+            HasColor = Color != ColorDepth.None,
+        };
+
+        /// <summary>What a converted cloud says of itself, without a look at its points: what is shown of it, or, where it does
+        /// not tell, bounds and ranges of its attributes, strays included.</summary>
+        public static DisplayRanges Of(CloudManifest manifest)
+        {
+            var bounds = manifest.BoundsGeo;
+            var ranges = new DisplayRanges
+            {
+                Full = bounds,
+                Robust = bounds,
+                ElevationLow = bounds.IsEmpty ? 0 : bounds.Min.z,
+                ElevationHigh = bounds.IsEmpty ? 0 : bounds.Max.z,
+            };
+            ranges.FindCategories(manifest.Attributes);
+            if (manifest.Shown is ShownRanges shown)
+            {
+                ranges.Robust = shown.BoundsGeo;
+                ranges.ElevationLow = shown.Elevation.Min;
+                ranges.ElevationHigh = shown.Elevation.Max;
+            }
+            int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
+            if (intensity >= 0)
+            {
+                ranges.HasIntensity = true;
+                ranges.IntensityLow = manifest.Ranges[intensity].Min;
+                ranges.IntensityHigh = manifest.Ranges[intensity].Max;
+                ranges.IntensityTells = ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
+                if (manifest.Shown is ShownRanges of && ranges.IntensityVaries)
+                {
+                    ranges.IntensityLow = of.Intensity.Min;
+                    ranges.IntensityHigh = of.Intensity.Max;
+                }
+            }
+            if (!manifest.Attributes.HasColor || manifest.Shown?.HasColor == false)
+                return ranges;
+            double brightest = 0;
+            foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })
+                brightest = math.max(brightest, manifest.Ranges[manifest.Attributes.IndexOf(name)].Max);
+            var type = manifest.Attributes[manifest.Attributes.IndexOf(AttributeNames.Red)].Type;
+            ranges.Color = brightest > 0 ? DepthOf(type, brightest) : ColorDepth.None;
+            return ranges;
+        }
+
+        /// <summary>These, with elevation along another axis: its own are where nearly all points are.</summary>
+        public DisplayRanges Along(UpAxis up)
+        {
+            if (up == UpAxis || Robust.IsEmpty)
+                return this;
+            var along = (DisplayRanges)MemberwiseClone();
+            along.UpAxis = up;
+            along.SetElevation(Robust.Min, Robust.Max);
+            return along;
+        }
+
+        /// <summary>Work for a pump: fills this from a batch. The batch must stay until the work is done.</summary>
+        public IEnumerator<Work> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
+        {
+            UpAxis = upAxis;
+            var found = new NativeReference<ColumnQuantiles>[s_columns.Length];
+            var bounds = new NativeReference<PositionBounds>(PositionBounds.Empty, Allocator.Persistent);
+            try
+            {
+                for (int i = 0; i < found.Length; i++)
+                    if (points.Schema.Has(s_columns[i]))
+                        found[i] = new NativeReference<ColumnQuantiles>(ColumnQuantiles.Empty, Allocator.Persistent);
+                int slices = (points.Count + PointsPerSlice - 1) / PointsPerSlice;
+                yield return Work.Of(Slices.Run(0, slices + 1, 1, (slice, _, after) => slice < slices
+                    ? MeasureSlice(points, transform, slice * PointsPerSlice, bounds, found, after)
+                    : MeasureColumns(points, transform, found, after)));
+                FindCategories(points.Schema);
+                SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
+                // Each of these takes a millisecond.
+                yield return default;
+                Outline = OutlineOf(points, transform);
+                yield return default;
+                Frame();
+                yield return Work.Of(MeasureRim(points, transform));
+                FindClasses(points);
+                if (found[IntensityColumn].IsCreated)
+                {
+                    SetIntensity(found[IntensityColumn].Value);
+                    var signal = new SpatialSignal(Robust);
+                    for (int part = 0; IntensityVaries && part < SignalParts; part++)
+                    {
+                        yield return default;
+                        AddSignal(signal, points, transform, part);
+                    }
+                    IntensityTells = IntensityVaries && signal.IsFound;
+                }
+                if (points.Schema.HasColor)
+                    SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
+                        found[IntensityColumn + 2].Value, found[IntensityColumn + 3].Value);
+            }
+            finally
+            {
+                bounds.Dispose();
+                for (int i = 0; i < found.Length; i++)
+                    if (found[i].IsCreated)
+                        found[i].Dispose();
+            }
+        }
+
+        static JobHandle MeasureSlice(PointBatch points, PositionTransform transform, int first,
+            NativeReference<PositionBounds> bounds, NativeReference<ColumnQuantiles>[] found, JobHandle inputDeps)
+        {
+            int count = math.min(PointsPerSlice, points.Count - first);
+            var all = new MeasureBoundsJob
+            {
+                Bytes = points.Bytes,
+                Columns = PositionColumns.Of(points),
+                Transform = transform,
+                First = first,
+                Count = count,
+                Found = bounds,
+            }.Schedule(inputDeps);
+            for (int i = 0; i < found.Length; i++)
+                if (found[i].IsCreated)
+                    all = JobHandle.CombineDependencies(all, new MeasureRangeJob
+                    {
+                        Bytes = points.Bytes,
+                        Column = points.Column(points.Schema.IndexOf(s_columns[i])),
+                        First = first,
+                        Count = count,
+                        Found = found[i],
+                    }.Schedule(inputDeps));
+            return all;
+        }
+
+        IEnumerator<Work> MeasureRim(PointBatch points, PositionTransform transform)
+        {
+            if (Robust.IsEmpty)
+                yield break;
+            var farthest = new NativeArray<double4>(MeasureRimJob.Directions, Allocator.Persistent);
+            try
+            {
+                yield return Work.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) => new MeasureRimJob
+                {
+                    Bytes = points.Bytes,
+                    Columns = PositionColumns.Of(points),
+                    Transform = transform,
+                    First = first,
+                    Count = end - first,
+                    Around = Robust,
+                    Farthest = farthest,
+                }.Schedule(after)));
+                var rim = new List<double3>();
+                foreach (var position in farthest)
+                    if (position.w > 0)
+                        rim.Add(position.xyz);
+                Rim = rim.ToArray();
+            }
+            finally
+            {
+                farthest.Dispose();
+            }
+        }
+
+        static JobHandle MeasureColumns(PointBatch points, PositionTransform transform,
+            NativeReference<ColumnQuantiles>[] found, JobHandle inputDeps)
+        {
+            var all = inputDeps;
+            for (int i = 0; i < found.Length; i++)
+            {
+                if (!found[i].IsCreated)
+                    continue;
+                bool isPosition = i < IntensityColumn;
+                double strays = isPosition ? StrayShare : IntensityStrayShare;
+                all = JobHandle.CombineDependencies(all, new MeasureColumnJob
+                {
+                    Bytes = points.Bytes,
+                    Column = points.Column(points.Schema.IndexOf(s_columns[i])),
+                    Count = points.Count,
+                    Scale = isPosition ? transform.Scale[i] : 1,
+                    Offset = isPosition ? transform.Offset[i] : 0,
+                    LowShare = strays,
+                    HighShare = 1 - strays,
+                    Found = found[i],
+                }.Schedule(inputDeps));
+            }
+            return all;
+        }
+
+        /// <summary>Chooses what is looked at, of the outline of all.</summary>
+        void Frame()
+        {
+            var part = LargestPart.Of(Outline);
+            m_shareFramed = part.Length / (double)math.max(1, Outline.Length);
+            Outline = part;
+            if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
+                FrameOutline();
+            if (!Full.IsEmpty)
+                WarnFar();
+            SetLengths();
+        }
+
+        /// <summary>The mode that a picture gets where <paramref name="wanted"/> is asked for, by what the cloud has.</summary>
+        public ColorMode Resolve(ColorMode wanted)
+        {
+            switch (wanted)
+            {
+                case ColorMode.Rgb when Color != ColorDepth.None:
+                case ColorMode.Intensity when HasIntensity:
+                case ColorMode.Elevation:
+                    return wanted;
+                default:
+                    return Categories.Contains(wanted) ? wanted
+                        : Color != ColorDepth.None ? ColorMode.Rgb : IntensityTells ? ColorMode.Intensity : ColorMode.Elevation;
+            }
+        }
+
+        void FindCategories(PointSchema schema)
+        {
+            foreach (var mode in ColorModes.Categories)
+                if (schema.Has(ColorModes.AttributeOf(mode)))
+                    Categories.Add(mode);
+        }
+
+        void SetPositions(PositionBounds bounds, ColumnQuantiles x, ColumnQuantiles y, ColumnQuantiles z)
+        {
+            Full = bounds.Bounds;
+            NonFinite = bounds.NonFinite;
+            if (Full.IsEmpty)
+            {
+                Robust = BoundsGeo.Empty;
+                ElevationLow = ElevationHigh = 0;
+                Assumptions.Add("no point has a position: nothing is drawn");
+                return;
+            }
+            var low = new double3(x.Low, y.Low, z.Low);
+            var high = new double3(x.High, y.High, z.High);
+            var lowQuarter = new double3(x.LowQuarter, y.LowQuarter, z.LowQuarter);
+            var highQuarter = new double3(x.HighQuarter, y.HighQuarter, z.HighQuarter);
+            double far = FarInMiddleHalves * math.cmax(highQuarter - lowQuarter);
+            m_hasFar = far > 0 && (math.any(low < lowQuarter - far) || math.any(high > highQuarter + far));
+            if (m_hasFar)
+            {
+                low = math.max(low, lowQuarter - far);
+                high = math.min(high, highQuarter + far);
+            }
+            Frame(low, high);
+        }
+
+        /// <param name="low">What nearly all points lie between, and <paramref name="high"/>.</param>
+        void Frame(double3 low, double3 high)
+        {
+            SetElevation(low, high);
+            var widening = (high * 0.5 - low * 0.5) * (2 * Widening);
+            Robust = new BoundsGeo(math.max(low - widening, Full.Min), math.min(high + widening, Full.Max));
+        }
+
+        void SetElevation(double3 low, double3 high)
+        {
+            ElevationLow = UpAxis.Height(UpAxis.IsNegative() ? high : low);
+            ElevationHigh = UpAxis.Height(UpAxis.IsNegative() ? low : high);
+        }
+
+        /// <summary>What is left where far points are left out, by the outline.</summary>
+        void FrameOutline()
+        {
+            var low = new double3();
+            var high = new double3();
+            var values = new double[Outline.Length];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                for (int i = 0; i < values.Length; i++)
+                    values[i] = Outline[i][axis];
+                System.Array.Sort(values);
+                int strays = (int)(values.Length * StrayShare);
+                low[axis] = values[strays];
+                high[axis] = values[values.Length - 1 - strays];
+            }
+            Frame(low, high);
+        }
+
+        void WarnFar()
+        {
+            if (math.cmax(Full.Size) <= FarTold * math.cmax(Robust.Size) || math.cmax(Robust.Size) <= 0)
+                return;
+            string most = m_shareFramed < 1 ? (100 * m_shareFramed).ToString("F0", CultureInfo.InvariantCulture) + " %" : "most";
+            Assumptions.Add("points lie as far as " + math.cmax(Full.Size).ToString("G3", CultureInfo.InvariantCulture)
+                + " apart, " + most + " within " + math.cmax(Robust.Size).ToString("G3", CultureInfo.InvariantCulture)
+                + ": these are framed");
+        }
+
+        /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of
+        /// the cloud gives the same.</summary>
+        void SetLengths()
+        {
+            LengthsPerUnit = new double3(1, 1, 1);
+            if (Robust.IsEmpty || UpAxis != UpAxis.Z)
+                return;
+            double across = math.max(Robust.Size.x, Robust.Size.y);
+            bool isOnEarth = Robust.Min.x >= -180 && Robust.Max.x <= 360 && Robust.Min.y >= -90 && Robust.Max.y <= 90;
+            if (!isOnEarth || !IsInDegrees && !(across > 0 && Robust.Size.z > HeightsOfDegrees * across))
+                return;
+            double latitude = math.min(89, math.abs(math.round(Robust.Center.y)));
+            LengthsPerUnit = new double3(MetresPerDegree * math.cos(math.radians(latitude)), MetresPerDegree, 1);
+            Assumptions.Add("X and Y are taken for degrees, Z for metres" +
+                (IsInDegrees ? ": the CRS says so" : ", by their size"));
+        }
+
+        unsafe double3[] OutlineOf(PointBatch points, PositionTransform transform)
+        {
+            var outline = new List<double3>();
+            var columns = PositionColumns.Of(points);
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            int step = (points.Count + MaxOutlinePoints - 1) / MaxOutlinePoints;
+            for (long i = 0; i < points.Count; i += step)
+            {
+                double3 position;
+                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                if (Robust.Contains(position))
+                    outline.Add(position);
+            }
+            return outline.ToArray();
+        }
+
+        void SetIntensity(ColumnQuantiles found)
+        {
+            HasIntensity = !found.Range.IsEmpty;
+            IntensityVaries = HasIntensity && found.Range.Max > found.Range.Min;
+            if (!HasIntensity)
+                return;
+            IntensityLow = found.Low;
+            IntensityHigh = found.High;
+            if (IntensityVaries && !(IntensityHigh > IntensityLow))
+            {
+                IntensityLow = found.Range.Min;
+                IntensityHigh = found.Range.Max;
+            }
+        }
+
+        unsafe void FindClasses(PointBatch points)
+        {
+            int at = points.Schema.IndexOf(AttributeNames.Classification);
+            int step = (points.Count + SpatialSignal.MostPoints - 1) / SpatialSignal.MostPoints;
+            if (at < 0)
+                return;
+            var column = points.Column(at);
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            for (long i = 0; i < points.Count; i += step)
+            {
+                double value;
+                ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, (int)i, 1, &value);
+                Classes.Add((int)value);
+            }
+        }
+
+        unsafe void AddSignal(SpatialSignal signal, PointBatch points, PositionTransform transform, int part)
+        {
+            var columns = PositionColumns.Of(points);
+            var intensity = points.Column(points.Schema.IndexOf(s_columns[IntensityColumn]));
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            int step = (points.Count + SpatialSignal.MostPoints - 1) / SpatialSignal.MostPoints;
+            for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
+            {
+                double3 position;
+                double value;
+                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                ColumnValues.ToDoubles(bytes + intensity.OffsetBytes, intensity.Type, (int)i, 1, &value);
+                if (Robust.Contains(position) && value - value == 0)
+                    signal.Add(position, math.clamp(value, IntensityLow, IntensityHigh));
+            }
+        }
+
+        void SetColor(AttributeType type, ColumnQuantiles red, ColumnQuantiles green, ColumnQuantiles blue)
+        {
+            var range = red.Range;
+            range.Include(green.Range);
+            range.Include(blue.Range);
+            if (range.IsEmpty || !(range.Max > 0))
+            {
+                Color = ColorDepth.None;
+                if (!range.IsEmpty)
+                    Assumptions.Add("colour is black throughout the sample: taken for none");
+                return;
+            }
+            string max = NumberText.Of(range.Max);
+            Color = DepthOf(type, range.Max);
+            if (Color == ColorDepth.Unit)
+                Assumptions.Add("colours are floats up to " + max + ": read as 0 to 1");
+            else if (Color == ColorDepth.Bits8 && type != AttributeType.UInt8)
+                Assumptions.Add("colours are " + type + " but no more than " + max + " in the sample: read as 8-bit");
+            else if (Color == ColorDepth.Bits16 && type != AttributeType.UInt16)
+                Assumptions.Add("colours are " + type + " up to " + max + ": read as 16-bit");
+            double full = Color == ColorDepth.Unit ? 1 : Color == ColorDepth.Bits16 ? ushort.MaxValue : byte.MaxValue;
+            double brightest = math.max(red.High, math.max(green.High, blue.High));
+            if (brightest < full * DarkestColor / byte.MaxValue)
+            {
+                Color = ColorDepth.None;
+                Assumptions.Add("colour is black or nearly so in 99 of 100 points: taken for none");
+            }
+        }
+
+        /// <param name="max">Of all channels, more than 0.</param>
+        static ColorDepth DepthOf(AttributeType type, double max) => type == AttributeType.UInt8 ? ColorDepth.Bits8
+            : type.IsFloat() && max <= 1 ? ColorDepth.Unit : max <= byte.MaxValue ? ColorDepth.Bits8 : ColorDepth.Bits16;
+    }
+}

@@ -1,0 +1,183 @@
+using System;
+using Unity.Collections;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>Tables of 256 sRGB colours, one byte each from the lowest: red, green, blue, alpha.</summary>
+    internal static class Palettes
+    {
+        public const int Length = 256;
+
+        /// <summary>The number of tables: three ramps, three of categories.</summary>
+        public const int Count = 6;
+
+        /// <summary>Where ramps start: darker values would be lost against a dark background.</summary>
+        const double DarkestShare = 0.12, DarkestLight = 0.03;
+
+        /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
+        /// none.</summary>
+        /// <param name="gradient">The gradient for amounts; categories have colours of their own.</param>
+        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
+        {
+            gradient = Resolve(mode, gradient);
+            var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < Length; i++)
+            {
+                double share = i / (Length - 1.0);
+                switch (mode)
+                {
+                    case ColorMode.Classification:
+                        palette[i] = s_classes[i < s_classes.Length ? i : s_classes.Length - 1];
+                        break;
+                    case ColorMode.ReturnNumber:
+                        palette[i] = Hue(0.1 + 0.13 * i, 0.75, 0.95);
+                        break;
+                    case ColorMode.PointSource:
+                        // Steps of the golden ratio make neighbours differ, and no hue comes twice.
+                        palette[i] = Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2));
+                        break;
+                    default:
+                        palette[i] = Ramp(gradient, share);
+                        break;
+                }
+            }
+            return palette;
+        }
+
+        /// <summary>Index in <see cref="CreateAll"/> of the table that a mode looks its colours up in.</summary>
+        public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto) => mode switch
+        {
+            ColorMode.Classification => 3,
+            ColorMode.ReturnNumber => 4,
+            ColorMode.PointSource => 5,
+            _ => (int)Resolve(mode, gradient) - (int)Gradient.Viridis,
+        };
+
+        /// <summary>All tables, one behind the other.</summary>
+        public static NativeArray<uint> CreateAll(Allocator allocator)
+        {
+            var all = new NativeArray<uint>(Count * Length, allocator, NativeArrayOptions.UninitializedMemory);
+            void Add(ColorMode mode, Gradient gradient)
+            {
+                using var one = Create(mode, Allocator.Temp, gradient);
+                NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, gradient) * Length, Length);
+            }
+            for (var gradient = Gradient.Viridis; gradient <= Gradient.Gray; gradient++)
+                Add(ColorMode.Elevation, gradient);
+            Add(ColorMode.Classification, Gradient.Auto);
+            Add(ColorMode.ReturnNumber, Gradient.Auto);
+            Add(ColorMode.PointSource, Gradient.Auto);
+            return all;
+        }
+
+        static Gradient Resolve(ColorMode mode, Gradient gradient) => gradient != Gradient.Auto ? gradient
+            : mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
+
+        static uint Ramp(Gradient gradient, double share) => gradient switch
+        {
+            Gradient.Viridis => Viridis(DarkestShare + (1 - DarkestShare) * share),
+            Gradient.Turbo => Turbo(share),
+            _ => Gray(DarkestLight + (1 - DarkestLight) * share),
+        };
+
+        /// <summary>A colour of the hue circle (Smith, "Color gamut transform pairs", 1978).</summary>
+        /// <param name="turns">Around the circle: red, green at a third, blue at two.</param>
+        /// <param name="saturation">0 for grey, to 1.</param>
+        /// <param name="value">The value of the brightest channel, sRGB.</param>
+        static uint Hue(double turns, double saturation, double value)
+        {
+            byte Channel(double shift)
+            {
+                double place = turns + shift;
+                double distance = Math.Abs((place - Math.Floor(place)) * 6 - 3);
+                return ToByte(value * (1 - saturation * (1 - Math.Min(1, Math.Max(0, distance - 1)))));
+            }
+            return Pack(Channel(0), Channel(2 / 3.0), Channel(1 / 3.0));
+        }
+
+        public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
+            red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
+
+        /// <summary>Grey with a share of white's light: linear in light, then encoded as sRGB (IEC 61966-2-1).</summary>
+        public static uint Gray(double light)
+        {
+            double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
+            byte value = ToByte(encoded);
+            return Pack(value, value, value);
+        }
+
+        /// <summary>Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree
+        /// six over its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is
+        /// interpolated.</summary>
+        public static uint Viridis(double share)
+        {
+            double red = Polynomial(share, 0.27772733, 0.10509304, -0.33086183, -4.63423050, 6.22826994, 4.77638500, -5.43545586);
+            double green = Polynomial(share, 0.00540734, 1.40461353, 0.21484756, -5.79910097, 14.17993337, -13.74514538,
+                4.64585261);
+            double blue = Polynomial(share, 0.33409981, 1.38459016, 0.09509516, -19.33244096, 56.69055260, -65.35303263,
+                26.31243525);
+            return Pack(ToByte(red), ToByte(green), ToByte(blue));
+        }
+
+        /// <summary>Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values
+        /// (fit by R. Du), at most an eighth off, at the ends.</summary>
+        public static uint Turbo(double share)
+        {
+            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943, 0);
+            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604, 0);
+            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973, 0);
+            return Pack(ToByte(red), ToByte(green), ToByte(blue));
+        }
+
+        static double Polynomial(double x, double c0, double c1, double c2, double c3, double c4, double c5, double c6) =>
+            c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6)))));
+
+        static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
+
+        /// <summary>Colours as viewers usually have them, indexed by ASPRS class number (LAS 1.4 R15, table 17); the last one is
+        /// for all classes that are reserved or the user's.</summary>
+        static readonly uint[] s_classes =
+        {
+            Pack(160, 160, 160), // 0 created, never classified
+            Pack(200, 200, 200), // 1 unclassified
+            Pack(165, 125, 80),  // 2 ground
+            Pack(125, 190, 90),  // 3 low vegetation
+            Pack(70, 155, 60),   // 4 medium vegetation
+            Pack(25, 110, 40),   // 5 high vegetation
+            Pack(225, 120, 85),  // 6 building
+            Pack(255, 0, 255),   // 7 low point (noise)
+            Pack(235, 225, 95),  // 8 model key point
+            Pack(60, 130, 215),  // 9 water
+            Pack(150, 100, 160), // 10 rail
+            Pack(105, 105, 115), // 11 road surface
+            Pack(245, 235, 200), // 12 overlap
+            Pack(240, 205, 60),  // 13 wire guard
+            Pack(255, 165, 0),   // 14 wire conductor
+            Pack(190, 70, 140),  // 15 transmission tower
+            Pack(255, 215, 130), // 16 wire connector
+            Pack(130, 160, 190), // 17 bridge deck
+            Pack(255, 60, 60),   // 18 high noise
+            Pack(200, 170, 110), // 19 overhead structure
+            Pack(120, 95, 70),   // 20 ignored ground
+            Pack(235, 245, 255), // 21 snow
+            Pack(180, 80, 80),   // 22 temporal exclusion
+            Pack(140, 200, 200), // others
+        };
+    }
+
+    /// <summary>The ramp that amounts are coloured by.</summary>
+    public enum Gradient
+    {
+        /// <summary>Viridis for elevation, grey for intensity.</summary>
+        Auto,
+
+        /// <summary>Perceptually even, also for people with colour vision deficiency.</summary>
+        Viridis,
+
+        /// <summary>The rainbow's colours: distinguishes more values, less evenly.</summary>
+        Turbo,
+
+        /// <summary>Light is in proportion to the value.</summary>
+        Gray,
+    }
+}

@@ -1,0 +1,72 @@
+using System.Collections.Generic;
+using FastPoints.Core;
+using Unity.Mathematics;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>Tells values that depend on the place from noise, and from values that are nearly all the same: whether they vary
+    /// less within cubes of space than throughout.</summary>
+    sealed class SpatialSignal
+    {
+        /// <summary>Of a sample, spread over it: a few milliseconds of managed code.</summary>
+        public const int MostPoints = 16_384;
+
+        /// <summary>Along the longest edge.</summary>
+        const int Cubes = 24;
+
+        /// <summary>Noise varies within cubes as much as throughout, give or take two hundredths; returns of a dense forest
+        /// are hardly better.</summary>
+        const double MostWithin = 0.9;
+
+        /// <summary>With more points of one value, what is left is strays.</summary>
+        const double MostAlike = 0.75;
+
+        /// <summary>Too few to tell.</summary>
+        const int LeastPoints = 64;
+
+        readonly BoundsGeo m_bounds;
+        readonly double m_edge;
+        readonly Dictionary<int, double3> m_cubes = new Dictionary<int, double3>();
+        readonly Dictionary<double, int> m_values = new Dictionary<double, int>();
+
+        public SpatialSignal(BoundsGeo bounds)
+        {
+            m_bounds = bounds;
+            m_edge = math.max(math.cmax(bounds.Size) / Cubes, double.Epsilon);
+        }
+
+        public void Add(double3 position, double value)
+        {
+            var cube = math.min((position - m_bounds.Min) / m_edge, Cubes - 1);
+            int at = ((int)cube.z * Cubes + (int)cube.y) * Cubes + (int)cube.x;
+            m_cubes.TryGetValue(at, out var sums);
+            m_cubes[at] = sums + new double3(1, value, value * value);
+            m_values.TryGetValue(value, out int count);
+            m_values[value] = count + 1;
+        }
+
+        public bool IsFound
+        {
+            get
+            {
+                int most = 0;
+                foreach (int count in m_values.Values)
+                    most = math.max(most, count);
+                var all = new double3(0, 0, 0);
+                double within = 0;
+                foreach (var sums in m_cubes.Values)
+                {
+                    all += sums;
+                    within += Squares(sums);
+                }
+                double freedom = all.x - m_cubes.Count;
+                if (all.x < LeastPoints || freedom < LeastPoints)
+                    return most < all.x;
+                return most <= MostAlike * all.x && within / freedom <= MostWithin * Squares(all) / (all.x - 1);
+            }
+        }
+
+        /// <summary>Of the differences from the mean.</summary>
+        static double Squares(double3 sums) => math.max(0, sums.z - sums.y * sums.y / sums.x);
+    }
+}

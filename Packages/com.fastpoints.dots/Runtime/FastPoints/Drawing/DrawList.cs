@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>What one camera's draws read, in memory that is reused from frame to frame. Main thread.</summary>
+    public sealed unsafe class DrawList : IDisposable
+    {
+        readonly List<CloudLook> m_looks = new List<CloudLook>();
+        readonly SizeTree m_sizes;
+        NativeList<DrawListCloud> m_listed;
+        NativeList<GpuCloud> m_clouds;
+        NativeList<GpuClipBox> m_clipBoxes;
+        NativeList<GpuNode> m_nodes;
+        NativeList<uint> m_nodeOfInstance;
+        NativeList<BankDraw> m_draws;
+        NativeList<int> m_instanceOfBank;
+        NativeList<int> m_seen;
+        NativeReference<long> m_points;
+
+        /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
+        public DrawList(SizeTree sizes)
+        {
+            m_sizes = sizes;
+            m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
+            m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
+            m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
+            m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
+            m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
+            m_draws = new NativeList<BankDraw>(Allocator.Persistent);
+            m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
+            m_seen = new NativeList<int>(1024, Allocator.Persistent);
+            m_points = new NativeReference<long>(Allocator.Persistent);
+        }
+
+        public bool IsCreated => m_nodes.IsCreated;
+
+        /// <summary>Indexed by cloud number.</summary>
+        internal NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
+        internal NativeArray<GpuNode> Nodes => m_nodes.AsArray();
+
+        /// <summary>Index in <see cref="Nodes"/> of each block's node.</summary>
+        public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
+
+        /// <summary>One draw for each bank that has something to draw.</summary>
+        internal NativeArray<BankDraw> Draws => m_draws.AsArray();
+
+        /// <summary>The boxes that points are clipped by.</summary>
+        internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
+
+        /// <summary>Whether any cloud hides points by their class.</summary>
+        public bool HidesClasses { get; private set; }
+
+        /// <summary>The nodes in which adaptive sizes are looked up; empty if no size is adaptive.</summary>
+        internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
+
+        /// <summary>Points of the nodes that the camera sees.</summary>
+        public long Points => m_points.Value;
+
+        /// <summary>Sets how a cloud is coloured from now on. A cloud without a look is not drawn.</summary>
+        public void SetLook(int cloud, CloudLook look)
+        {
+            // A plane of -1 is not drawn.
+            while (m_looks.Count <= cloud)
+                m_looks.Add(new CloudLook { Plane = -1 });
+            m_looks[cloud] = look;
+        }
+
+        /// <summary>Fills the list from the stream's last frame.</summary>
+        /// <param name="view">Positions are relative to its eye.</param>
+        /// <param name="isAdaptive">Whether sizes are adaptive; if not, <see cref="SizeNodes"/> is empty.</param>
+        /// <param name="rightEye">A headset's right eye, where <paramref name="view"/> is the left one: everything that either
+        /// eye sees is listed.</param>
+        public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false, StreamView? rightEye = null)
+        {
+            if (isAdaptive)
+                m_sizes.Build(stream);
+            else
+                m_sizes.Clear();
+            m_listed.Clear();
+            m_clouds.Clear();
+            m_clipBoxes.Clear();
+            HidesClasses = false;
+            foreach (var box in stream.ClipBoxes)
+                m_clipBoxes.Add(new GpuClipBox(box, view.EyeWorld));
+            for (int c = 0; c < stream.Clouds.Count; c++)
+            {
+                var cloud = stream.Clouds[c];
+                if (cloud == null || cloud.IsLeaving || c >= m_looks.Count || m_looks[c].Plane < 0)
+                {
+                    m_listed.Add(default);
+                    m_clouds.Add(default);
+                    continue;
+                }
+                var listed = new DrawListCloud
+                {
+                    Pages = cloud.Pages,
+                    View = new CloudView(view, cloud.Placement),
+                    RightView = rightEye != null ? new CloudView(rightEye.Value, cloud.Placement) : default,
+                    HasBothEyes = rightEye != null,
+                    Placement = cloud.Placement,
+                    Cubes = cloud.Source.Cubes,
+                    Look = m_looks[c],
+                    Step = cloud.Source.Grid.Step,
+                    EyeWorld = view.EyeWorld,
+                    PlaneCount = cloud.Source.Planes.Length,
+                };
+                m_listed.Add(listed);
+                HidesClasses |= !listed.Look.HiddenClasses.IsEmpty;
+                m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
+                    cloud.Source.Planes[listed.Look.ClassPlane]));
+            }
+            new ListBlocksJob
+            {
+                Drawn = stream.Drawn.AsArray(),
+                Clouds = m_listed.AsArray(),
+                SizeNodeOfDrawn = m_sizes.NodeOfDrawn,
+                Nodes = m_nodes,
+                NodeOfInstance = m_nodeOfInstance,
+                Draws = m_draws,
+                InstanceOfBank = m_instanceOfBank,
+                Seen = m_seen,
+                Points = m_points,
+            }.Run();
+        }
+
+        public void Dispose()
+        {
+            if (!IsCreated)
+                return;
+            m_listed.Dispose();
+            m_clouds.Dispose();
+            m_clipBoxes.Dispose();
+            m_nodes.Dispose();
+            m_nodeOfInstance.Dispose();
+            m_draws.Dispose();
+            m_instanceOfBank.Dispose();
+            m_seen.Dispose();
+            m_points.Dispose();
+        }
+    }
+}

@@ -1,0 +1,109 @@
+using FastPoints.Core;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>One cloud as a <see cref="ListBlocksJob"/> sees it for one camera. Blittable.</summary>
+    internal unsafe struct DrawListCloud
+    {
+        public HierarchyPage* Pages;
+        public CloudView View;
+
+        /// <summary>A headset's right eye: nodes that it alone sees are drawn, too.</summary>
+        public CloudView RightView;
+        public bool HasBothEyes;
+        public CloudPlacement Placement;
+        public NodeCubes Cubes;
+        public CloudLook Look;
+        public double3 Step;
+        public double3 EyeWorld;
+
+        /// <summary>Number of streamed planes.</summary>
+        public int PlaneCount;
+
+        public readonly bool Sees(double3 center, double3 half) =>
+            View.Sees(center, half) || (HasBothEyes && RightView.Sees(center, half));
+
+        /// <summary>The node's record without its first instance, tint and place in the size tree.</summary>
+        /// <param name="firstWord">First word of the node's planes in its bank.</param>
+        public readonly GpuNode Place(int cloud, int page, int node, uint firstWord)
+        {
+            var from = Pages + page;
+            var place = from->Places[node];
+            var planes = from->Planes + (long)node * PlaneCount;
+            var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
+            var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
+            var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
+            var cubeCorner = Cubes.CornerAt(Cubes.PlaceIn(from, node), place.Level);
+            var cubeSize = Cubes.SizeAt(place.Level);
+            var fromEye = Placement.OriginWorld - EyeWorld;
+            return new GpuNode
+            {
+                Anchor = new uint3((uint)anchor.X, (uint)anchor.Y, (uint)anchor.Z),
+                AnchorHigh = new uint3((uint)(anchor.X >> 32), (uint)(anchor.Y >> 32), (uint)(anchor.Z >> 32)),
+                AnchorView = (float3)(math.mul(Placement.Linear, anchorGrid * Step) + fromEye),
+                AnchorValue = (float)(math.dot(Look.ValuePerUnit, anchorGrid * Step) + Look.Bias),
+                PositionWord = firstWord,
+                ColorWord = WordOf(planes, Look.Plane, firstWord),
+                ClassWord = WordOf(planes, Look.ClassPlane, firstWord),
+                Cloud = (uint)cloud,
+                IsWide = place.IsWide ? 1u : 0u,
+                AnchorInCube = (float3)((anchorGrid * Step - cubeCorner) / cubeSize),
+                CubesPerStep = (float3)(Step / cubeSize),
+            };
+        }
+
+        static uint WordOf(PlaneRange* planes, int plane, uint firstWord)
+        {
+            for (int p = 0; p < plane; p++)
+                firstWord += (uint)(planes[p].LengthBytes / sizeof(uint));
+            return firstWord;
+        }
+
+        /// <summary>Makes the cloud's record.</summary>
+        /// <param name="layout">The cloud's layout.</param>
+        /// <param name="plane">Index in the layout of the plane that points are coloured by.</param>
+        /// <param name="classPlane">Index in the layout of the plane of classes, used if some are hidden.</param>
+        public readonly GpuCloud Describe(StoreLayout layout, int plane, int classPlane)
+        {
+            var linear = Placement.Linear;
+            var cloud = new GpuCloud
+            {
+                StepX = (float3)(linear.c0 * Step.x),
+                StepY = (float3)(linear.c1 * Step.y),
+                StepZ = (float3)(linear.c2 * Step.z),
+                ColorSource = (uint)Look.Source,
+                ColumnTypes = (uint)Look.Palette << 24,
+                ValuePerStep = (float3)(Look.ValuePerUnit * Step),
+                Bias = (float)Look.Bias,
+                HiddenLow = Look.HiddenClasses.Low,
+                HiddenHigh = Look.HiddenClasses.High,
+            };
+            if (!Look.HiddenClasses.IsEmpty)
+                cloud.ClassDivisor = (uint)layout.Columns[layout.Planes[classPlane].FirstColumn].Divisor;
+            if (Look.Source == ColorSource.Place)
+                return cloud;
+            var of = layout.Planes[plane];
+            cloud.Columns = (uint)(of.ColumnCount | of.Shape.WideColumns << 8);
+            for (int c = 0; c < of.ColumnCount; c++)
+            {
+                var column = layout.Columns[of.FirstColumn + c];
+                cloud.ColumnTypes |= (uint)column.Type << (8 * c);
+                cloud.Scale[c] = (float)(Look.Scale * column.Divisor);
+            }
+            return cloud;
+        }
+
+        /// <summary>The position in the node's box that is nearest to the camera, in grid steps from the node's corner.</summary>
+        readonly Grid3 AnchorOf(in StreamNode node, double3 corner, bool isWide)
+        {
+            double largest = isWide ? 1L << 60 : uint.MaxValue;
+            var low = math.clamp((node.Center - node.Half) / Step - corner, 0, largest);
+            var high = math.clamp((node.Center + node.Half) / Step - corner, 0, largest);
+            var nearest = math.round(math.clamp(View.Eye / Step - corner, low, high));
+            return new Grid3((long)nearest.x, (long)nearest.y, (long)nearest.z);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+using FastPoints.Store;
+using FastPoints.Streaming;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>The states of a converted cloud: the finished one, or the generations of a build in progress.</summary>
+    internal sealed class FolderFeed : CloudFeed
+    {
+        readonly FolderGenerations m_generations;
+        CloudFacts m_facts;
+        CloudFolder m_described;
+
+        /// <param name="generations">This feed owns them.</param>
+        public FolderFeed(FolderGenerations generations) => m_generations = generations;
+
+        public override CloudFacts Newest
+        {
+            get
+            {
+                if (m_described != m_generations.Newest)
+                {
+                    m_described = m_generations.Newest;
+                    m_facts = m_described != null ? Describe(m_described) : null;
+                }
+                return m_facts;
+            }
+        }
+
+        /// <summary>Whether a state was found and still exists.</summary>
+        public bool IsThere => m_generations.IsFound;
+
+        public override bool IsEnded => !m_generations.IsBuilding && IsAtRest;
+        internal override bool IsAtRest => m_generations.IsAtRest;
+        public override bool IsBuildGone => m_generations.IsGone;
+
+        public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);
+
+        /// <summary>Discards the newest state.</summary>
+        public void Skip() => m_generations.Take()?.Dispose();
+
+        public override void Update(double budgetMs) => m_generations.Update();
+
+        public override void Refresh() => m_generations.Refresh();
+
+        public override void Dispose() => m_generations.Dispose();
+
+        static CloudFacts Describe(CloudFolder folder) => new CloudFacts
+        {
+            Stage = folder.IsInTheMaking ? CloudStage.Building : CloudStage.Whole,
+            BoundsGeo = folder.Manifest.BoundsGeo,
+            MetresPerUnit = folder.Manifest.MetresPerUnit,
+            Ranges = DisplayRanges.Of(folder.Manifest),
+            RangesHaveStrays = folder.Manifest.Shown == null,
+        };
+    }
+}

@@ -1,0 +1,106 @@
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>Lists what one camera's draws read: the nodes that it sees, and each block's node, bank by bank.</summary>
+    [BurstCompile]
+    internal unsafe struct ListBlocksJob : IJob
+    {
+        [ReadOnly] public NativeArray<DrawnNode> Drawn;
+
+        /// <summary>Indexed by cloud number; clouds without pages are not drawn.</summary>
+        [ReadOnly] public NativeArray<DrawListCloud> Clouds;
+
+        /// <summary>Size nodes of the drawn nodes; empty if no size is adaptive.</summary>
+        [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
+
+        public NativeList<GpuNode> Nodes;
+        public NativeList<uint> NodeOfInstance;
+        public NativeList<BankDraw> Draws;
+
+        /// <summary>Scratch: indexed by bank, then by visible node.</summary>
+        public NativeList<int> InstanceOfBank;
+        public NativeList<int> Seen;
+        public NativeReference<long> Points;
+
+        public void Execute()
+        {
+            Nodes.Clear();
+            Draws.Clear();
+            Seen.Clear();
+            InstanceOfBank.Clear();
+            Points.Value = 0;
+            int instances = CountBlocks();
+            NodeOfInstance.ResizeUninitialized(instances);
+            int first = 0;
+            for (int bank = 0; bank < InstanceOfBank.Length; bank++)
+            {
+                int count = InstanceOfBank[bank];
+                if (count > 0)
+                    Draws.Add(new BankDraw { Bank = bank, FirstInstance = first, InstanceCount = count });
+                InstanceOfBank[bank] = first;
+                first += count;
+            }
+            Write();
+        }
+
+        int CountBlocks()
+        {
+            var clouds = (DrawListCloud*)Clouds.GetUnsafeReadOnlyPtr();
+            int instances = 0;
+            for (int i = 0; i < Drawn.Length; i++)
+            {
+                var drawn = Drawn[i];
+                var cloud = clouds + drawn.Cloud;
+                if (cloud->Pages == null)
+                    continue;
+                var node = cloud->Pages[drawn.Page].Nodes + drawn.Node;
+                if (!cloud->Sees(node->Center, node->Half))
+                    continue;
+                while (InstanceOfBank.Length <= drawn.Range.Bank)
+                    InstanceOfBank.Add(0);
+                InstanceOfBank[drawn.Range.Bank] += node->BlockCount;
+                instances += node->BlockCount;
+                Points.Value += node->PointCount;
+                Seen.Add(i);
+            }
+            return instances;
+        }
+
+        void Write()
+        {
+            var clouds = (DrawListCloud*)Clouds.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < Seen.Length; i++)
+            {
+                var drawn = Drawn[Seen[i]];
+                var cloud = clouds + drawn.Cloud;
+                int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
+                uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
+                var node = cloud->Place(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
+                int instance = InstanceOfBank[drawn.Range.Bank];
+                InstanceOfBank[drawn.Range.Bank] = instance + blocks;
+                node.FirstInstance = (uint)instance;
+                node.Tint = drawn.Tint;
+                node.SizeNode = SizeNodeOfDrawn.Length > 0 ? (uint)SizeNodeOfDrawn[Seen[i]] : 0;
+                var nodeOfInstance = NodeOfInstance.GetUnsafePtr();
+                for (int block = 0; block < blocks; block++)
+                    nodeOfInstance[instance + block] = (uint)Nodes.Length;
+                Nodes.Add(node);
+            }
+        }
+    }
+
+    /// <summary>The blocks of one bank of the pool, which are one draw.</summary>
+    internal struct BankDraw
+    {
+        public int Bank;
+        public int FirstInstance;
+
+        /// <summary>Blocks of up to 128 points.</summary>
+        public int InstanceCount;
+    }
+}

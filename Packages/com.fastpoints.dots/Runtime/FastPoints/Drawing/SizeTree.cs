@@ -1,0 +1,114 @@
+using System;
+using System.Runtime.CompilerServices;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Drawing
+{
+    /// <summary>Tells how far apart points are at any place, across all that a frame draws: a node's points are as far apart as
+    /// those of the deepest node that is drawn at their place (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers",
+    /// 2016, ch. 4.3.3). Main thread.</summary>
+    public sealed unsafe class SizeTree : IDisposable
+    {
+        /// <summary>The most levels below a node that are searched: a float cannot resolve more.</summary>
+        public const int MostLevels = 22;
+
+        NativeList<SizeTreeCloud> m_clouds;
+        NativeList<GpuSizeNode> m_nodes;
+        NativeList<int> m_nodeOfDrawn;
+        NativeList<SizeTreeLink> m_links;
+        NativeList<int> m_order;
+        StreamContext m_stream;
+        uint m_frame;
+
+        public SizeTree()
+        {
+            m_clouds = new NativeList<SizeTreeCloud>(Allocator.Persistent);
+            m_nodes = new NativeList<GpuSizeNode>(1024, Allocator.Persistent);
+            m_nodeOfDrawn = new NativeList<int>(1024, Allocator.Persistent);
+            m_links = new NativeList<SizeTreeLink>(1024, Allocator.Persistent);
+            m_order = new NativeList<int>(1024, Allocator.Persistent);
+        }
+
+        internal NativeArray<GpuSizeNode> Nodes => m_nodes.AsArray();
+
+        /// <summary>Indexed by node in the stream's list of what to draw.</summary>
+        public NativeArray<int> NodeOfDrawn => m_nodeOfDrawn.AsArray();
+
+        /// <summary>Takes what the stream's last frame listed; calling it again for that frame does nothing.</summary>
+        public void Build(StreamContext stream)
+        {
+            if (m_stream == stream && m_frame == stream.Selector.Frame)
+                return;
+            m_stream = stream;
+            m_frame = stream.Selector.Frame;
+            m_clouds.Clear();
+            for (int c = 0; c < stream.Clouds.Count; c++)
+            {
+                var cloud = stream.Clouds[c];
+                if (cloud == null)
+                    m_clouds.Add(default);
+                else
+                    m_clouds.Add(new SizeTreeCloud
+                    {
+                        Pages = cloud.Pages,
+                        Cubes = cloud.Source.Cubes,
+                        WorldPerUnit = LargestScale(cloud.Placement.Linear),
+                    });
+            }
+            new BuildSizeTreeJob
+            {
+                Drawn = stream.Drawn.AsArray(),
+                Clouds = m_clouds.AsArray(),
+                Links = m_links,
+                Order = m_order,
+                Nodes = m_nodes,
+                NodeOfDrawn = m_nodeOfDrawn,
+            }.Run();
+        }
+
+        /// <summary>Forgets what was built, so that nothing is adaptive.</summary>
+        public void Clear()
+        {
+            m_stream = null;
+            m_nodes.Clear();
+            m_nodeOfDrawn.Clear();
+        }
+
+        /// <summary>The distance between points at a place.</summary>
+        /// <param name="node">The node that the point is drawn with.</param>
+        /// <param name="place">Position of the point in the node's cube: from 0 to 1 along each axis.</param>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
+        {
+            for (int level = 0; level < MostLevels; level++)
+            {
+                place *= 2;
+                var upper = place >= 1;
+                place -= math.select(float3.zero, new float3(1), upper);
+                uint octant = math.select(0u, 1u, upper.x) | math.select(0u, 2u, upper.y) | math.select(0u, 4u, upper.z);
+                uint children = nodes[node].Children;
+                if ((children >> (int)octant & 1) == 0)
+                    break;
+                node = (int)(children >> 8) + math.countbits(children & ((1u << (int)octant) - 1));
+            }
+            return nodes[node].Gap;
+        }
+
+        public void Dispose()
+        {
+            if (!m_nodes.IsCreated)
+                return;
+            m_clouds.Dispose();
+            m_nodes.Dispose();
+            m_nodeOfDrawn.Dispose();
+            m_links.Dispose();
+            m_order.Dispose();
+        }
+
+        static float LargestScale(double3x3 linear) =>
+            (float)math.max(math.length(linear.c0), math.max(math.length(linear.c1), math.length(linear.c2)));
+    }
+}

@@ -1,0 +1,169 @@
+using FastPoints.Core;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    /// <summary>A part of a cloud's hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk (pages 1 and
+    /// on). Its box is known before its nodes are. Blittable; owns its memory.</summary>
+    public unsafe struct HierarchyPage
+    {
+        /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
+        public StreamNode* Nodes;
+        public NodeState* States;
+        public NodePlace* Places;
+
+        /// <summary>Indexed by node times streamed planes, plus plane.</summary>
+        public PlaneRange* Planes;
+        public int NodeCount;
+
+        /// <summary>This many nodes at the start have no parent in the page.</summary>
+        public int RootCount;
+
+        /// <summary>Centre of the box around all points of the page: see <see cref="StreamNode.Center"/>.</summary>
+        public double3 Center;
+        public float3 Half;
+
+        /// <summary>Frame of the last selection that saw its box and chose the node that it is attached to.</summary>
+        public uint SeenFrame;
+
+        /// <summary>Number of its nodes in flight or in the cache.</summary>
+        public int NodesInCache;
+
+        /// <summary>Consecutive failed reads of its file, the frame of the last failure, and the frame until which none is
+        /// tried.</summary>
+        public int Failures;
+        public uint LastFailureFrame;
+        public uint RetryFrame;
+
+        /// <summary>Whether its file cannot be read, so that nodes outside the cache are holes.</summary>
+        public bool IsBroken;
+        public HierarchyPageStatus Status;
+
+        public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
+
+        /// <summary>Whether a node will never be loaded: it takes nothing of the budget, and what is below it is shown without
+        /// it.</summary>
+        public bool IsHole(int node) =>
+            States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
+
+        /// <summary>Bytes that a loaded page takes.</summary>
+        public static long BytesFor(int nodeCount, int planeCount) =>
+            nodeCount * ((long)sizeof(StreamNode) + sizeof(NodeState) + sizeof(NodePlace) +
+                (long)planeCount * sizeof(PlaneRange));
+
+        /// <summary>Makes room for the nodes in one piece; the page does not count as loaded yet.</summary>
+        public void Allocate(int nodeCount, int planeCount)
+        {
+            Nodes = (StreamNode*)UnsafeUtility.Malloc(math.max(64, BytesFor(nodeCount, planeCount)), 64, Allocator.Persistent);
+            States = (NodeState*)(Nodes + nodeCount);
+            Places = (NodePlace*)(States + nodeCount);
+            Planes = (PlaneRange*)(Places + nodeCount);
+            NodeCount = nodeCount;
+            RootCount = 0;
+        }
+
+        /// <summary>Frees the nodes; the page can be loaded again.</summary>
+        public void Free()
+        {
+            UnsafeUtility.Free(Nodes, Allocator.Persistent);
+            Nodes = null;
+            States = null;
+            Places = null;
+            Planes = null;
+            NodeCount = 0;
+            Status = HierarchyPageStatus.Absent;
+        }
+
+        /// <summary>Makes the page of a chunk, whose box is cut to the cloud's bounds.</summary>
+        internal static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
+        {
+            var page = new HierarchyPage();
+            long last = chunk.Cube.Side - 1;
+            var max = Grid3.Min(chunk.Corner + new Grid3(last, last, last), grid.BoundsMax);
+            grid.Box(Grid3.Max(chunk.Corner, grid.BoundsMin), max, out page.Center, out page.Half);
+            return page;
+        }
+    }
+
+    /// <summary>Whether a page of a hierarchy is in memory.</summary>
+    public enum HierarchyPageStatus : byte
+    {
+        Absent,
+        /// <summary>Its table is being read.</summary>
+        Loading,
+        Loaded,
+        /// <summary>Its table could not be read, which was reported; the page is a hole.</summary>
+        Failed,
+    }
+
+    /// <summary>A page that a selection reached and found not loaded.</summary>
+    internal struct MissingHierarchyPage
+    {
+        public int Cloud;
+        public int Page;
+    }
+
+    /// <summary>Where a node lies: the corner that its blocks' positions count from. Drawing asks for it.</summary>
+    public struct NodePlace
+    {
+        /// <summary>Corner of the node's cube relative to that of the root cube, in grid steps.</summary>
+        public Grid3 Corner;
+
+        /// <summary>Whether positions are 64-bit columns.</summary>
+        public bool IsWide;
+
+        /// <summary>Level of the node's cube: see <see cref="NodeCubes"/>.</summary>
+        public byte Level;
+    }
+
+    /// <summary>The changing state of a node, which is kept only here.</summary>
+    public struct NodeState
+    {
+        public const int NoSlot = -1;
+        public const int IsHole = int.MaxValue;
+
+        /// <summary>Frame of the last selection that chose the node.</summary>
+        public uint SelectedFrame;
+
+        /// <summary>Frame of the last selection that saw it and chose its parent.</summary>
+        public uint SeenFrame;
+
+        /// <summary>Its slot in the cache, or <see cref="NoSlot"/>.</summary>
+        public int Slot;
+
+        /// <summary>How often its bytes were damaged, or <see cref="IsHole"/>: then it is never requested again.</summary>
+        public int Failures;
+
+        /// <summary>Whether a node of a source that makes nodes was made, so that its length is known.</summary>
+        public bool WasMade;
+    }
+
+    /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
+    public struct StreamNode
+    {
+        /// <summary>Centre of the box around the points of the node and all below it, from the corner of the root cube, in CRS
+        /// units.</summary>
+        public double3 Center;
+        public float3 Half;
+
+        /// <summary>Spacing of the node's points in CRS units: the gap that its children fill.</summary>
+        public float Spacing;
+
+        /// <summary>Index of its first child in the same page.</summary>
+        public int FirstChild;
+        public int ChildCount;
+
+        /// <summary>Chunks attached to the node, as pages from <see cref="FirstChunk"/> + 1 on; in page 0 only.</summary>
+        public int FirstChunk;
+        public int ChunkCount;
+
+        /// <summary>Points of the node and its guests; 0 for a guest, which is read, kept and drawn with its host.</summary>
+        public int PointCount;
+
+        /// <summary>Blocks in the node's planes.</summary>
+        public int BlockCount;
+    }
+}

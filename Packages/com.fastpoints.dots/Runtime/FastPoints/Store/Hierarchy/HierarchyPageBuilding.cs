@@ -1,0 +1,96 @@
+using FastPoints.Core;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    /// <summary>Builds a page of the hierarchy from the records of a checked table. For jobs and for the main thread.</summary>
+    internal static unsafe class HierarchyPageBuilding
+    {
+        /// <param name="records">Records of a table without problems, as are <paramref name="ranges"/>.</param>
+        /// <param name="planesInTable">Number of planes of each node in the table.</param>
+        /// <param name="wanted">The streamed planes.</param>
+        /// <param name="chunks">The pages of all chunks, whose boxes are read. Null if no chunk is attached to the page.</param>
+        public static void Build(NodeRecord* records, PlaneRange* ranges, int nodeCount, int planesInTable, int* wanted,
+            int wantedCount, in HierarchyGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
+        {
+            page.Allocate(nodeCount, wantedCount);
+            var boxes = new NativeArray<LocalBox>(nodeCount, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
+            for (int n = 0; n < nodeCount; n++)
+                boxes[n] = OwnBox(records[n], grid);
+            // Children come after their parents.
+            for (int n = nodeCount - 1; n >= 0; n--)
+            {
+                var node = records[n];
+                var box = boxes[n];
+                for (int c = node.FirstChunk; chunks != null && c < node.FirstChunk + node.ChunkCount; c++)
+                    box = Union(box, new LocalBox(chunks[c].Center - chunks[c].Half, chunks[c].Center + chunks[c].Half));
+                boxes[n] = box;
+                if (node.Parent >= 0)
+                    boxes[node.Parent] = Union(boxes[node.Parent], box);
+            }
+            for (int n = 0; n < nodeCount; n++)
+            {
+                page.RootCount += records[n].Parent < 0 ? 1 : 0;
+                page.Nodes[n] = NodeOf(records, n, boxes[n], grid);
+                // Only chunks attached to the upper levels have pages of their own.
+                page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
+                page.States[n] = new NodeState { Slot = NodeState.NoSlot };
+                page.Places[n] = new NodePlace
+                {
+                    Corner = records[n].Corner - grid.Corner,
+                    IsWide = records[n].IsWide,
+                    Level = (byte)(grid.RootSideLog2 - records[n].SideLog2),
+                };
+                for (int p = 0; p < wantedCount; p++)
+                    page.Planes[n * wantedCount + p] = ranges[(long)n * planesInTable + wanted[p]];
+            }
+            boxes.Dispose();
+            page.Status = HierarchyPageStatus.Loaded;
+        }
+
+        static StreamNode NodeOf(NodeRecord* records, int n, LocalBox box, in HierarchyGrid grid)
+        {
+            var record = records[n];
+            var node = new StreamNode
+            {
+                Spacing = (float)(math.cmax(grid.Step) * math.pow(2.0, record.CellLog2)),
+                FirstChild = record.FirstChild,
+                ChildCount = record.ChildCount,
+                FirstChunk = record.FirstChunk,
+                ChunkCount = record.ChunkCount,
+                PointCount = record.Host == n ? record.PointCount : 0,
+                BlockCount = record.HostedBlocks,
+            };
+            HierarchyGrid.Box(box.Min, box.Max, out node.Center, out node.Half);
+            for (int child = record.FirstChild; record.Host == n && child < record.FirstChild + record.ChildCount; child++)
+                node.PointCount += records[child].Host == n ? records[child].PointCount : 0;
+            return node;
+        }
+
+        static LocalBox OwnBox(in NodeRecord node, in HierarchyGrid grid)
+        {
+            // Bounds of wide nodes are rounded down to units of several steps.
+            int shift = node.BoundsShift;
+            long rest = (1L << shift) - 1;
+            var min = node.Corner + new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift);
+            var max = node.Corner + new Grid3(((long)node.MaxX << shift) + rest, ((long)node.MaxY << shift) + rest,
+                ((long)node.MaxZ << shift) + rest);
+            return new LocalBox(grid.ToLocal(min), grid.ToLocal(max));
+        }
+
+        static LocalBox Union(in LocalBox a, in LocalBox b) => new LocalBox(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
+
+        struct LocalBox
+        {
+            public double3 Min;
+            public double3 Max;
+
+            public LocalBox(double3 min, double3 max)
+            {
+                Min = min;
+                Max = max;
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes
+    /// in pages, the first one with the source itself. A node's planes are pieces of its page's file, packed in blocks, and are
+    /// shown as they lie there. If they are not stored like that (<see cref="MakesNodes"/>), a <see cref="NodeMaker"/> makes
+    /// them.</summary>
+    public abstract class NodeSource : IDisposable
+    {
+        /// <summary>The path for messages.</summary>
+        public abstract string Path { get; }
+        public abstract CloudCrs Crs { get; }
+
+        /// <summary>Whether it has all points of the cloud, unlike a preview or a build in progress.</summary>
+        public abstract bool HasAllPoints { get; }
+
+        public abstract CloudGrid Grid { get; }
+        public abstract GridCube Root { get; }
+        public abstract NodeCubes Cubes { get; }
+        public abstract StoreLayout Layout { get; }
+
+        /// <summary>The streamed planes as rising indices in <see cref="Layout"/>; position is the first.</summary>
+        public abstract NativeArray<int> Planes { get; }
+
+        /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
+        public abstract NativeArray<PlaneShape> Shapes { get; }
+
+        /// <summary>Number of known pages. Where nodes are made, building a page may make more known, behind the
+        /// others.</summary>
+        public abstract int PageCount { get; }
+
+        /// <summary>Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far.
+        /// Then <see cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members about
+        /// files and tables have no meaning.</summary>
+        public virtual bool MakesNodes => false;
+
+        /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
+        /// <param name="pages">Must have room for <see cref="PageCount"/> pages.</param>
+        public abstract unsafe void CreatePages(HierarchyPage* pages);
+
+        /// <summary>Whether its files stay as they are, so that they may be kept open between reads.</summary>
+        internal virtual bool KeepsFilesOpen => false;
+
+        /// <summary>The file that holds the planes of a page's nodes.</summary>
+        public abstract string PathOf(int page);
+
+        /// <summary>The bytes to read before a page can be built.</summary>
+        internal abstract FilePiece TableOf(int page);
+
+        /// <summary>Checks the bytes read and makes a page of them.</summary>
+        public abstract JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
+            NativeReference<TableProblem> problem);
+
+        /// <summary>Describes the problem that <see cref="ScheduleBuild"/> found.</summary>
+        public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
+
+        /// <summary>Whether a plane of a node was found to be as written before, so that its hash need not be checked again.
+        /// Main thread.</summary>
+        /// <param name="plane">Index among the streamed planes.</param>
+        internal virtual bool IsChecked(int page, int node, int plane) => false;
+
+        internal virtual void SetChecked(int page, int node, int plane) { }
+
+        /// <summary>Has all planes of a page's file checked again.</summary>
+        internal virtual void ForgetChecked(int page) { }
+
+        /// <summary>For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
+        /// missing.</summary>
+        public virtual bool CanBuild(int page) => true;
+
+        /// <summary>For sources that make nodes: registers a page that was built, and numbers the pages attached to it.</summary>
+        public virtual void Adopt(int page, in HierarchyPage built) { }
+
+        /// <summary>For sources that make nodes: the box of a page that was not built yet.</summary>
+        public virtual HierarchyPage EmptyPage(int page) => default;
+
+        /// <summary>Called once a frame; it never waits.</summary>
+        /// <returns>The failure, or null.</returns>
+        public virtual PointCloudException Update() => null;
+
+        /// <summary>Whether <see cref="Update"/> has something to do.</summary>
+        internal virtual bool IsReading => false;
+
+        /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
+        public virtual JobHandle Reading => default;
+
+        /// <summary>For sources that make nodes: lends an idle maker. Null while enough are busy.</summary>
+        /// <param name="points">Number of points of the node that it shall make.</param>
+        public virtual NodeMaker TakeMaker(int points) => null;
+
+        public virtual void GiveMaker(NodeMaker maker) { }
+
+        /// <summary>For sources that make nodes: creates a maker of every plane of <see cref="Layout"/>, whichever are streamed.
+        /// The caller owns it and disposes it before the source.</summary>
+        public virtual NodeMaker CreateWholeMaker() => throw new NotSupportedException();
+
+        /// <summary>Opens the same cloud once more to examine single points, as work for a pump: with positions and classes, and
+        /// all other planes of attributes if they lie in files or <see cref="CreateWholeMaker"/> makes them. It opens files on
+        /// another thread. It has no result if the cloud was in memory alone and its source is disposed.</summary>
+        /// <param name="opened">Receives the source and owns it.</param>
+        /// <exception cref="PointCloudException">The cloud no longer exists, or is damaged.</exception>
+        public abstract IEnumerator<Work> OpenForPicking(Action<NodeSource> opened);
+
+        public abstract void Dispose();
+    }
+
+    /// <summary>Consecutive bytes of a file.</summary>
+    internal struct FilePiece
+    {
+        public string Path;
+        public long OffsetBytes;
+        public long LengthBytes;
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using FastPoints.Build;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Build
+{
+    [Category("Smoke")]
+    public sealed class StreamSpoolTests : FolderTests
+    {
+        const int Length = (3 << 20) + 17;
+
+        static byte[] Bytes()
+        {
+            var bytes = new byte[Length];
+            new System.Random(1).NextBytes(bytes);
+            return bytes;
+        }
+
+        /// <summary>As a network gives it: in pieces of a few bytes to a few thousand. Waits where it is told to.</summary>
+        sealed class Trickle : MemoryStream
+        {
+            readonly System.Random m_random = new System.Random(2);
+
+            public Trickle(byte[] bytes) : base(bytes) { }
+
+            public ManualResetEventSlim WaitsFor;
+            public bool IsDisposed { get; private set; }
+
+            public override int Read(byte[] buffer, int offset, int count)
+            {
+                WaitsFor?.Wait();
+                return base.Read(buffer, offset, Math.Min(count, m_random.Next(1, 9000)));
+            }
+
+            protected override void Dispose(bool disposing)
+            {
+                IsDisposed = true;
+                base.Dispose(disposing);
+            }
+        }
+
+        [TestCase(-1), TestCase(Length)]
+        public void Work_Stream_IsTheFile(long length)
+        {
+            string path = Folder.File("scan.las");
+            File.WriteAllText(path, "what was there before");
+            var stream = new Trickle(Bytes());
+            using var spool = new StreamSpool(() => stream, path, length);
+            spool.Work.GetAwaiter().GetResult();
+            Assert.That(File.ReadAllBytes(path), Is.EqualTo(Bytes()));
+            Assert.That((spool.Share, spool.Bytes, stream.IsDisposed), Is.EqualTo((1.0, (long)Length, true)));
+            Assert.That(Directory.GetFiles(Folder.Path), Is.EqualTo(new[] { path }));
+        }
+
+        [Test]
+        public void Work_StreamThatEndsEarly_SaysSoAndLeavesNothing()
+        {
+            string path = Folder.File("scan.las");
+            using var spool = new StreamSpool(() => new Trickle(Bytes()), path, Length + 1);
+            Failures.Of(() => spool.Work.GetAwaiter().GetResult(), FailureCode.Truncated, "scan.las", (Length + 1).ToString());
+            Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);
+        }
+
+        [Test]
+        public void Work_FolderThatIsNotThere_SaysSo()
+        {
+            string path = Folder.File("none/scan.las");
+            using var spool = new StreamSpool(() => new Trickle(Bytes()), path);
+            Failures.Of(() => spool.Work.GetAwaiter().GetResult(), FailureCode.NotFound);
+        }
+
+        [Test]
+        public void Dispose_Meanwhile_LeavesNothing()
+        {
+            using var goesOn = new ManualResetEventSlim();
+            string path = Folder.File("scan.las");
+            var spool = new StreamSpool(() => new Trickle(Bytes()) { WaitsFor = goesOn }, path);
+            spool.Dispose();
+            goesOn.Set();
+            Assert.Throws(Is.InstanceOf<OperationCanceledException>(), () => spool.Work.GetAwaiter().GetResult());
+            Assert.That(spool.Work.Status, Is.Not.EqualTo(TaskStatus.RanToCompletion));
+            Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+using System;
+using FastPoints.Laz;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Tests.Laz
+{
+    /// <summary>The coder and its models against the encoder's, symbol by symbol.</summary>
+    public unsafe class LazModelTests
+    {
+        [TestCase(4, SymbolModel.Bytes4), TestCase(6, SymbolModel.Bytes6), TestCase(9, SymbolModel.Bytes9)]
+        [TestCase(13, SymbolModel.Bytes13), TestCase(16, SymbolModel.Bytes16), TestCase(17, SymbolModel.Bytes17)]
+        [TestCase(33, SymbolModel.Bytes33), TestCase(64, SymbolModel.Bytes64), TestCase(128, SymbolModel.Bytes128)]
+        [TestCase(256, SymbolModel.Bytes256), TestCase(512, SymbolModel.Bytes512)]
+        [TestCase(516, SymbolModel.Bytes516)]
+        public void BytesOf_EachCapacity_IsItsConstant(int capacity, int bytes) =>
+            Assert.That(SymbolModel.BytesOf(capacity), Is.EqualTo(bytes));
+
+        [TestCase(2, 2), TestCase(3, 4), TestCase(5, 6), TestCase(16, 16), TestCase(33, 33), TestCase(128, 128)]
+        [TestCase(64, 256), TestCase(256, 256), TestCase(515, 516)]
+        public void SymbolModel_EncodedSymbols_ComeBack(int symbols, int capacity)
+        {
+            var random = new Random(symbols);
+            var wanted = new int[20000];
+            for (int i = 0; i < wanted.Length; i++)
+                wanted[i] = Math.Min(random.Next(symbols), random.Next(symbols));
+            var encoder = new RangeEncoder();
+            var model = new SymbolEncoder(symbols);
+            foreach (int symbol in wanted)
+                model.Encode(encoder, symbol);
+            var stream = encoder.Finish();
+
+            using (var state = new NativeArray<byte>(SymbolModel.BytesOf(capacity), Allocator.Persistent))
+                fixed (byte* input = Padded(stream))
+                {
+                    byte* place = (byte*)state.GetUnsafePtr();
+                    SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
+                    byte* next = input;
+                    RangeCode.Start(out uint value, out uint length, ref next);
+                    for (int i = 0; i < wanted.Length; i++)
+                        Assert.That(SymbolModel.Decode(place, capacity, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
+                    Assert.That(next - input, Is.EqualTo(stream.Length), "a decoder takes all that the encoder wrote");
+                }
+        }
+
+        [TestCase(8), TestCase(16), TestCase(32)]
+        public void IntegerModel_EncodedIntegers_ComeBack(int bits)
+        {
+            const int Contexts = 3;
+            var random = new Random(bits);
+            long mask = (1L << bits) - 1;
+            var predictions = new int[30000];
+            var wanted = new int[predictions.Length];
+            for (int i = 0; i < wanted.Length; i++)
+            {
+                predictions[i] = (int)(random.Next() & mask);
+                int spread = random.Next(1, Math.Min(bits, 30) + 1);
+                int value = unchecked(predictions[i] + random.Next(-(1 << spread - 1), 1 << spread - 1));
+                wanted[i] = i % 1000 == 0 ? unchecked(predictions[i] + int.MinValue) : (int)(value & mask);
+                if (bits < 32)
+                    wanted[i] &= (int)mask;
+            }
+            var encoder = new RangeEncoder();
+            var model = new IntegerEncoder(bits, Contexts);
+            for (int i = 0; i < wanted.Length; i++)
+                model.Encode(encoder, predictions[i], wanted[i], i % Contexts);
+            var stream = encoder.Finish();
+
+            using (var state = new NativeArray<byte>(IntegerModel.BytesOf(bits, Contexts), Allocator.Persistent))
+                fixed (byte* input = Padded(stream))
+                {
+                    byte* place = (byte*)state.GetUnsafePtr();
+                    IntegerModel.Initialize(place, bits, Contexts);
+                    byte* next = input;
+                    RangeCode.Start(out uint value, out uint length, ref next);
+                    for (int i = 0; i < wanted.Length; i++)
+                    {
+                        int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length,
+                            ref next);
+                        Assert.That((int)(unchecked(predictions[i] + difference) & mask), Is.EqualTo(wanted[i]), "number " + i);
+                    }
+                    Assert.That(next - input, Is.EqualTo(stream.Length));
+                }
+        }
+
+        [TestCase(1), TestCase(8), TestCase(19), TestCase(20), TestCase(32)]
+        public void Bits_EncodedBits_ComeBack(int bits)
+        {
+            var random = new Random(bits);
+            var wanted = new uint[1000];
+            var encoder = new RangeEncoder();
+            for (int i = 0; i < wanted.Length; i++)
+            {
+                wanted[i] = (uint)(((long)random.Next() << 16 ^ random.Next()) & ((1L << bits) - 1));
+                encoder.Bits(bits, wanted[i]);
+            }
+            fixed (byte* input = Padded(encoder.Finish()))
+            {
+                byte* next = input;
+                RangeCode.Start(out uint value, out uint length, ref next);
+                for (int i = 0; i < wanted.Length; i++)
+                    Assert.That(RangeCode.Bits(bits, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
+            }
+        }
+
+        [Test]
+        public void SymbolModel_Noise_StaysInsideItsTables()
+        {
+            // Whatever comes, value < length: the worst is a start of nothing but ones.
+            var random = new Random(7);
+            var noise = new byte[4096 + RangeCode.PaddingBytes];
+            foreach (int symbols in new[] { 2, 16, 33, 256, 516 })
+            {
+                random.NextBytes(noise);
+                for (int i = 0; i < 64; i++)
+                    noise[i] = 255;
+                using (var state = new NativeArray<byte>(SymbolModel.BytesOf(symbols), Allocator.Persistent))
+                    fixed (byte* input = noise)
+                    {
+                        byte* place = (byte*)state.GetUnsafePtr();
+                        SymbolModel.Initialize(place, symbols);
+                        byte* next = input;
+                        RangeCode.Start(out uint value, out uint length, ref next);
+                        bool isSound = true;
+                        for (int i = 0; i < 100000 && next < input + 4000; i++)
+                            isSound &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols
+                                && value < length && length >= 1u << 24;
+                        Assert.That(isSound, Is.True, symbols + " symbols");
+                    }
+            }
+        }
+
+        [Test]
+        public void Median5_AnyValues_IsThePlainOne()
+        {
+            var random = new Random(3);
+            int* median = stackalloc int[Median5.Ints];
+            Median5.Initialize(median);
+            var plain = new MedianOfFive();
+            for (int i = 0; i < 20000; i++)
+            {
+                int value = random.Next(10) == 0 ? int.MinValue + random.Next(3)
+                    : random.Next(10) == 0 ? int.MaxValue - random.Next(3) : random.Next(-5, 6);
+                Median5.Add(median, value);
+                plain.Add(value);
+                Assert.That(Median5.Get(median), Is.EqualTo(plain.Value), "value " + i);
+            }
+        }
+
+        static byte[] Padded(byte[] bytes)
+        {
+            Array.Resize(ref bytes, bytes.Length + RangeCode.PaddingBytes);
+            return bytes;
+        }
+    }
+}

@@ -1,0 +1,193 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Laz;
+using FastPoints.Reading;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Tests.Laz
+{
+    /// <summary>Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes
+    /// of it is a cloud (of no more points than the bytes can hold) or a <see cref="PointCloudException"/>; no decoder writes
+    /// outside its state and its tile.</summary>
+    /// <remarks>The long ones take their number of cases from $FASTPOINTS_MUTATIONS, so that a million can be run:
+    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only LazMutationTests</c>.</remarks>
+    public unsafe class LazMutationTests
+    {
+        const string CasesVariable = "FASTPOINTS_MUTATIONS";
+        const int CasesPerFile = 60, CasesPerChunk = 400, LongCases = 20000;
+        const int MostPointsOfARange = 3000;
+
+        static readonly string[] s_samples =
+        {
+            "laz/example.laz", "laz/simple-laszip-compressor-version-1.2r0.laz", "laz/pdrf4-1.3.laz", "laz/pdrf9-1.5.laz",
+            "laz/no-points-1.3.laz", "laz/extra.laz", "copc/example.copc.laz", "copc/simple_with_page.copc.laz",
+            "broken/broken_coder.laz", "broken/broken_type.laz", "broken/2-2-2-2.laz",
+        };
+
+        static IEnumerable<TestCaseData> OwnFiles()
+        {
+            int seed = 0;
+            foreach (int format in new[] { 0, 1, 3, 5, 6, 7, 8, 10 })
+                foreach (string kind in new[] { "Fixed", "Variable", "Lost", "One" })
+                    if (kind != "One" || format < 6)
+                        yield return new TestCaseData(format, kind, ++seed)
+                            .SetName("Mutation_OwnPointFormat" + format + kind + "_EndsInALineOrAResult");
+        }
+
+        static byte[] Own(int format, string kind, int seed)
+        {
+            bool isV1 = format < 6 && seed % 2 == 0;
+            var writer = new LazFileWriter
+            {
+                PointFormat = format,
+                ItemVersion = format >= 6 ? 3 + seed % 2 : isV1 ? 1 : 2,
+                ExtraBytes = seed % 3,
+                HasVariableChunks = kind == "Variable",
+                TablePlace = kind == "Lost" ? LazTablePlace.Missing : seed % 2 == 0 ? LazTablePlace.AtFileEnd
+                    : LazTablePlace.AtOffset,
+                ChunkPoints = kind == "One" ? new int[0] : new[] { 40 },
+            };
+            return writer.Write(LazRecords.Make(format, writer.ExtraBytes, 100, seed));
+        }
+
+        [TestCaseSource(nameof(OwnFiles))]
+        public void MutateOwn(int format, string kind, int seed) => MutateFile(Own(format, kind, seed), CasesPerFile, seed);
+
+        [TestCaseSource(nameof(s_samples))]
+        public void MutateSample(string sample) =>
+            MutateFile(File.ReadAllBytes(TestData.SampleOrIgnore(sample)), 40, sample.Length);
+
+        [Test, Category("Long"), Explicit]
+        public void MutateOwn_ManyTimes()
+        {
+            int cases = Cases(), seed = 100000;
+            foreach (var file in OwnFiles())
+            {
+                seed++;
+                MutateFile(Own((int)file.Arguments[0], (string)file.Arguments[1], (int)file.Arguments[2]), cases / 32, seed);
+            }
+        }
+
+        [TestCase(0), TestCase(3), TestCase(5), TestCase(6), TestCase(8), TestCase(10)]
+        public void MutateChunk(int format) => MutateChunks(format, CasesPerChunk, format);
+
+        [Test, Category("Long"), Explicit]
+        public void MutateChunk_ManyTimes([Range(0, 10)] int format) => MutateChunks(format, Cases() / 11, 7000 + format);
+
+        static int Cases() => int.TryParse(Environment.GetEnvironmentVariable(CasesVariable), out int cases) ? cases : LongCases;
+
+        static void MutateFile(byte[] sound, int cases, int seed)
+        {
+            var random = new Random(seed);
+            for (int i = 0; i < cases; i++)
+            {
+                var bytes = Damage.Of(sound, random);
+                if (bytes.Length == 0)
+                    continue;
+                using var file = new TemporaryFile(bytes, ".laz");
+                ReadWhatIsThere(file.Path, bytes.Length, "seed " + seed + ", case " + i);
+            }
+        }
+
+        static void ReadWhatIsThere(string path, long bytes, string story)
+        {
+            try
+            {
+                using var reader = LazFileReading.Open(path);
+                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(LazChunk.MaxPoints(bytes) + reader.BlockCount), story);
+                if (reader.BlockCount == 0)
+                    return;
+                int capacity = Math.Min(MostPointsOfARange, reader.MaxPointsPerBlock);
+                using var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent);
+                for (int block = 0; block < Math.Min(8, reader.BlockCount); block++)
+                {
+                    int count = Math.Min(capacity, reader.PointsInBlock(block));
+                    read.Begin(new BlockRange(block, 0, count));
+                    read.Complete();
+                    Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                    if (read.Points.Count < count)
+                        Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
+                }
+            }
+            catch (PointCloudException failure)
+            {
+                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
+                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed, Is.True, story + ": " +
+                    failure.Message);
+            }
+        }
+
+        static void MutateChunks(int format, int cases, int seed)
+        {
+            var random = new Random(seed);
+            var writer = new LazFileWriter { PointFormat = format, ExtraBytes = 2 };
+            for (int i = 0; i < cases; i++)
+            {
+                writer.ItemVersion = format < 6 ? 1 + i % 2 : 3 + i % 2;
+                var items = writer.Items();
+                var sound = LazEncoder.Chunk(items, LazRecords.Make(format, 2, 20 + i % 50, seed + i));
+                for (int k = 0; k < 4; k++)
+                    DecodeWithinBounds(items, writer.RecordBytes, Damage.Of(sound, random), 200, "seed " + seed + ", case " + i);
+            }
+        }
+
+        /// <summary>Decodes with marked memory behind the state and the tile, which must stay as it is.</summary>
+        static void DecodeWithinBounds(LazItem[] items, int recordBytes, byte[] chunk, int points, string story)
+        {
+            const int Guard = 4096;
+            const byte Mark = 0xA5;
+            bool isLayered = items[0].IsLayered;
+            var layers = isLayered ? LazLayer.Of(items) : null;
+            var isWanted = isLayered ? new bool[layers.Length] : null;
+            for (int i = 0; isLayered && i < isWanted.Length; i++)
+                isWanted[i] = true;
+            long stateBytes = isLayered ? LayeredChunk.StateBytes(layers, isWanted, recordBytes)
+                : PointwiseChunk.StateBytes(items);
+            using var state = Marked((int)stateBytes, Guard, Mark);
+            using var tile = Marked(points * recordBytes, Guard, Mark);
+            using var input = Marked(chunk.Length, RangeCode.PaddingBytes, Mark);
+            NativeArray<byte>.Copy(chunk, input, chunk.Length);
+            byte* at = (byte*)input.GetUnsafePtr();
+            byte* place = (byte*)state.GetUnsafePtr();
+            byte* records = (byte*)tile.GetUnsafePtr();
+            int got;
+            if (isLayered)
+            {
+                LayeredChunk.Configure((LayeredChunk*)place, layers, isWanted, recordBytes);
+                LayeredChunk.Start((LayeredChunk*)place, at, chunk.Length, true, points);
+                got = LayeredChunk.Decode((LayeredChunk*)place, at, records, points);
+            }
+            else
+            {
+                PointwiseChunk.Configure((PointwiseChunk*)place, items, recordBytes);
+                PointwiseChunk.Start((PointwiseChunk*)place);
+                got = PointwiseChunk.Decode((PointwiseChunk*)place, at, chunk.Length, records, points);
+            }
+            Assert.That(got, Is.InRange(0, points), story);
+            Assert.That(IsMarked(state, (int)stateBytes, Mark), Is.True, story + ": wrote behind the state");
+            Assert.That(IsMarked(tile, points * recordBytes, Mark), Is.True, story + ": wrote behind the tile");
+            Assert.That(IsMarked(input, chunk.Length, Mark), Is.True, story + ": wrote behind the input");
+        }
+
+        static NativeArray<byte> Marked(int bytes, int guard, byte mark)
+        {
+            var array = new NativeArray<byte>(bytes + guard, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            UnsafeUtility.MemSet((byte*)array.GetUnsafePtr() + bytes, mark, guard);
+            return array;
+        }
+
+        static bool IsMarked(NativeArray<byte> array, int first, byte mark)
+        {
+            byte* bytes = (byte*)array.GetUnsafePtr();
+            for (int i = first; i < array.Length; i++)
+                if (bytes[i] != mark)
+                    return false;
+            return true;
+        }
+    }
+}

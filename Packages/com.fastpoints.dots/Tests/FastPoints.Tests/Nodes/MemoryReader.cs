@@ -1,0 +1,124 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Tests.Support;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Nodes
+{
+    /// <summary>A source of points that a test has in memory: blocks of a size of the test's choice.</summary>
+    sealed class MemoryReader : PointReader
+    {
+        readonly int m_points, m_blockPoints;
+        readonly Array[] m_columns;
+
+        /// <param name="columns">By attribute of the schema: an array of the attribute's type.</param>
+        public MemoryReader(PointSchema schema, PositionTransform transform, int blockPoints, params Array[] columns)
+        {
+            m_columns = columns;
+            m_points = columns[0].Length;
+            m_blockPoints = blockPoints;
+            Info = new SourceInfo
+            {
+                Path = "memory",
+                Format = "memory",
+                Schema = schema,
+                Transform = transform,
+                PointsReadable = m_points
+            };
+        }
+
+        /// <summary>Points with whole coordinates, an intensity, and a colour.</summary>
+        public static MemoryReader Of(int3[] places, PositionTransform transform, int blockPoints = 1000, uint seed = 1)
+        {
+            int count = places.Length;
+            int[] x = new int[count], y = new int[count], z = new int[count];
+            ushort[] intensity = new ushort[count], red = new ushort[count], green = new ushort[count], blue = new ushort[count];
+            var random = new Unity.Mathematics.Random(seed);
+            for (int i = 0; i < count; i++)
+            {
+                x[i] = places[i].x;
+                y[i] = places[i].y;
+                z[i] = places[i].z;
+                intensity[i] = (ushort)random.NextInt(65536);
+                red[i] = (ushort)(random.NextInt(256) * 257);
+                green[i] = (ushort)(random.NextInt(256) * 256);
+                blue[i] = (ushort)random.NextInt(65536);
+            }
+            var attributes = TestBatches.Xyz(AttributeType.Int32);
+            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
+            attributes.AddRange(TestBatches.Colors(AttributeType.UInt16));
+            return new MemoryReader(new PointSchema(attributes), transform, blockPoints, x, y, z, intensity, red, green, blue);
+        }
+
+        public override int BlockCount => (m_points + m_blockPoints - 1) / m_blockPoints;
+        public override int MaxPointsPerBlock => Math.Min(m_blockPoints, m_points);
+        public override bool HasFixedStride => true;
+
+        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
+
+        public override int PointsInBlock(int block) => Math.Min(m_blockPoints, m_points - block * m_blockPoints);
+
+        public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
+
+        /// <summary>Reads that did not come behind another's jobs.</summary>
+        public int BlocksBehindNone { get; private set; }
+
+        /// <summary>Bytes of the slots that there are, in the source and as columns, and the most that there were.</summary>
+        public long SlotBytes { get; private set; }
+        public long MostSlotBytes { get; private set; }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            SlotBytes += BytesOfSlot(wanted);
+            MostSlotBytes = Math.Max(MostSlotBytes, SlotBytes);
+            return new Slot(this, wanted, capacity, allocator);
+        }
+
+        long BytesOfSlot(PointSchema wanted) =>
+            (long)MaxPointsPerBlock * (wanted.BytesPerPoint + Info.Schema.BytesPerPoint);
+
+        sealed class Slot : BlockRead
+        {
+            readonly MemoryReader m_reader;
+            NativeReference<DecodeResult> m_result;
+
+            public Slot(MemoryReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            {
+                m_reader = reader;
+                Points = new PointBatch(wanted, capacity, allocator);
+                Result = m_result = new NativeReference<DecodeResult>(allocator);
+            }
+
+            public override unsafe void Begin(BlockRange range)
+            {
+                m_reader.BlocksBehindNone += After.Equals(default) ? 1 : 0;
+                Range = range;
+                FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+                var bytes = Points.Bytes;
+                for (int c = 0; c < Points.Schema.Count; c++)
+                {
+                    int size = Points.Schema[c].Type.SizeOf();
+                    var raw = new byte[range.Count * size];
+                    Buffer.BlockCopy(m_reader.m_columns[m_reader.Info.Schema.IndexOf(Points.Schema[c].Name)],
+                        (int)FirstPoint * size, raw, 0, raw.Length);
+                    NativeArray<byte>.Copy(raw, 0, bytes, Points.Column(c).OffsetBytes, raw.Length);
+                }
+                m_result.Value = new DecodeResult { Points = range.Count };
+                Decoded = default;
+            }
+
+            public override void Complete() => Points.Count = m_result.Value.Points;
+
+            public override void Dispose()
+            {
+                if (!m_result.IsCreated)
+                    return;
+                m_reader.SlotBytes -= m_reader.BytesOfSlot(Points.Schema);
+                Points.Dispose();
+                m_result.Dispose();
+            }
+        }
+    }
+}

@@ -1,0 +1,173 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using FastPoints.Core;
+using FastPoints.Import;
+using FastPoints.Reading;
+using FastPoints.Tests.Support;
+using FastPoints.Text;
+using NUnit.Framework;
+using Unity.Collections;
+
+namespace FastPoints.Tests.Reading
+{
+    /// <summary>Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped
+    /// bits, cuts, insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more
+    /// points than its blocks say, or a <see cref="PointCloudException"/> of one line.</summary>
+    /// <remarks>The stress command, a million damaged clouds over all formats: <c>FASTPOINTS_MUTATIONS=1000000 ./test --only
+    /// FormatMutationTests.Mutate_ManyTimes</c>. Without the variable: 20,000. FASTPOINTS_MUTATIONS_SEED takes other cases than
+    /// those of seed 7.</remarks>
+    public class FormatMutationTests : FolderTests
+    {
+        const int Cases = 40, SampleCases = 8, LongCases = 20000, MostPoints = 3000;
+        const int MostBlocks = 6;
+
+        static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
+
+        [TestCaseSource(nameof(Fixtures))]
+        public void Mutate(FormatFixture fixture) => Mutate(fixture, fixture.IsSample ? SampleCases : Cases, 1, 1);
+
+        /// <summary>Nearly all cases go to the small clouds of our own, which are quick and as much of a decoder as large
+        /// ones.</summary>
+        [TestCaseSource(nameof(Fixtures)), Category("Long"), Explicit]
+        public void Mutate_ManyTimes(FormatFixture fixture)
+        {
+            int cases = Number("FASTPOINTS_MUTATIONS", LongCases), own = FormatFixture.All.Count(f => !f.IsSample);
+            int ofThis = fixture.IsSample ? Math.Max(1, cases / 1000) : (cases + own - 1) / own;
+            int readable = Mutate(fixture, ofThis, Number("FASTPOINTS_MUTATIONS_SEED", 7), fixture.IsSample ? 0 : 1);
+            TestContext.Progress.WriteLine(fixture + ": " + ofThis + " damaged clouds, " + readable +
+                " of them read to their end");
+        }
+
+        static int Number(string variable, int otherwise) =>
+            int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : otherwise;
+
+        /// <returns>Clouds that could be read.</returns>
+        int Mutate(FormatFixture fixture, int cases, int seed, int leastReadable)
+        {
+            Directory.Delete(Folder.Path, true);
+            Directory.CreateDirectory(Folder.Path);
+            string main = fixture.Write(Folder.Path);
+            var sound = Directory.GetFiles(Folder.Path, "*", SearchOption.AllDirectories).OrderBy(p => p, StringComparer.Ordinal)
+                .Select(p => (Path: p, Bytes: File.ReadAllBytes(p))).ToList();
+            var indexes = sound.Where(f => f.Path == main || IsIndex(f.Path)).ToList();
+            var telling = sound.ToDictionary(f => f.Path, f => TellingPlaces.Of(f.Bytes));
+            Assert.That(Reads(main, "as it is"), Is.True, fixture + " as it is");
+            var random = new Random(seed);
+            int readable = 0;
+            for (int i = 0; i < cases; i++)
+            {
+                // Of many files mostly the index and the pages of a hierarchy, which say what the others are.
+                int choice = random.Next(3);
+                var (path, bytes) = choice == 0 ? sound.First(f => f.Path == main)
+                    : choice == 1 ? indexes[random.Next(indexes.Count)] : sound[random.Next(sound.Count)];
+                var damaged = random.Next(3) == 0 ? DamageTelling(bytes, telling[path], random) : Damage.Of(bytes, random);
+                if (fixture.Seal != null && random.Next(2) == 0 && damaged.Length >= 1024)
+                {
+                    Array.Resize(ref damaged, damaged.Length / 1024 * 1024);
+                    fixture.Seal(damaged);
+                }
+                File.WriteAllBytes(path, damaged);
+                if (Reads(main, fixture + ", seed " + seed + ", case " + i))
+                    readable++;
+                if (sound.Count > 1)
+                    File.WriteAllBytes(path, bytes);
+            }
+            Assert.That(readable, Is.GreaterThanOrEqualTo(leastReadable), fixture.ToString());
+            return readable;
+        }
+
+        static bool IsIndex(string path) => path.EndsWith(".json") || path.EndsWith(".js") || path.EndsWith(".hrc")
+            || Path.GetFileName(path) == "hierarchy.bin";
+
+        /// <summary>Keeps the length: places that say where others are get numbers at their extremes, those of other places, and
+        /// their own; numbers in text get other digits.</summary>
+        static byte[] DamageTelling(byte[] sound, List<(int At, int Bytes)> places, Random random)
+        {
+            var bytes = (byte[])sound.Clone();
+            if (bytes.Length == 0)
+                return bytes;
+            for (int change = random.Next(1, 3); change > 0; change--)
+            {
+                int at = Place(bytes, places, random), other = Place(bytes, places, random);
+                switch (random.Next(3))
+                {
+                    case 0:
+                        long[] numbers = { 0, 1, -1, int.MaxValue, 1L << 31, uint.MaxValue, 4000000000, bytes.Length,
+                            bytes.Length - 1, at, other, long.MaxValue };
+                        var number = BitConverter.GetBytes(numbers[random.Next(numbers.Length)]);
+                        Array.Copy(number, 0, bytes, at, Math.Min(random.Next(2) == 0 ? 4 : 8, bytes.Length - at));
+                        break;
+                    case 1:
+                        int width = 4 << random.Next(4);
+                        Array.Copy(sound, other, bytes, at, Math.Min(width, bytes.Length - Math.Max(at, other)));
+                        break;
+                    default:
+                        ReplaceDigits(bytes, at, random);
+                        break;
+                }
+            }
+            return bytes;
+        }
+
+        static int Place(byte[] bytes, List<(int At, int Bytes)> places, Random random)
+        {
+            if (places.Count == 0)
+                return random.Next(bytes.Length);
+            var (at, length) = places[random.Next(places.Count)];
+            return at + random.Next((length + 3) / 4) * 4;
+        }
+
+        /// <summary>The first digits from a place on become others, as many.</summary>
+        static void ReplaceDigits(byte[] bytes, int at, Random random)
+        {
+            while (at < bytes.Length && !char.IsDigit((char)bytes[at]))
+                at++;
+            int kind = random.Next(4);
+            for (int i = at; i < bytes.Length && char.IsDigit((char)bytes[i]); i++)
+                bytes[i] = (byte)(kind == 0 ? '9' : kind == 1 ? '0' : i == at && kind == 2 ? '-' : '0' + random.Next(10));
+        }
+
+        /// <returns>Whether there is a cloud; false for a failure that says what is wrong.</returns>
+        static bool Reads(string path, string story)
+        {
+            try
+            {
+                using var reader = PointReaders.Open(path);
+                ReadPoints.FindBlocks(reader);
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), story);
+                if (reader.BlockCount == 0)
+                    return true;
+                int capacity = Math.Min(MostPoints, reader.MaxPointsPerBlock);
+                using (var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent))
+                    for (int i = 0; i < Math.Min(MostBlocks, reader.BlockCount); i++)
+                    {
+                        int block = (int)((long)i * reader.BlockCount / Math.Min(MostBlocks, reader.BlockCount));
+                        int count = Math.Min(capacity, reader.PointsInBlock(block));
+                        read.Begin(new BlockRange(block, 0, count));
+                        read.Complete();
+                        Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                        // Remarks and places without a return are lines, and no points, and nothing is wrong with them.
+                        bool hasRemarks = reader is XyzReader || reader is PtxReader;
+                        if (read.Points.Count < count && !hasRemarks)
+                            Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
+                    }
+                return true;
+            }
+            catch (PointCloudException failure)
+            {
+                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
+                bool isInput = failure.IsBadInput || failure.Code == FailureCode.ReadFailed ||
+                    failure.Code == FailureCode.NotFound;
+                Assert.That(isInput, Is.True, story + ": " + failure.Message);
+                return false;
+            }
+            catch (Exception e) when (!(e is ResultStateException))
+            {
+                throw new AssertionException(story + ": " + e, e);
+            }
+        }
+    }
+}
