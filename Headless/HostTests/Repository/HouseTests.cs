@@ -290,7 +290,8 @@ public sealed class HouseTests
     private static HouseTable Table(string more = "") => HouseTable.Parse(Text() + more);
 
     /// <summary>Each measure with a limit of 9 and a goal of 0.</summary>
-    private static string Text() => Header + "part\t*\t1\t\t\t\n" + string.Concat(s_measures.Select(m => $"{m}\t*\t{Each(m)}\t9\t0\t\n"));
+    private static string Text() => Header + "part\t*\t1\t\t\t\n" +
+        string.Concat(s_measures.Select(m => $"{m}\t*\t{Each(m)}\t9\t0\t\n"));
 
     private static string Each(string measure) => measure switch
     {
