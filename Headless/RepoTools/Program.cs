@@ -13,7 +13,7 @@ namespace FastPoints.RepoTools;
 public static class Program
 {
     private const string Usage = """
-        usage: RepoTools VERB [--check] [--root DIR] [--tag TAG] [--list MEASURE]
+        usage: RepoTools VERB [--check] [--root DIR] [--tag TAG] [--flows] [--list NAME]
                RepoTools guard STAND-IN REFERENCE... (the build calls it)
 
           meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
@@ -29,13 +29,17 @@ public static class Program
           reference the reference at the end of Documentation~/api.md: the public types of the compiled package
           guard     makes members of a stand-in refuse other threads than the main one, as Headless/Api/threads.tsv says
           house     prints how large the repository's parts are and refuses what is beyond the limits in
-                    Headless/Api/house.tsv; lowers limits that are above their goals to what has been reached
+                    Headless/Api/house.tsv and above the ceilings in $FASTPOINTS_DATA/design/ceilings.tsv (or the copy beside
+                    house.tsv); lowers limits that are above their goals to what has been reached
+                    with --flows, the same of the files and rooms that each flow of house.tsv reaches, from the builds that
+                    api reads: all types that the type of its first function names, those that these name, and so on; a base
+                    does not reach what derives from it, so formats count where house.tsv or code of the flow names them
           package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
 
           --check   writes nothing; says what is not as it should be
           --root    the repository (default: the one that this program was built in)
           --tag     with package: the tag of a release, which is the version and has an entry with a date
-          --list    with house: names all that a measure counts
+          --list    with house: names all that a measure counts; with --flows, a flow's files by room
 
         Exit status: 0 all is well (or was written), 1 it is not, 2 usage.
         """;
@@ -50,12 +54,16 @@ public static class Program
         string? tag = null;
         string? list = null;
         bool check = false;
+        bool flows = false;
         for (int i = 0; i < args.Length; i++)
         {
             switch (args[i])
             {
                 case "--check":
                     check = true;
+                    break;
+                case "--flows":
+                    flows = true;
                     break;
                 case "--root" when i + 1 < args.Length:
                     root = args[++i];
@@ -82,7 +90,8 @@ public static class Program
         try
         {
             Repository repository = root == null ? Repository.Find() : new Repository(root);
-            return Report(verb, Run(verb, repository, check, tag, list));
+            return Report(verb, flows && verb == "house" ? HouseCommand.RunFlows(repository, check, list)
+                : Run(verb, repository, check, tag, list));
         }
         catch (ToolException failure)
         {

@@ -20,6 +20,12 @@ public sealed class Repository(string root)
     /// <summary>How large the repository's parts may be.</summary>
     public string House => Path.Combine(Headless, "Api", "house.tsv");
 
+    /// <summary>How large it may be at most after each part of the work: a copy of what may lie beside the repository.</summary>
+    public string Ceilings => Path.Combine(Headless, "Api", "ceilings.tsv");
+
+    /// <summary>What <see cref="Ceilings"/> is a copy of; it may be absent.</summary>
+    public string GivenCeilings => Path.Combine(DataRoot, "design", "ceilings.tsv");
+
     /// <summary>The full list of Unity's signatures; it may be absent.</summary>
     public string FullApi => Path.Combine(DataRoot, "unity-api");
 

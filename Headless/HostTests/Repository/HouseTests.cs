@@ -11,16 +11,19 @@ public sealed class HouseTests
 
     private static readonly string[] s_measures =
     {
-        "product-lines", "csharp-lines", "public-types", "small-files", "folders", "constructors", "methods", "wide-lines",
-        "manual-words", "long-pages", "not-words",
+        "product-lines", "csharp-lines", "outside-lines", "rooms", "public-types", "small-files", "folders", "parameters",
+        "methods", "wide-lines", "manual-words", "long-pages", "not-words",
     };
 
     private static readonly SourceFile s_glossary = new SourceFile(Manual + "glossary.md",
         "| Word | Meaning | Not |\n|---|---|---|\n| **run** | points in a row | span, `slice` (of a file), page |\n" +
-        "| page | a part of the view | bare cell |\n\n| other | table | heap |\n");
+        "| page | a part of the view | bare cell, Sees, `TryForesee`, Most... |\n\n| other | table | heap |\n");
+
+    private static readonly Ceilings s_ceilings = new Ceilings("# remark\npart\tproduct\tall\toutside\n1\t9\t6\t-\n", "a.tsv");
 
     [TestCase("product-lines", 3)]
-    [TestCase("csharp-lines", 5)]
+    [TestCase("csharp-lines", 6)]
+    [TestCase("outside-lines", 1)]
     [TestCase("public-types", 2)]
     [TestCase("small-files", 2)]
     [TestCase("manual-words", 3)]
@@ -32,11 +35,22 @@ public sealed class HouseTests
                 "public enum C { }\n}\n"),
             new SourceFile(Room + "A.More.cs", "namespace A { public partial class B<T> { } internal struct D { } }"),
             new SourceFile("Headless/Cli/A.cs", "public class E\n{ }"),
+            new SourceFile("UnityOutside/A/A.cs", "class F { }"),
             new SourceFile(Manual + "a.md", "Three small\n\nwords.\n"),
         };
 
         Assert.That(Report(files).Figures[measure], Is.EqualTo(figure));
     }
+
+    [TestCase(1, "Runtime/A/Base/A.cs", "Runtime/A/Base/In/B.cs", "Runtime/A/AssemblyInfo.cs")]
+    [TestCase(2, "Runtime/A/Base/A.cs", "Runtime/A/Store/A.cs")]
+    [TestCase(2, "Runtime/A/Base/A.cs", "Runtime/B/Base/A.cs")]
+    [TestCase(2, "Runtime/A/A.cs", "Runtime/A/Urp/A.cs")]
+    [TestCase(1, "Runtime/FastPoints.Entities/Systems/A.cs", "Runtime/FastPoints.Entities/Components/A.cs")]
+    [TestCase(2, "Editor/Scene/A.cs", "Editor/Player/In/A.cs", "Editor/AssemblyInfo.cs", "Tests/A/A.cs")]
+    public void Figure_Rooms_AreFirstFoldersOfAssemblies(int figure, params string[] paths) => Assert.That(
+        Report(paths.Select(p => new SourceFile("Packages/com.fastpoints.dots/" + p, "")).ToArray()).Figures["rooms"],
+        Is.EqualTo(figure));
 
     [Test]
     public void Figure_Folder_OfThirtyFilesIsNone_OfThirtyOneIsOne()
@@ -49,19 +63,22 @@ public sealed class HouseTests
     }
 
     [TestCase("class A { A({7}) { } }", 1)]
-    [TestCase("class A { A({6}) { } void B({7}) { } }", 0)]
+    [TestCase("class A { A({6}) { } void B({6}) { } }", 0)]
+    [TestCase("class A { void B({7}) { } }", 1)]
+    [TestCase("record A { static void B({7}) { } }", 1)]
+    [TestCase("class A { void B() { C(); void C({7}) { } } }", 1)]
     [TestCase("class A { struct B { public B({7}) { } } }", 1)]
     [TestCase("class A({7}) { }", 1)]
     [TestCase("record A({7});", 0)]
     [TestCase("record A { A({7}) { } }", 0)]
     [TestCase("readonly struct A { A({7}) { } }", 0)]
     [TestCase("#if ENABLE_UNITY_COLLECTIONS_CHECKS\nclass A { A({7}) { } }\n#endif", 1)]
-    public void Figure_Constructor_OfSevenParametersCounts(string code, int figure)
+    public void Figure_MethodOfSevenParametersCounts(string code, int figure)
     {
         string seven = string.Join(", ", Enumerable.Range(0, 7).Select(i => $"int a{i}"));
         code = code.Replace("{7}", seven).Replace("{6}", seven[..^", int a6".Length]);
 
-        Assert.That(Report(new SourceFile("Headless/A.cs", code)).Figures["constructors"], Is.EqualTo(figure));
+        Assert.That(Report(new SourceFile("Headless/A.cs", code)).Figures["parameters"], Is.EqualTo(figure));
     }
 
     [TestCase("[Test]\nvoid B()\n{", 78, 0)]
@@ -110,8 +127,9 @@ public sealed class HouseTests
     [TestCase("class A { int HTTPSlice, BareCells, Bare, CellBare; }", 2, TestName = "capitals and two words")]
     [TestCase("class A { int Page; } // a page", 0, TestName = "words with a row of their own")]
     [TestCase("class A { int File, Heap; }", 0, TestName = "remarks and other tables")]
-    [TestCase("/// <summary>Spans of <see cref=\"Span\"/>.</summary>\nclass A { } // a slice\n/* bare\n   cells, span */", 3,
-        TestName = "comments")]
+    [TestCase("/// <summary>Spans.</summary>\nclass A { } // a slice\n/* bare cells */", 0, TestName = "comments")]
+    [TestCase("class A { int MostFrameMs, m_most; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
+    [TestCase("class A { void TryForesee() { } void Try() { } void ForeseeTry() { } }", 1, TestName = "words in their order")]
     [TestCase("class A { string b = \"span\"; }", 0, TestName = "literals")]
     public void Figure_WordsThatTheGlossaryRefuses(string code, int figure) =>
         Assert.That(Report(s_glossary, new SourceFile(Room + "A.cs", code)).Figures["not-words"], Is.EqualTo(figure));
@@ -132,6 +150,50 @@ public sealed class HouseTests
         Assert.That(Report(files).Problems, Is.Empty);
         Assert.That(Report(HouseTable.Parse(Text().Replace("\t130\t9", "\t130\t0")), files).Problems,
             Is.EqualTo(new[] { "wide-lines: 1, the limit is 0", "  Headless/A.cs: 131 columns, line 2" }));
+    }
+
+    [TestCase(6, 0)]
+    [TestCase(7, 1)]
+    public void Problems_LinesAboveTheCeilingOfThePart_AreRefused(int lines, int problems)
+    {
+        HouseReport report = Report(new SourceFile("Headless/A.cs", new string('\n', lines)));
+
+        Assert.That(report.Problems, Has.Exactly(problems).EqualTo("csharp-lines: 7, the limit is 6"));
+        Assert.That(report.Text(), Does.Contain("part 1 in a.tsv"));
+    }
+
+    [TestCase("product-lines", 9)]
+    [TestCase("outside-lines", null)]
+    [TestCase("folders", null)]
+    public void Ceilings_OfAMeasure(string measure, long? lines) =>
+        Assert.That(s_ceilings.Of(measure, 1), Is.EqualTo(lines));
+
+    [TestCase("")]
+    [TestCase("2\t1\t1\t1\n")]
+    [TestCase("1\t1\n")]
+    public void Ceilings_WithoutThePart_Throw(string text) =>
+        Assert.That(() => new Ceilings(text, "a.tsv").Of("folders", 1), Throws.TypeOf<ToolException>());
+
+    [TestCase("1\t2\t3\t4\n", null)]
+    [TestCase("1\t5\t3\t4\n", "copy.tsv is no copy of")]
+    public void Ceilings_CopyThatDiffersFromWhatIsGiven_IsAProblem(string copied, string problem)
+    {
+        DirectoryInfo root = Directory.CreateTempSubdirectory("fastpoints-house-");
+        try
+        {
+            string given = Path.Combine(root.FullName, "given.tsv"), copy = Path.Combine(root.FullName, "copy.tsv");
+            File.WriteAllText(copy, copied);
+            Assert.That(Ceilings.Load(given, copy).Source, Is.EqualTo(copy));
+
+            File.WriteAllText(given, "1\t2\t3\t4\n");
+            var ceilings = Ceilings.Load(given, copy);
+            Assert.That((ceilings.Source, ceilings.Of("product-lines", 1)), Is.EqualTo((given, 2L)));
+            Assert.That(ceilings.Problem, problem == null ? Is.Null : Does.Contain(problem));
+        }
+        finally
+        {
+            root.Delete(true);
+        }
     }
 
     [TestCase("wide-lines\tHeadless/A.cs\t140\t\t\tA table.\n", 0)]
@@ -158,6 +220,10 @@ public sealed class HouseTests
     [TestCase("wide-lines\t*\t-1\t0\t0\t\n")]
     public void Parse_LineThatIsNoRow_Throws(string row) =>
         Assert.That(() => HouseTable.Parse(Header + row), Throws.TypeOf<ToolException>());
+
+    [Test]
+    public void Report_WithoutThePart_Throws() =>
+        Assert.That(() => Report(HouseTable.Parse(Text().Replace("part\t*\t1", "part\t*\t"))), Throws.TypeOf<ToolException>());
 
     [Test]
     public void Report_MeasureWithoutOrWithTwoLimits_Throws()
@@ -189,10 +255,10 @@ public sealed class HouseTests
             string api = Directory.CreateDirectory(Path.Combine(root.FullName, "Headless", "Api")).FullName;
             string table = Path.Combine(api, "house.tsv");
             File.WriteAllText(table, Text());
+            File.Copy(Checkout.Repository.Ceilings, Path.Combine(api, "ceilings.tsv"));
             File.WriteAllText(Path.Combine(root.FullName, "A.cs"), new string('/', 131));
             using (Process git = Process.Start("git", new[] { "init", "--quiet", root.FullName }))
                 git.WaitForExit();
-
 
             Assert.That(RepoToolsTests.Run(Arguments(root, "--check"), out string said), Is.EqualTo(0));
             Assert.That(said, Does.Match(@"\nwide-lines +1 +9 +0  lines of C# and shaders over 130 columns\n"));
@@ -219,17 +285,18 @@ public sealed class HouseTests
     private static HouseReport Report(params SourceFile[] files) => Report(Table(), files);
 
     private static HouseReport Report(HouseTable table, params SourceFile[] files) =>
-        new HouseReport(new HouseSources(files), table);
+        new HouseReport(new HouseSources(files), table, s_ceilings);
 
     private static HouseTable Table(string more = "") => HouseTable.Parse(Text() + more);
 
     /// <summary>Each measure with a limit of 9 and a goal of 0.</summary>
-    private static string Text() => Header + string.Concat(s_measures.Select(m => $"{m}\t*\t{Each(m)}\t9\t0\t\n"));
+    private static string Text() => Header + "part\t*\t1\t\t\t\n" +
+        string.Concat(s_measures.Select(m => $"{m}\t*\t{Each(m)}\t9\t0\t\n"));
 
     private static string Each(string measure) => measure switch
     {
         "folders" => "30",
-        "constructors" => "6",
+        "parameters" => "6",
         "methods" => "80",
         "wide-lines" => "130",
         "long-pages" => "1500",

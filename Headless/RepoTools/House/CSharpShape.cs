@@ -5,13 +5,13 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 namespace FastPoints.RepoTools.House;
 
 /// <summary>What the house wants to know of a C# file, from its syntax alone.</summary>
-/// <param name="Constructors">Each with its number of parameters, but those of records and readonly structs.</param>
+/// <param name="Parameters">Each method, local function and constructor with their number, but constructors of records and
+/// readonly structs.</param>
 /// <param name="Methods">Each member with code, with its number of lines from the name's line to the last brace.</param>
-/// <param name="PublicTypes">Full names of public types that lie in no other type.</param>
+/// <param name="Types">Those that lie in no other type.</param>
 /// <param name="Names">Identifiers that the file declares, with their line.</param>
-/// <param name="Comments">Its comments, line by line.</param>
-public sealed record CSharpShape(IReadOnlyList<Counted> Constructors, IReadOnlyList<Counted> Methods,
-    IReadOnlyList<string> PublicTypes, IReadOnlyList<Written> Names, IReadOnlyList<Written> Comments)
+public sealed record CSharpShape(IReadOnlyList<Counted> Parameters, IReadOnlyList<Counted> Methods,
+    IReadOnlyList<DeclaredType> Types, IReadOnlyList<Written> Names)
 {
     // As the newest generation of Unity's editor compiles the package.
     private static readonly CSharpParseOptions s_options = new CSharpParseOptions(LanguageVersion.Latest,
@@ -26,27 +26,30 @@ public sealed record CSharpShape(IReadOnlyList<Counted> Constructors, IReadOnlyL
             .DescendantNodes(n => n is CompilationUnitSyntax or BaseNamespaceDeclarationSyntax or TypeDeclarationSyntax)
             .ToList();
         return new CSharpShape(
-            nodes.Where(n => n is ConstructorDeclarationSyntax or TypeDeclarationSyntax { ParameterList: not null })
-                .Where(n => !IsRecordOrReadonlyStruct(n is TypeDeclarationSyntax ? n : n.Parent!))
-                .Select(Constructor).ToList(),
+            nodes.Concat(root.DescendantNodes().OfType<LocalFunctionStatementSyntax>()).SelectMany(ParametersOf).ToList(),
             nodes.Where(n => n is BaseMethodDeclarationSyntax or BasePropertyDeclarationSyntax).Select(Method).ToList(),
             nodes.Where(n => n is BaseTypeDeclarationSyntax or DelegateDeclarationSyntax).Cast<MemberDeclarationSyntax>()
-                .Where(t => t.Parent is not TypeDeclarationSyntax && t.Modifiers.Any(SyntaxKind.PublicKeyword))
-                .Select(FullName).ToList(),
-            file.IsProduct ? DeclaredNames(root) : Array.Empty<Written>(),
-            file.IsProduct ? CommentLines(root) : Array.Empty<Written>());
+                .Where(t => t.Parent is not TypeDeclarationSyntax)
+                .Select(t => new DeclaredType(FullName(t), t.Modifiers.Any(SyntaxKind.PublicKeyword))).ToList(),
+            file.IsProduct ? DeclaredNames(root) : Array.Empty<Written>());
     }
 
     private static bool IsRecordOrReadonlyStruct(SyntaxNode type) => type is RecordDeclarationSyntax ||
         type is StructDeclarationSyntax structure && structure.Modifiers.Any(SyntaxKind.ReadOnlyKeyword);
 
-    private static Counted Constructor(SyntaxNode node) => node switch
+    private static IEnumerable<Counted> ParametersOf(SyntaxNode node)
     {
-        ConstructorDeclarationSyntax c =>
-            new Counted(c.Identifier.ValueText, LineOf(c.Identifier), c.ParameterList.Parameters.Count),
-        TypeDeclarationSyntax t => new Counted(t.Identifier.ValueText, LineOf(t.Identifier), t.ParameterList!.Parameters.Count),
-        _ => throw new ArgumentException("no constructor", nameof(node)),
-    };
+        (SyntaxToken name, ParameterListSyntax? parameters) = node switch
+        {
+            MethodDeclarationSyntax m => (m.Identifier, m.ParameterList),
+            LocalFunctionStatementSyntax f => (f.Identifier, f.ParameterList),
+            ConstructorDeclarationSyntax c when !IsRecordOrReadonlyStruct(c.Parent!) => (c.Identifier, c.ParameterList),
+            TypeDeclarationSyntax t when !IsRecordOrReadonlyStruct(t) => (t.Identifier, t.ParameterList),
+            _ => default,
+        };
+        if (parameters != null)
+            yield return new Counted(name.ValueText, LineOf(name), parameters.Parameters.Count);
+    }
 
     private static Counted Method(SyntaxNode node)
     {
@@ -84,25 +87,14 @@ public sealed record CSharpShape(IReadOnlyList<Counted> Constructors, IReadOnlyL
         .Where(t => t.IsKind(SyntaxKind.IdentifierToken) && t.Parent is not SimpleNameSyntax)
         .Select(t => new Written(t.ValueText, LineOf(t))).ToList();
 
-    private static List<Written> CommentLines(SyntaxNode root)
-    {
-        var lines = new List<Written>();
-        foreach (SyntaxTrivia trivia in root.DescendantTrivia())
-        {
-            if (!trivia.IsKind(SyntaxKind.SingleLineCommentTrivia) && !trivia.IsKind(SyntaxKind.MultiLineCommentTrivia))
-                continue;
-            int line = trivia.GetLocation().GetLineSpan().StartLinePosition.Line + 1;
-            foreach (string text in trivia.ToString().Split('\n'))
-                lines.Add(new Written(text, line++));
-        }
-        return lines;
-    }
-
     private static int LineOf(SyntaxToken token) => token.GetLocation().GetLineSpan().EndLinePosition.Line + 1;
 }
 
 /// <summary>A member, the line of its name, and how much it has of what is counted.</summary>
 public sealed record Counted(string Name, int Line, int Amount);
 
-/// <summary>A name or a comment, and its line.</summary>
+/// <summary>A type by its full name, as metadata has it.</summary>
+public sealed record DeclaredType(string Name, bool IsPublic);
+
+/// <summary>A name, and its line.</summary>
 public sealed record Written(string Text, int Line);

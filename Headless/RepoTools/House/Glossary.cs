@@ -6,7 +6,6 @@ public sealed class Glossary
     public const string Path = "Packages/com.fastpoints.dots/Documentation~/glossary.md";
 
     private static readonly Regex s_part = new Regex("[A-Z]+(?![a-z])|[A-Z]?[a-z]+");
-    private static readonly Regex s_tag = new Regex("<[^>]*>");
     private static readonly Regex s_mark = new Regex(@"\([^)]*\)|[*_`""]");
 
     private readonly List<string[]> m_phrases;
@@ -39,10 +38,11 @@ public sealed class Glossary
         return new Glossary(refused.Except(defined, StringComparer.OrdinalIgnoreCase));
     }
 
-    /// <summary>The refused words in a name in PascalCase or a line of a comment; each as often as it is there.</summary>
-    public IEnumerable<string> FindIn(string text)
+    /// <summary>The refused words in a name in PascalCase, each as often as it is there; several are found where they follow one
+    /// another. Comments are for a person to read.</summary>
+    public IEnumerable<string> FindIn(string name)
     {
-        List<string> parts = Parts(s_tag.Replace(text, " "));
+        List<string> parts = Parts(name);
         for (int i = 0; i < parts.Count; i++)
         {
             foreach (string[] phrase in m_phrases)

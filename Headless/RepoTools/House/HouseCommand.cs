@@ -1,6 +1,6 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>Prints how large and how plain the house is, and refuses what is beyond the limits of
+/// <summary>Prints how large and how plain the house is, or how far its flows reach, and refuses what is beyond the limits of
 /// Headless/Api/house.tsv.</summary>
 public static class HouseCommand
 {
@@ -8,20 +8,38 @@ public static class HouseCommand
     /// <param name="list">A measure all of whose findings are printed in place of the table; null for none.</param>
     public static ToolResult Run(Repository repository, bool check, string? list)
     {
-        string file = repository.House;
-        HouseTable table = HouseTable.Parse(File.ReadAllText(file));
-        List<SourceFile> files = repository.Files().Where(SourceFile.IsWanted).AsParallel()
-            .Select(f => new SourceFile(f, File.ReadAllText(Path.Combine(repository.Root, f)))).ToList();
-        var report = new HouseReport(new HouseSources(files), table);
+        HouseTable table = TableOf(repository);
+        var report = new HouseReport(HouseSources.Of(repository), table,
+            Ceilings.Load(repository.GivenCeilings, repository.Ceilings));
         if (list != null)
-        {
-            List<string> lines = report.List(list).ToList();
-            lines.ForEach(Console.WriteLine);
-            return new ToolResult($"{lines.Count} of {list}", Array.Empty<string>());
-        }
+            return Print(report.List(list), list);
         Console.Write(report.Text());
         if (!check)
-            File.WriteAllText(file, table.Lowered(report.Figures));
+            File.WriteAllText(repository.House, table.Lowered(report.Figures));
         return new ToolResult($"{report.GoalsMet} of {report.Figures.Count} figures at their goals", report.Problems);
+    }
+
+    /// <summary>The same of the flows, from the newest generation's build.</summary>
+    /// <param name="list">A flow whose files are printed in place of the table; null for none.</param>
+    public static ToolResult RunFlows(Repository repository, bool check, string? list)
+    {
+        HouseTable table = TableOf(repository);
+        using var builds = new GenerationBuilds(repository, Repository.Generations[^1]);
+        var report = new FlowReport(table, new FlowGraph(builds.Package, HouseSources.Of(repository).FilesOfTypes()));
+        if (list != null)
+            return Print(report.List(list), list);
+        Console.Write(report.Text);
+        if (!check)
+            File.WriteAllText(repository.House, table.Lowered(report.Figures));
+        return new ToolResult($"{table.Flows.Count()} flows", report.Problems);
+    }
+
+    private static HouseTable TableOf(Repository repository) => HouseTable.Parse(File.ReadAllText(repository.House));
+
+    private static ToolResult Print(IEnumerable<string> found, string name)
+    {
+        List<string> lines = found.ToList();
+        lines.ForEach(Console.WriteLine);
+        return new ToolResult($"{lines.Count} of {name}", Array.Empty<string>());
     }
 }

@@ -16,14 +16,19 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
             s => s.Product.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
         new HouseMeasure("csharp-lines", "lines of C# in the repository", true,
             s => s.CSharp.Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
+        new HouseMeasure("outside-lines", "of these, lines below UnityOutside", true,
+            s => s.CSharp.Where(f => f.IsOutside).Select(f => new Finding(f.Path, f.LineCount, $"{f.LineCount} lines"))),
+        new HouseMeasure("rooms", "rooms of Runtime and Editor: first folders below an assembly's, or the assembly", true,
+            s => s.Product.Where(f => f.Room.Length > 0).GroupBy(f => f.Room)
+                .Select(g => new Finding(g.Key, 1, $"{g.Count()} files"))),
         new HouseMeasure("public-types", "public types of the package's Runtime and Editor, in no other type", true, PublicTypes),
         new HouseMeasure("small-files", $"files of Runtime and Editor with at most {SmallFileLines} lines", true,
             s => s.Product.Where(f => f.LineCount <= SmallFileLines).Select(f => new Finding(f.Path, 1, $"{f.LineCount} lines"))),
         new HouseMeasure("folders", "folders with more than {0} files of C# or shaders", false,
             s => s.Code.GroupBy(f => f.Folder).Select(g => new Finding(g.Key, g.Count(), $"{g.Count()} files"))),
-        new HouseMeasure("constructors",
-            "constructors with more than {0} parameters, but of records and readonly structs", false,
-            s => s.CSharp.SelectMany(f => s.ShapeOf(f).Constructors, (f, c) => Of(f, c, "parameters"))),
+        new HouseMeasure("parameters",
+            "methods with more than {0} parameters, but constructors of records and readonly structs", false,
+            s => s.CSharp.SelectMany(f => s.ShapeOf(f).Parameters, (f, c) => Of(f, c, "parameters"))),
         new HouseMeasure("methods", "methods of more than {0} lines", false,
             s => s.CSharp.SelectMany(f => s.ShapeOf(f).Methods, (f, m) => Of(f, m, "lines"))),
         new HouseMeasure("wide-lines", "lines of C# and shaders over {0} columns", false, s => s.Code.SelectMany(Widths)),
@@ -31,8 +36,7 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
             s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
         new HouseMeasure("long-pages", "pages of the manual of more than {0} words", false,
             s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
-        new HouseMeasure("not-words", "words in names and comments of Runtime and Editor that the glossary says not to use",
-            false, NotWords),
+        new HouseMeasure("not-words", "words in names of Runtime and Editor that the glossary says not to use", false, NotWords),
     };
 
     private static Finding Of(SourceFile file, Counted member, string unit) =>
@@ -40,7 +44,8 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
 
     // A partial type is one type in several files.
     private static IEnumerable<Finding> PublicTypes(HouseSources sources) => sources.Product
-        .SelectMany(f => sources.ShapeOf(f).PublicTypes, (f, name) => new Finding(f.Path, 1, name)).DistinctBy(f => f.What);
+        .SelectMany(f => sources.ShapeOf(f).Types.Where(t => t.IsPublic), (f, t) => new Finding(f.Path, 1, t.Name))
+        .DistinctBy(f => f.What);
 
     private static IEnumerable<Finding> Widths(SourceFile file)
     {
@@ -62,11 +67,10 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
             yield break;
         foreach (SourceFile file in sources.Product)
         {
-            CSharpShape shape = sources.ShapeOf(file);
-            foreach (Written text in shape.Names.Concat(shape.Comments))
+            foreach (Written name in sources.ShapeOf(file).Names)
             {
-                foreach (string word in sources.Glossary.FindIn(text.Text))
-                    yield return new Finding(file.Path, 1, $"'{word}' in line {text.Line}: {text.Text.Trim()}");
+                foreach (string word in sources.Glossary.FindIn(name.Text))
+                    yield return new Finding(file.Path, 1, $"'{word}' in line {name.Line}: {name.Text}");
             }
         }
     }

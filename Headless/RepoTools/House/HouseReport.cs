@@ -6,15 +6,19 @@ public sealed class HouseReport
     private const int FindingsShown = 20;
 
     private readonly HouseTable m_table;
+    private readonly Ceilings m_ceilings;
     private readonly List<HouseFigure> m_figures = new List<HouseFigure>();
     private readonly List<string> m_problems = new List<string>();
     private readonly bool m_hasGlossary;
 
-    public HouseReport(HouseSources sources, HouseTable table)
+    public HouseReport(HouseSources sources, HouseTable table, Ceilings ceilings)
     {
         m_table = table;
+        m_ceilings = ceilings;
         m_hasGlossary = sources.HasGlossary;
         m_problems.AddRange(table.Problems(HouseMeasure.All.Select(m => m.Name).ToList()));
+        if (ceilings.Problem != null)
+            m_problems.Add(ceilings.Problem);
         foreach (HouseMeasure measure in HouseMeasure.All)
             Add(measure, measure.Find(sources));
     }
@@ -43,8 +47,9 @@ public sealed class HouseReport
             HouseRow row = m_table.Of(figure.Measure.Name);
             string what = string.Format(CultureInfo.InvariantCulture, figure.Measure.What, row.Each);
             text.Append(CultureInfo.InvariantCulture,
-                $"{figure.Measure.Name,-14}{figure.Value,9:N0}{row.Limit,9:N0}{row.Goal,9:N0}  {what}\n");
+                $"{figure.Measure.Name,-14}{figure.Value,9:N0}{LimitOf(row),9:N0}{row.Goal,9:N0}  {what}\n");
         }
+        text.Append(CultureInfo.InvariantCulture, $"Ceilings are those of part {m_table.Part} in {m_ceilings.Source}.\n");
         if (!m_hasGlossary)
             text.Append(CultureInfo.InvariantCulture, $"There is no {Glossary.Path} yet, so no words were looked for.\n");
         return text.ToString();
@@ -69,9 +74,13 @@ public sealed class HouseReport
 
         var figure = new HouseFigure(measure, measure.IsSum ? counted.Sum(f => f.Amount) : counted.Count, counted);
         m_figures.Add(figure);
-        if (figure.Value > row.Limit)
-            Refuse(figure, row.Limit.Value);
+        if (LimitOf(row) is long limit && figure.Value > limit)
+            Refuse(figure, limit);
     }
+
+    /// <summary>That of the table, or the ceiling that is below it.</summary>
+    private long? LimitOf(HouseRow row) =>
+        m_ceilings.Of(row.Measure, m_table.Part) is long ceiling && ceiling < row.Limit ? ceiling : row.Limit;
 
     private void Refuse(HouseFigure figure, long limit)
     {

@@ -18,6 +18,10 @@ public sealed class HouseSources
         m_shapes = CSharp.AsParallel().Select(f => (f, CSharpShape.Of(f))).ToDictionary(p => p.f, p => p.Item2, ByReference);
     }
 
+    public static HouseSources Of(Repository repository) => new HouseSources(repository.Files()
+        .Where(SourceFile.IsWanted).AsParallel()
+        .Select(f => new SourceFile(f, File.ReadAllText(Path.Combine(repository.Root, f)))));
+
     public IReadOnlyList<SourceFile> Code { get; }
     public IReadOnlyList<SourceFile> CSharp { get; }
     public IReadOnlyList<SourceFile> Product { get; }
@@ -27,6 +31,10 @@ public sealed class HouseSources
 
     // A record would hash its whole text.
     private static IEqualityComparer<SourceFile> ByReference => ReferenceEqualityComparer.Instance;
+
+    /// <summary>The product's, by the full name of a type that lies in no other; a partial type has several.</summary>
+    public ILookup<string, SourceFile> FilesOfTypes() =>
+        Product.SelectMany(f => ShapeOf(f).Types, (f, t) => (t.Name, f)).ToLookup(p => p.Name, p => p.f);
 
     public CSharpShape ShapeOf(SourceFile file) => m_shapes[file];
 }

@@ -7,6 +7,9 @@ public sealed record SourceFile(string Path, string Text)
 {
     private const string Package = "Packages/com.fastpoints.dots/";
 
+    /// <summary>An assembly that is one room, in several folders.</summary>
+    private const string Entities = "FastPoints.Entities";
+
     private static readonly string[] s_code = { ".cs", ".hlsl", ".shader", ".compute" };
 
     public bool IsCSharp => Path.EndsWith(".cs", StringComparison.Ordinal);
@@ -18,6 +21,22 @@ public sealed record SourceFile(string Path, string Text)
     /// samples.</summary>
     public bool IsProduct => IsCSharp && (Path.StartsWith(Package + "Runtime/", StringComparison.Ordinal) ||
         Path.StartsWith(Package + "Editor/", StringComparison.Ordinal));
+
+    /// <summary>Of the second product, which stands in for Unity outside it.</summary>
+    public bool IsOutside => Path.StartsWith("UnityOutside/", StringComparison.Ordinal);
+
+    /// <summary>The first folder below an assembly's, or the assembly, of a file of the product; empty for an assembly's
+    /// list of friends, which is in no room.</summary>
+    public string Room
+    {
+        get
+        {
+            string[] parts = Path[Package.Length..].Split('/');
+            int assembly = parts[0] == "Editor" ? 0 : 1;
+            bool isWhole = parts.Length == assembly + 2 || parts[assembly] == Entities;
+            return parts[^1] == "AssemblyInfo.cs" ? "" : string.Join('/', parts[assembly..(assembly + (isWhole ? 1 : 2))]);
+        }
+    }
 
     public bool IsManual => Path.StartsWith(Package + "Documentation~/", StringComparison.Ordinal) &&
         Path.EndsWith(".md", StringComparison.Ordinal);

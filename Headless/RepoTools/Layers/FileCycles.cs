@@ -58,7 +58,8 @@ public static class FileCycles
 
     private static string RoomOf(string file) => file[..(file.IndexOf('/') + 1)];
 
-    private static HashSet<string> Reach(string from, Dictionary<string, Dictionary<string, string>> named)
+    /// <summary>What a name leads to over the edges of a graph.</summary>
+    internal static HashSet<string> Reach(string from, Dictionary<string, Dictionary<string, string>> named)
     {
         var reached = new HashSet<string>();
         var open = new Stack<string>(new[] { from });
