@@ -39,7 +39,7 @@ namespace FastPoints.Picture
             m_sizeOfTile = new NativeArray<float>(PointSizing.TilesAlong(widthPx) * PointSizing.TilesAlong(heightPx), allocator);
             m_typicalSizePx = new NativeReference<float>(allocator);
             UseSize(PointSizing.MinPx);
-            m_palettes = Picture.Palettes.CreateAll(allocator);
+            m_palettes = Drawing.Palettes.CreateAll(allocator);
             Clear();
         }
 

@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Octrees
             Assert.That(stream.TryTakeFailure(out _), Is.False);
         }
 
-        static FastPoints.Picture.Camera Camera(double3 middle) => FastPoints.Drawing.Camera.Perspective(
+        static FastPoints.Picture.Camera Camera(double3 middle) => FastPoints.Picture.Camera.Perspective(
             middle + new double3(0, -2000, 1500), middle, new double3(0, 0, 1), 60);
 
         [Test]
