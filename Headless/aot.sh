@@ -50,7 +50,7 @@ fi
 none_in_the_package() { ! grep -E '/Packages/[^:]*/(Runtime|Editor|Samples~)/.*(warning|error) IL[0-9]+' "$scratch/publish.log"; }
 check "warnings of the compiler" none_in_the_package
 echo "what the compiler says of stand-ins, command line and benchmarks, which no player has:"
-grep -oE '(Headless|Packages)/[^ ]*\([0-9,]+\): [A-Za-z]+ analysis warning IL[0-9]+' "$scratch/publish.log" | sort -u | sed 's/^/  /'
+grep -oE '(Headless|UnityOutside|Packages)/[^ ]*\([0-9,]+\): [A-Za-z]+ analysis warning IL[0-9]+' "$scratch/publish.log" | sort -u | sed 's/^/  /'
 
 both() { # folder of what comes out is $out, name of the build is $build
   local build

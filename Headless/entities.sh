@@ -42,8 +42,8 @@ stop() { # what broke off, log
 {
   build Headless/HostTests/HostTests.csproj -restore &&
     build Headless/Package/FastPoints.Tests/FastPoints.Tests.csproj -restore -p:TargetFramework=net10.0 &&
-    build Headless/RealEntities/Unity.Entities.CodeGen/Unity.Entities.CodeGen.csproj -restore &&
-    build Headless/StandIns/Unity.Entities/Unity.Entities.csproj --no-restore -p:TargetFramework=net10.0 -p:BuildProjectReferences=false -p:ByReflection=true
+    build UnityOutside/RealEntities/Unity.Entities.CodeGen/Unity.Entities.CodeGen.csproj -restore &&
+    build UnityOutside/StandIns/Unity.Entities/Unity.Entities.csproj --no-restore -p:TargetFramework=net10.0 -p:BuildProjectReferences=false -p:ByReflection=true
 } >"$results/build.log" 2>&1 </dev/null || stop "build on Unity's own Entities" "$results/build.log"
 echo "-- build: $SECONDS s"
 

@@ -6,11 +6,12 @@ namespace FastPoints.RepoTools;
 public sealed class Repository(string root)
 {
     /// <summary>Unity's generations that the package is built for, oldest first.</summary>
-    public static readonly string[] Generations = { "6000.0", "6000.3", "6000.5" };
+    public static readonly string[] Generations = UnityApi.Generations;
 
     public string Root { get; } = Path.GetFullPath(root);
     public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
     public string Headless => Path.Combine(Root, "Headless");
+    public string StandIns => Path.Combine(Root, "UnityOutside", "StandIns");
     public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
     public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
 

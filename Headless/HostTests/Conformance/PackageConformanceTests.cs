@@ -1,3 +1,5 @@
+using FastPoints.RepoTools.Layers;
+
 namespace FastPoints.HostTests.Conformance;
 
 /// <summary>The package as each generation of Unity compiles it, against what that generation has.</summary>
@@ -30,9 +32,9 @@ public sealed class PackageConformanceTests(string generation)
 
     private List<string> Problems(UnityApi api)
     {
-        AssemblyTable assemblies = AssemblyTable.Load(Checkout.Repository.PackageRoot);
+        AssemblyTable assemblies = SampleAssemblies.LoadAll(Checkout.Repository.PackageRoot);
         using GenerationBuilds builds = Checkout.Builds(m_generation);
-        var conformance = new RepoTools.Api.Conformance(api, m_generation, assemblies);
+        var conformance = new UnityOutside.Api.Conformance(api, m_generation, assemblies);
         return builds.Package.SelectMany(conformance.Check).ToList();
     }
 

@@ -1,5 +1,5 @@
-using FastPoints.HostTests.StandIns.Graphics;
 using NUnit.Framework.Constraints;
+using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using FastPoints.Cli.Draw;
 using FastPoints.HostTests.Editor;
-using FastPoints.HostTests.StandIns.Graphics;
+using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 

@@ -1,5 +1,5 @@
 using FastPoints.Cli.Draw;
-using FastPoints.HostTests.StandIns.Graphics;
+using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 

@@ -1,7 +1,7 @@
 using FastPoints.Cli.Draw;
 using FastPoints.HostTests.Editor;
-using FastPoints.HostTests.StandIns.Graphics;
 using FastPoints.Rendering.BuiltIn;
+using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 

@@ -1,4 +1,4 @@
-using FastPoints.RepoTools.Hpc;
+using UnityOutside.Hpc;
 
 namespace FastPoints.HostTests.Hpc;
 

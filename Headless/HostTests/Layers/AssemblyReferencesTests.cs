@@ -74,7 +74,7 @@ public sealed class AssemblyReferencesTests
     public void Samples_PlantedSource_IsReported(string text, string reported) =>
         Assert.That(SampleAssemblies.CheckSource("A.cs", text, "First"), Has.Some.Contains(reported));
 
-    private static AssemblyTable Table() => AssemblyTable.Load(Checkout.Repository.PackageRoot);
+    private static AssemblyTable Table() => SampleAssemblies.LoadAll(Checkout.Repository.PackageRoot);
 
     private static string ProjectOf(Asmdef asmdef) =>
         Path.Combine(Checkout.Repository.Headless, "Package", asmdef.Name, asmdef.Name + ".csproj");

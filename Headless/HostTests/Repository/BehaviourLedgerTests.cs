@@ -46,5 +46,5 @@ public sealed class BehaviourLedgerTests
         Assert.That(BehaviourLedger.Parse(Header + Open + Held).Text(), Is.EqualTo(Header + Held + Open));
 
     private static List<string> Problems(string rows) => BehaviourLedger.Parse(Header + rows)
-        .Problems(Checkout.Repository.Headless + "/StandIns", s_tests, new HashSet<string> { "13" }).ToList();
+        .Problems(new[] { Checkout.Repository.StandIns }, s_tests, new HashSet<string> { "13" }).ToList();
 }

@@ -1,13 +1,13 @@
 using System.Runtime.CompilerServices;
 using FastPoints.Cli.Draw;
 using FastPoints.HostTests.Editor;
-using FastPoints.HostTests.StandIns.Graphics;
 using FastPoints.Rendering.BuiltIn;
 using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RunTimeLoading;
 using UnityEditor.Build;
 using UnityEditor.SceneManagement;
+using UnityOutside.Tests.StandIns.Graphics;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Samples;

@@ -11,7 +11,8 @@ public sealed class PackageThreadsTests(string generation)
     {
         using GenerationBuilds builds = Checkout.Builds(m_generation);
         IEnumerable<ModuleDefinition> modules = builds.Package.Where(m => !m.Assembly.Name.Name.Contains("Tests"));
-        var verifier = new ThreadVerifier(modules, ThreadTable.Load(Checkout.Repository.UsedThreads), m_generation);
+        var verifier = new ThreadVerifier(modules, ThreadTable.Load(Checkout.Repository.UsedThreads), m_generation,
+            ThreadCommand.NestedWork);
 
         Assert.That(verifier.Verify(_ => true), Is.Empty);
         Assert.That(verifier.Roots, Has.Some.StartsWith("Task.Run ").And.Some.StartsWith("Thread.ctor ")

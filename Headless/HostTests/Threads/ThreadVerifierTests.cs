@@ -1,4 +1,4 @@
-using FastPoints.HostTests.Hpc;
+using UnityOutside.Tests.Hpc;
 
 namespace FastPoints.HostTests.Threads;
 
@@ -14,7 +14,8 @@ public sealed class ThreadVerifierTests
         var resolver = new DefaultAssemblyResolver();
         resolver.AddSearchDirectory(Path.GetDirectoryName(file));
         m_module = ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
-        m_verifier = new ThreadVerifier(new[] { m_module }, ThreadTable.Load(Checkout.Repository.UsedThreads), "6000.0");
+        m_verifier = new ThreadVerifier(new[] { m_module }, ThreadTable.Load(Checkout.Repository.UsedThreads), "6000.0",
+            ThreadCommand.NestedWork);
     }
 
     [OneTimeTearDown]

@@ -1,3 +1,5 @@
+using FastPoints.RepoTools.Layers;
+
 namespace FastPoints.RepoTools.Api;
 
 /// <summary>Writes Headless/Api/used.tsv: the lines of the full list that a conformance check of all generations touches. They
@@ -16,7 +18,7 @@ public static class ApiCommand
         UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi) : UnityApi.LoadUsed(repository.UsedApi);
         List<string> problems = Check(repository, api);
         if (check)
-            problems.AddRange(StandInUse.Check(repository));
+            problems.AddRange(UnusedStandIns.Check(repository));
         if (!check)
         {
             string text = Compose(api.Touched);
@@ -41,7 +43,7 @@ public static class ApiCommand
     /// <summary>All generations' builds against one list.</summary>
     public static List<string> Check(Repository repository, UnityApi api)
     {
-        AssemblyTable assemblies = AssemblyTable.Load(repository.PackageRoot);
+        AssemblyTable assemblies = SampleAssemblies.LoadAll(repository.PackageRoot);
         var problems = new List<string>();
         foreach (string generation in Repository.Generations)
         {

@@ -33,7 +33,7 @@ public sealed class GenerationBuilds : IDisposable
         foreach (string folder in NetStandardFolders())
             m_resolver.AddSearchDirectory(folder);
         Package = files.Select(Read).ToList();
-        StandIns = Directory.GetDirectories(Path.Combine(repository.Headless, "StandIns")).Select(Path.GetFileName)
+        StandIns = Directory.GetDirectories(repository.StandIns).Select(Path.GetFileName)
             .Select(name => Path.Combine(repository.BuildOf(name!, generation), name + ".dll"))
             .Where(File.Exists).Select(Read).ToList();
     }

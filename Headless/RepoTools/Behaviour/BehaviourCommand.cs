@@ -21,7 +21,8 @@ public static class BehaviourCommand
 
         BehaviourLedger ledger = BehaviourLedger.Parse(text);
         HashSet<string> steps = s_step.Matches(manual[..heading]).Select(m => m.Groups[1].Value).ToHashSet();
-        List<string> problems = ledger.Problems(repository.Headless, Tests(repository), steps).ToList();
+        string[] folders = { repository.StandIns, Path.Combine(repository.Root, "UnityOutside"), repository.Headless };
+        List<string> problems = ledger.Problems(folders, Tests(repository), steps).ToList();
         string made = s_table.Replace(manual, ledger.UnverifiedTable().Replace("$", "$$"), 1, heading);
         if (check && (made != manual || ledger.Text() != text))
             problems.Add("behaviour.tsv is not in order, or try-in-unity.md is not made from it (RepoTools "
@@ -35,7 +36,8 @@ public static class BehaviourCommand
     }
 
     private static ILookup<string, string> Tests(Repository repository) =>
-        new[] { Path.Combine(repository.Headless, "HostTests"), Path.Combine(repository.PackageRoot, "Tests") }
+        new[] { "Headless/HostTests", "UnityOutside/Tests", "Packages/com.fastpoints.dots/Tests" }
+            .Select(folder => Path.Combine(repository.Root, folder))
             .SelectMany(folder => Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories))
             .ToLookup(f => Path.GetFileNameWithoutExtension(f), File.ReadAllText);
 }

@@ -45,15 +45,16 @@ public sealed class BehaviourLedger
     public string Text() => string.Join("\n", m_rows.Select(r => string.Join("\t", r)).Prepend(Header)) + "\n";
 
     /// <summary>What is wrong with rows, a line each.</summary>
-    /// <param name="headless">The folder that files are named from, beside StandIns.</param>
+    /// <param name="folders">That files are named from.</param>
     /// <param name="tests">The text of each test's source, by file name without extension.</param>
     /// <param name="steps">Numbers of the manual's steps.</param>
-    public IEnumerable<string> Problems(string headless, ILookup<string, string> tests, IReadOnlySet<string> steps)
+    public IEnumerable<string> Problems(IReadOnlyCollection<string> folders, ILookup<string, string> tests,
+        IReadOnlySet<string> steps)
     {
         foreach (IGrouping<string, string[]> twice in m_rows.GroupBy(r => r[0]).Where(g => g.Count() > 1))
             yield return $"{twice.Key}: {twice.Count()} rows";
         foreach (string[] row in m_rows)
-            foreach (string problem in ProblemsOf(row, headless, tests, steps))
+            foreach (string problem in ProblemsOf(row, folders, tests, steps))
                 yield return $"{row[0]}: {problem}";
     }
 
@@ -69,8 +70,8 @@ public sealed class BehaviourLedger
     private static int FirstStep(string steps) =>
         int.TryParse(steps.Split(',')[0], NumberStyles.None, CultureInfo.InvariantCulture, out int step) ? step : 0;
 
-    private static IEnumerable<string> ProblemsOf(string[] row, string headless, ILookup<string, string> tests,
-        IReadOnlySet<string> steps)
+    private static IEnumerable<string> ProblemsOf(string[] row, IReadOnlyCollection<string> folders,
+        ILookup<string, string> tests, IReadOnlySet<string> steps)
     {
         if (!s_key.IsMatch(row[0]))
             yield return "the key is not of two or more small words joined by '-'";
@@ -80,9 +81,8 @@ public sealed class BehaviourLedger
             yield return $"sure is '{row[3]}', not one of {string.Join(", ", s_sureties)}";
         if (row[3] == "source" && s_olderBurst.IsMatch(row[2]) && !row[2].Contains("1.8", StringComparison.Ordinal))
             yield return "sources of a Burst before 1.8 are sure as 'older'";
-        if (row[4] != "-" && !File.Exists(Path.Combine(headless, "StandIns", row[4])) &&
-            !File.Exists(Path.Combine(headless, row[4])))
-            yield return $"there is no {row[4]} in Headless or in StandIns";
+        if (row[4] != "-" && !folders.Any(f => File.Exists(Path.Combine(f, row[4]))))
+            yield return $"there is no {row[4]} in {string.Join(", ", folders.Select(Path.GetFileName))}";
         if (row[5] == Unverified)
         {
             string[] named = row[6].Split(new[] { ',', ' ' }, StringSplitOptions.RemoveEmptyEntries);

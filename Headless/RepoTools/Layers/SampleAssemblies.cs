@@ -20,6 +20,14 @@ public static class SampleAssemblies
             : new List<Asmdef>();
     }
 
+    /// <summary>The package's assemblies, with those of the samples joined.</summary>
+    public static AssemblyTable LoadAll(string packageRoot)
+    {
+        string samples = Path.Combine(packageRoot, Folder) + Path.DirectorySeparatorChar;
+        return new AssemblyTable(Directory.EnumerateFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories)
+            .Where(f => !f.StartsWith(samples, StringComparison.Ordinal)).Select(Asmdef.Load).Concat(Join(Load(packageRoot))));
+    }
+
     /// <summary>One assembly of all samples' scripts, and one of their editor's: what each of them refers to.</summary>
     public static IEnumerable<Asmdef> Join(IReadOnlyList<Asmdef> samples)
     {

@@ -4,6 +4,10 @@ namespace FastPoints.RepoTools.Threads;
 /// stand-ins show. A line whose reason was written by hand stays as it is, also where the table has another.</summary>
 public static class ThreadCommand
 {
+    /// <summary>The package's pump.</summary>
+    public static readonly NestedWork NestedWork =
+        new NestedWork("FastPoints.Core.Work", "FastPoints.Core.WorkSteps", "FastPoints.Core.WorkPump");
+
     public static ToolResult Run(Repository repository, bool check)
     {
         string full = Path.Combine(repository.FullApi, ThreadTable.FullName);

@@ -1,0 +1,35 @@
+using System.Diagnostics;
+using UnityOutside.Tests.StandIns.Graphics;
+
+namespace FastPoints.HostTests.Gpu;
+
+/// <summary>The command line in a process of its own, with Vulkan's loader telling that it is there.</summary>
+public sealed class LazyDeviceTests : GraphicsFixture
+{
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Picture_LoadsVulkanOnlyToDrawWithIt(bool isForCard)
+    {
+        using var folder = new ScratchFolder();
+        string said = Picture(folder.Demo(), folder["picture.png"], isForCard);
+        Assert.That(File.Exists(folder["picture.png"]), said);
+        Assert.That(said.Contains("Vulkan Loader", StringComparison.Ordinal), Is.EqualTo(isForCard), said);
+    }
+
+    private static string Picture(string cloud, string picture, bool isForCard)
+    {
+        var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"))
+        {
+            RedirectStandardError = true,
+        };
+        start.Environment["VK_LOADER_DEBUG"] = "info";
+        foreach (string argument in new[] { "picture", cloud, "-o", picture, "--quiet" })
+            start.ArgumentList.Add(argument);
+        if (isForCard)
+            start.ArgumentList.Add("--gpu");
+        using Process process = Process.Start(start);
+        string said = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        return said;
+    }
+}

@@ -1,0 +1,162 @@
+using UnityOutside.Graphics;
+
+namespace StandIns.Graphics;
+
+/// <summary>What the host asks of the device, in order: one recording is open at a time, a submission is a number, and what is no
+/// longer wanted goes when the submissions that may use it have passed.</summary>
+sealed unsafe class GpuQueue
+{
+    const int MaxInFlight = 32;
+
+    readonly GpuDevice m_device;
+    readonly IntPtr m_queue;
+    readonly uint m_family;
+    readonly ulong m_timeline;
+    readonly Queue<GpuRecording> m_inFlight = new Queue<GpuRecording>();
+    readonly Stack<GpuRecording> m_idle = new Stack<GpuRecording>();
+    readonly Queue<(ulong Use, object Resource)> m_retired = new Queue<(ulong, object)>();
+    GpuRecording m_open;
+    ulong m_submitted;
+    ulong m_done;
+
+    internal GpuQueue(GpuDevice device, IntPtr queue, uint family)
+    {
+        m_device = device;
+        m_queue = queue;
+        m_family = family;
+        var type = new VkSemaphoreTypeCreateInfo
+        {
+            sType = VkStructureType.SemaphoreTypeCreateInfo,
+            semaphoreType = VkSemaphoreType.Timeline,
+        };
+        var create = new VkSemaphoreCreateInfo { sType = VkStructureType.SemaphoreCreateInfo, pNext = &type };
+        ulong timeline;
+        Vk.Check(Vk.vkCreateSemaphore(device.Handle, &create, null, &timeline), "vkCreateSemaphore");
+        m_timeline = timeline;
+    }
+
+    /// <summary>What the host has learnt to be done: by waiting, or by asking a fence.</summary>
+    internal ulong Known { get; private set; }
+
+    /// <summary>What was submitted after this one is not done, whatever the device says: for cards that are frames
+    /// behind.</summary>
+    internal ulong NotBeyond { get; set; } = HeadlessGraphics.FramesBehind == 0 ? ulong.MaxValue : 0;
+
+    /// <summary>The number that what is recorded now will have.</summary>
+    internal ulong Next => m_submitted + 1;
+
+    /// <summary>The open recording; opened if there is none.</summary>
+    internal GpuRecording Open()
+    {
+        if (m_open != null)
+            return m_open;
+        if (m_inFlight.Count >= MaxInFlight)
+            WaitFor(m_inFlight.Peek().Number);
+        m_open = m_idle.Count > 0 ? m_idle.Pop() : new GpuRecording(m_device, m_family);
+        m_open.Begin(Next);
+        return m_open;
+    }
+
+    /// <summary>Submits what is recorded; gives the number of the last submission.</summary>
+    internal ulong Flush()
+    {
+        if (m_open == null)
+            return m_submitted;
+        GpuRecording recording = m_open;
+        m_open = null;
+        recording.End();
+        var commands = new VkCommandBufferSubmitInfo
+        {
+            sType = VkStructureType.CommandBufferSubmitInfo,
+            commandBuffer = recording.Commands,
+        };
+        var signal = new VkSemaphoreSubmitInfo
+        {
+            sType = VkStructureType.SemaphoreSubmitInfo,
+            semaphore = m_timeline,
+            value = recording.Number,
+            stageMask = VkPipelineStageFlags2.AllCommands,
+        };
+        var submit = new VkSubmitInfo2
+        {
+            sType = VkStructureType.SubmitInfo2,
+            commandBufferInfoCount = 1,
+            pCommandBufferInfos = &commands,
+            signalSemaphoreInfoCount = 1,
+            pSignalSemaphoreInfos = &signal,
+        };
+        Vk.Check(Vk.vkQueueSubmit2(m_queue, 1, &submit, 0), "vkQueueSubmit2");
+        m_submitted = recording.Number;
+        m_inFlight.Enqueue(recording);
+        return m_submitted;
+    }
+
+    /// <summary>Whether a submission is done; what is not yet submitted is not.</summary>
+    internal bool HasPassed(ulong number)
+    {
+        if (number > Known && number <= NotBeyond)
+        {
+            ulong value;
+            Vk.Check(Vk.vkGetSemaphoreCounterValue(m_device.Handle, m_timeline, &value), "vkGetSemaphoreCounterValue");
+            SetDone(value);
+            Known = Math.Max(Known, Math.Min(value, number));
+        }
+        return number <= Known;
+    }
+
+    /// <summary>Waits for a submission, and submits it before if need be.</summary>
+    internal void Await(ulong number)
+    {
+        if (number > m_submitted)
+            Flush();
+        number = Math.Min(number, m_submitted);
+        if (number <= Known)
+            return;
+        WaitFor(number);
+        Known = number;
+    }
+
+    /// <summary>So that a recording is free again: the host learns nothing.</summary>
+    void WaitFor(ulong number)
+    {
+        ulong timeline = m_timeline;
+        var wait = new VkSemaphoreWaitInfo
+        {
+            sType = VkStructureType.SemaphoreWaitInfo,
+            semaphoreCount = 1,
+            pSemaphores = &timeline,
+            pValues = &number,
+        };
+        Vk.Check(Vk.vkWaitSemaphores(m_device.Handle, &wait, ulong.MaxValue), "vkWaitSemaphores");
+        SetDone(number);
+    }
+
+    /// <summary>Lets a <see cref="GpuBuffer"/> or <see cref="GpuImage"/> go when nothing in flight may use it.</summary>
+    internal void Retire(object resource)
+    {
+        m_retired.Enqueue((m_open != null ? Next : m_submitted, resource));
+        Collect();
+    }
+
+    void SetDone(ulong number)
+    {
+        m_done = Math.Max(m_done, number);
+        while (m_inFlight.Count > 0 && m_inFlight.Peek().Number <= m_done)
+            m_idle.Push(m_inFlight.Dequeue());
+        Collect();
+    }
+
+    void Collect()
+    {
+        while (m_retired.Count > 0 && m_retired.Peek().Use <= m_done)
+            Destroy(m_retired.Dequeue().Resource);
+    }
+
+    void Destroy(object resource)
+    {
+        if (resource is GpuBuffer buffer)
+            buffer.Destroy(m_device);
+        else
+            ((GpuImage)resource).Destroy(m_device);
+    }
+}

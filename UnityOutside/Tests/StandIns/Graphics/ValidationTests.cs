@@ -1,0 +1,26 @@
+using StandIns.Vulkan;
+
+namespace UnityOutside.Tests.StandIns.Graphics;
+
+public sealed unsafe class ValidationTests : GraphicsFixture
+{
+    /// <summary>A planted fault: what the other tests lean on is that the layer would have told.</summary>
+    [Test]
+    public void Validation_ABufferOfNoBytes_IsReported()
+    {
+        if (!HeadlessGraphics.Validate)
+            Assert.Ignore("The validation layer is not installed (Debian, Ubuntu: apt-get install vulkan-validationlayers)");
+        var create = new VkBufferCreateInfo
+        {
+            sType = VkStructureType.BufferCreateInfo,
+            usage = VkBufferUsageFlags.TransferSrc,
+        };
+        ulong handle;
+        Vk.vkCreateBuffer(GpuDevice.Current.Handle, &create, null, &handle);
+        Assert.That(HeadlessGraphics.TakeValidationMessages(), Has.Some.Contains("VUID-VkBufferCreateInfo-size-00912"));
+    }
+
+    [Test]
+    public void Check_AnError_NamesTheCall() => Assert.That(() => Vk.Check(VkResult.ErrorDeviceLost, "vkQueueSubmit2"),
+        Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("vkQueueSubmit2: Vulkan says ErrorDeviceLost"));
+}

@@ -1,0 +1,15 @@
+namespace UnityOutside.Hpc;
+
+/// <summary>Where an instruction stands, for messages: file and line, or its offset where there are no symbols.</summary>
+internal static class CodePlace
+{
+    internal static string Of(MethodDefinition method, Instruction at)
+    {
+        for (Instruction? back = at; back != null; back = back.Previous)
+        {
+            if (method.DebugInformation.GetSequencePoint(back) is { IsHidden: false } point)
+                return $"{Path.GetFileName(point.Document.Url)}:{point.StartLine}";
+        }
+        return $"IL_{at.Offset:x4}";
+    }
+}

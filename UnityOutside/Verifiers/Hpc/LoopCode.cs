@@ -1,0 +1,34 @@
+namespace UnityOutside.Hpc;
+
+/// <summary>Which instructions run again and again within one call of their method.</summary>
+internal static class LoopCode
+{
+    /// <summary>Whether a way leads from an instruction back to itself.</summary>
+    internal static bool Has(Instruction instruction)
+    {
+        var seen = new HashSet<Instruction>();
+        var next = new Stack<Instruction>(After(instruction));
+        while (next.TryPop(out Instruction? at))
+        {
+            if (at == instruction)
+                return true;
+            if (!seen.Add(at))
+                continue;
+            foreach (Instruction after in After(at))
+                next.Push(after);
+        }
+        return false;
+    }
+
+    private static IEnumerable<Instruction> After(Instruction instruction)
+    {
+        IEnumerable<Instruction> targets = instruction.Operand switch
+        {
+            Instruction target => new[] { target },
+            Instruction[] many => many,
+            _ => Enumerable.Empty<Instruction>(),
+        };
+        bool goesOn = instruction.OpCode.FlowControl is not (FlowControl.Branch or FlowControl.Return or FlowControl.Throw);
+        return goesOn && instruction.Next != null ? targets.Append(instruction.Next) : targets;
+    }
+}

@@ -1,0 +1,43 @@
+namespace UnityOutside.Threads;
+
+/// <summary>One line of the table of threads: on which threads a member of Unity may be called (main, any, unknown), why, and
+/// what differs in later generations. The full table's README says what each column holds.</summary>
+public sealed record ThreadRow(string Id, string Threads, string Why, string Varied)
+{
+    public const string Header = "#id\tthreads\twhy\tvaried";
+
+    // The full table has lines by hand of its own, without the blank.
+    private const string HandMark = "hand: ";
+
+    /// <summary>Whether it was looked up for this repository: its reason says in what source.</summary>
+    public bool IsByHand => Why.StartsWith(HandMark, StringComparison.Ordinal);
+
+    /// <summary>Whether it belongs on the main thread though the sources show no check: jobs' scheduling.</summary>
+    public bool IsAskedForMain => Why.Contains("the manual asks for the main thread", StringComparison.Ordinal);
+
+    public static ThreadRow Parse(string line)
+    {
+        string[] c = line.Split('\t');
+        string At(int i) => i < c.Length ? c[i] : "";
+        return new ThreadRow(c[0], At(1), At(2), At(3));
+    }
+
+    /// <summary>The line without its trailing empty columns.</summary>
+    public string Compose() => string.Join('\t', Id, Threads, Why, Varied).TrimEnd('\t');
+
+    /// <summary>On which threads that generation lets it be called.</summary>
+    /// <param name="accessor">get, set, add or remove, where the member is a property or an event; the row is its
+    /// strictest's.</param>
+    public string In(string generation, string accessor)
+    {
+        string threads = Threads;
+        foreach (string[] change in Varied.Split(',').Select(v => v.Split('@')).Where(v => v.Length == 2))
+        {
+            if (string.CompareOrdinal(change[1], generation) <= 0)
+                threads = change[0];
+        }
+        string other = "; " + accessor + ":";
+        int at = Why.LastIndexOf(other, StringComparison.Ordinal);
+        return threads == Threads && at >= 0 ? Why[(at + other.Length)..] : threads;
+    }
+}
