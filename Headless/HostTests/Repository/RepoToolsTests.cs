@@ -46,6 +46,9 @@ public sealed class RepoToolsTests
         }
     }
 
+    [Test]
+    public void UnusedStandIns_OfThisRepository_AreNone() => Assert.That(UnusedStandIns.Check(Checkout.Repository), Is.Empty);
+
     internal static int Run(string[] arguments, out string said)
     {
         TextWriter output = Console.Out;

@@ -54,11 +54,6 @@ public static class ApiCommand
         return problems;
     }
 
-    private static string Compose(IEnumerable<ApiRow> rows)
-    {
-        var text = new StringBuilder(ApiRow.Header).Append('\n');
-        foreach (ApiRow row in rows)
-            text.Append(row.Compose()).Append('\n');
-        return text.ToString();
-    }
+    private static string Compose(IEnumerable<ApiRow> rows) =>
+        string.Concat(rows.Select(r => r.Compose()).Prepend(ApiRow.Header).Select(line => line + "\n"));
 }

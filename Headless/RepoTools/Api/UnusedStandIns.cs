@@ -4,8 +4,8 @@ namespace FastPoints.RepoTools.Api;
 /// every generation.</summary>
 public static class UnusedStandIns
 {
-    /// <summary>Stand-ins that are not held to it.</summary>
-    private static readonly string[] s_notYet = { "Unity.Collections" };
+    /// <summary>It is not held to it.</summary>
+    private const string NotYet = "Unity.Collections";
 
     private static readonly string[] s_tests =
     {
@@ -16,26 +16,17 @@ public static class UnusedStandIns
     public static IEnumerable<string> Check(Repository repository)
     {
         string bin = Path.Combine(repository.Headless, "artifacts", "bin");
-        string host = Path.Combine(bin, "HostTests", "debug");
-        string[] standIns = Directory.GetDirectories(repository.StandIns).Select(f => Path.GetFileName(f)!)
-            .Except(s_notYet).ToArray();
-        return StandInUse.Check(Files(repository, bin, host), standIns, host);
-    }
-
-    /// <summary>Our assemblies in the folders of what is run and of what Unity would compile.</summary>
-    private static List<string> Files(Repository repository, string bin, string host)
-    {
         string[] tests = s_tests.Select(t => Path.Combine(bin, t)).ToArray();
-        foreach (string needed in tests.Where(f => !File.Exists(f)))
-        {
-            throw new ToolException($"{Path.GetRelativePath(repository.Root, needed)} is not there: run " +
-                "dotnet build Headless/Tests.proj");
-        }
+        foreach (string absent in tests.Where(f => !File.Exists(f)))
+            throw new ToolException($"{absent} is not there: run dotnet build Headless/Tests.proj");
         IEnumerable<string> generations = Directory.GetDirectories(bin)
             .SelectMany(project => Repository.Generations
                 .Select(g => Path.Combine(project, "unity-" + g, Path.GetFileName(project) + ".dll")))
             .Where(File.Exists);
-        return Directory.GetFiles(host, "*.dll").Where(IsOurs).Concat(tests).Concat(generations).ToList();
+        string host = Path.GetDirectoryName(tests[0])!;
+        IEnumerable<string> standIns = Directory.GetDirectories(repository.StandIns).Select(f => Path.GetFileName(f)!);
+        return StandInUse.Check(Directory.GetFiles(host, "*.dll").Where(IsOurs).Concat(tests).Concat(generations).ToList(),
+            standIns.Where(name => name != NotYet).ToArray(), host);
     }
 
     private static bool IsOurs(string file)

@@ -80,11 +80,6 @@ public static class ThreadCommand
             yield return $"Headless/Api/threads.tsv is not in order, or has a line twice {Remedy}";
     }
 
-    private static string Compose(IEnumerable<ThreadRow> rows)
-    {
-        var text = new StringBuilder(ThreadRow.Header).Append('\n');
-        foreach (ThreadRow row in rows)
-            text.Append(row.Compose()).Append('\n');
-        return text.ToString();
-    }
+    private static string Compose(IEnumerable<ThreadRow> rows) =>
+        string.Concat(rows.Select(r => r.Compose()).Prepend(ThreadRow.Header).Select(line => line + "\n"));
 }

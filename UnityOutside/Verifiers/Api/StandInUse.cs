@@ -15,7 +15,7 @@ public sealed class StandInUse
     /// <param name="files">Of the stand-ins, in every build, and of all that may name what they show.</param>
     /// <param name="standIns">Names of the stand-ins that are held to it.</param>
     /// <param name="folder">Where assemblies that are not among the files lie.</param>
-    public static IEnumerable<string> Check(IReadOnlyCollection<string> files, IReadOnlyCollection<string> standIns, string folder)
+    public static IEnumerable<string> Check(IReadOnlyList<string> files, IEnumerable<string> standIns, string folder)
     {
         var use = new StandInUse();
         var unnamed = new SortedSet<string>(StringComparer.Ordinal);

@@ -41,13 +41,7 @@ public sealed class UnityApi
     }
 
     /// <summary>The committed list of what is used.</summary>
-    public static UnityApi LoadUsed(string file)
-    {
-        var api = new UnityApi(Path.GetFileName(file));
-        using var lines = new StreamReader(file);
-        api.Add(lines);
-        return api;
-    }
+    public static UnityApi LoadUsed(string file) => Read(Path.GetFileName(file), new StringReader(File.ReadAllText(file)));
 
     public static UnityApi Read(string name, TextReader lines)
     {

@@ -1,7 +1,7 @@
 namespace UnityOutside.Threads;
 
-/// <summary>Work (iterators) that a package's pump keeps on a stack, where the way back to who made it is lost. It is followed from
-/// where it is yielded, run to its end, or put on a stack by who steps it; and not from the stack.</summary>
+/// <summary>Work that a package's pump keeps on a stack, where the way back to who made it is lost. It is followed from where
+/// it is yielded, run to its end, or put on a stack by who steps it; and not from the stack.</summary>
 /// <param name="Step">The type whose method Of makes a step of other work.</param>
 /// <param name="Stack">The type that is made of work, and steps it with MoveNext.</param>
 /// <param name="Pump">The type whose method RunToEnd does all of it.</param>

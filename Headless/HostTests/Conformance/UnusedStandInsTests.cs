@@ -1,8 +1,0 @@
-namespace FastPoints.HostTests.Conformance;
-
-public sealed class UnusedStandInsTests
-{
-    [Test]
-    public void Check_OfThisRepository_FindsNothing() =>
-        Assert.That(UnusedStandIns.Check(Checkout.Repository), Is.Empty);
-}
