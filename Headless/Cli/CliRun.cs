@@ -58,7 +58,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     }
 
     /// <summary>Runs work on this thread until it is done, or cancelled.</summary>
-    public void Pump(IEnumerator<Work> work) => WorkPump.RunToEnd(work, Cancellation);
+    public void RunSteps(IEnumerator<JobStep> work) => JobCoroutine.RunToEnd(work, Cancellation);
 
     /// <summary>One of several clouds: where it is bad input, the others go on, and the run fails in the end.</summary>
     /// <returns>How it failed; null where it did not.</returns>

@@ -11,7 +11,7 @@ static class WindowsRules
 #pragma warning disable CA2255
     [ModuleInitializer]
 #pragma warning restore CA2255
-    internal static void Follow() => FileChanges.Before = Check;
+    internal static void Follow() => FileChanges.Intercept = Check;
 
     /// <summary>For one test.</summary>
     internal static IDisposable On()
@@ -26,7 +26,7 @@ static class WindowsRules
     internal static IDisposable ReadAt(Func<FileChange, string, string, bool> isMeant, Func<string, string, string> file)
     {
         var reader = new Reader();
-        FileChanges.Before = (change, path, to) =>
+        FileChanges.Intercept = (change, path, to) =>
         {
             if (reader.Held == null && isMeant(change, path, to))
                 reader.Held = WindowsFiles.Hold(file(path, to));
@@ -67,7 +67,7 @@ static class WindowsRules
         public void Dispose()
         {
             WindowsFiles.IsOn = isOn;
-            FileChanges.Before = Check;
+            FileChanges.Intercept = Check;
         }
     }
 
@@ -77,7 +77,7 @@ static class WindowsRules
 
         public void Dispose()
         {
-            FileChanges.Before = Check;
+            FileChanges.Intercept = Check;
             Held?.Dispose();
         }
     }

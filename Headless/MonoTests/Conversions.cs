@@ -35,7 +35,7 @@ namespace FastPoints.MonoTests
             foreach (ScanOrder order in (ScanOrder[])Enum.GetValues(typeof(ScanOrder)))
             {
                 string path = Path.Combine(scratch, order + ".las");
-                WorkPump.RunToEnd(LasScan.Run(path, SeededPoints, 1 + (uint)order, order, null));
+                JobCoroutine.RunToEnd(LasScan.Run(path, SeededPoints, 1 + (uint)order, order, null));
                 Console.WriteLine(Name(path) + "\twritten\t" + Hash(File.ReadAllBytes(path)));
                 yield return path;
             }
@@ -66,11 +66,11 @@ namespace FastPoints.MonoTests
             {
                 using (PointReader reader = PointReaders.Open(source))
                 {
-                    WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target,
+                    JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target,
                         new ConvertSettings { Sampler = sampler }, _ => { }, null));
-                    string told = string.Join("\n",
+                    string reported = string.Join("\n",
                         reader.Info.Facts.Select(f => f.ToString()).Concat(reader.Info.Warnings.Select(w => w.Text)));
-                    return Hashes(target) + " told:" + Hash(System.Text.Encoding.UTF8.GetBytes(told));
+                    return Hashes(target) + " told:" + Hash(System.Text.Encoding.UTF8.GetBytes(reported));
                 }
             }
             catch (PointCloudException e)

@@ -146,9 +146,9 @@ public static class Program
         return result.Problems.Count == 0 ? 0 : 1;
     }
 
-    private static int Misused(string why)
+    private static int Misused(string reason)
     {
-        Console.Error.WriteLine(why);
+        Console.Error.WriteLine(reason);
         Console.Error.WriteLine(Usage);
         return 2;
     }

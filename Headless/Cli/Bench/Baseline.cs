@@ -94,7 +94,7 @@ public sealed class Baseline
 /// <param name="time">Null where nothing can be compared.</param>
 /// <param name="limit">The same of times by the limit's; null without one in both runs.</param>
 public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
-    double? error, string verdict)
+    double? error, string result)
 {
     /// <summary>Of the logarithm of the median ratio: less is not held against the machine.</summary>
     const double CommonChange = 0.03;
@@ -104,19 +104,19 @@ public sealed class BaselineRow(string name, IReadOnlyList<double> times, Sample
     public SampleComparison? Time => time;
     public SampleComparison? Limit => limit;
     public double? Error => error;
-    public string Verdict => verdict;
+    public string Verdict => result;
 
     /// <summary>What has only its time to be judged by is not called slower where all are: that may be the machine.</summary>
     /// <param name="all">The median ratio of all workloads.</param>
     public BaselineRow BesideAll(double all)
     {
-        if (time == null || (verdict != Baseline.Slower && verdict != Baseline.Faster))
+        if (time == null || (result != Baseline.Slower && result != Baseline.Faster))
             return this;
         // Between no change and that of all, or with that of all inside what the scatter allows.
         bool isAsAll = time.Low <= all && all <= time.High;
-        bool isLess = verdict == Baseline.Slower ? all > time.High : all < time.Low;
+        bool isLess = result == Baseline.Slower ? all > time.High : all < time.Low;
         string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange ? ", as all are" : isLess ? ", less than all are" : "";
-        return new BaselineRow(name, times, time, limit, error, verdict + beside);
+        return new BaselineRow(name, times, time, limit, error, result + beside);
     }
 
     /// <summary>0.93 (0.90 to 0.97): a ratio and what the scatter allows.</summary>

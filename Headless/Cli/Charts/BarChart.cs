@@ -8,7 +8,7 @@ public static class BarChart
     const int Bins = 56;
 
     /// <summary>Of the values, this share at either end is beyond the axis.</summary>
-    const double StrayShare = 0.002;
+    const double OutlierShare = 0.002;
 
     static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
 
@@ -19,8 +19,8 @@ public static class BarChart
         ChartSvg.Begin(svg, title, Width, Top + PlotHeight + 44, Left);
         if (sorted.Length == 0)
             return svg.Append("</svg>\n").ToString();
-        int strays = (int)(sorted.Length * StrayShare);
-        double low = sorted[strays], high = sorted[sorted.Length - 1 - strays];
+        int outliers = (int)(sorted.Length * OutlierShare);
+        double low = sorted[outliers], high = sorted[sorted.Length - 1 - outliers];
         if (!(high > low))
             (low, high) = (low - 0.5, low + 0.5);
         // Whole numbers get bins of whole numbers: otherwise some hold more of them than others.
@@ -28,15 +28,15 @@ public static class BarChart
         if (sorted.All(v => v == Math.Floor(v)))
             (bin, low) = (Math.Ceiling(Math.Max(bin, 1)), low - 0.5);
         int[] counts = new int[(int)Math.Ceiling((high - low) / bin + 1e-9)];
-        foreach (double value in sorted.AsSpan(strays, sorted.Length - 2 * strays))
+        foreach (double value in sorted.AsSpan(outliers, sorted.Length - 2 * outliers))
             counts[Math.Clamp((int)((value - low) / bin), 0, counts.Length - 1)]++;
         high = low + bin * counts.Length;
         double PlaceOf(double value) => Left + (value - low) / (high - low) * (Width - Left - Right);
         svg.Append("<path class=\"bar\" d=\"");
         for (int i = 0; i < counts.Length; i++)
         {
-            double x = PlaceOf(low + i * bin), width = PlaceOf(low + (i + 1) * bin) - x, most = counts.Max();
-            double y = PlotHeight * counts[i] / most;
+            double x = PlaceOf(low + i * bin), width = PlaceOf(low + (i + 1) * bin) - x, max = counts.Max();
+            double y = PlotHeight * counts[i] / max;
             svg.Append(s_c, $"M{x:0.##} {Top + PlotHeight}v{-y:0.##}h{Math.Max(0.6, width - 0.6):0.##}v{y:0.##}z");
         }
         svg.Append("\"/>\n");
@@ -61,12 +61,12 @@ public static class BarChart
     {
         var svg = new StringBuilder();
         ChartSvg.Begin(svg, title, Width, Top + rows.Count * RowPx + 4, Left);
-        double most = rows.Select(r => r.Amount).DefaultIfEmpty().Max();
+        double max = rows.Select(r => r.Amount).DefaultIfEmpty().Max();
         double text = rows.Select(r => r.Text.Length).DefaultIfEmpty().Max() * ChartSvg.LetterPx;
         double plot = Width - NameWidth - Right - 8 - text;
         for (int i = 0; i < rows.Count; i++)
         {
-            double y = Top + i * RowPx, width = most > 0 ? Math.Max(1, plot * rows[i].Amount / most) : 1;
+            double y = Top + i * RowPx, width = max > 0 ? Math.Max(1, plot * rows[i].Amount / max) : 1;
             string name = rows[i].Name.Length <= 20 ? rows[i].Name : rows[i].Name[..19] + "…";
             ChartSvg.Text(svg, NameWidth - 6, y + 13, "end", name);
             svg.Append(s_c, $"<rect class=\"bar\" x=\"{NameWidth}\" y=\"{y + 2:0.#}\" width=\"{width:0.#}\" height=\"15\"/>\n");

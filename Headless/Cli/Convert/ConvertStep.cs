@@ -16,7 +16,7 @@ public sealed class ConvertStep
         ConvertResult? result = null;
         SliceLengths slices;
         // The work is awaited, not ticked.
-        settings.AheadMs = 0;
+        settings.InFlightMs = 0;
         if (run.IsDiscarding)
             CloudFolderWriter.DeleteUnfinished(target);
         // The build must know that it is stopped, not failed, before it ends.
@@ -30,7 +30,7 @@ public sealed class ConvertStep
         });
         try
         {
-            slices = SliceLengths.Measure(() => WorkPump.RunToEnd(
+            slices = SliceLengths.Measure(() => JobCoroutine.RunToEnd(
                 ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress), stop.Token));
         }
         catch (OperationCanceledException)

@@ -26,7 +26,7 @@ namespace FastPoints.Cli.Convert
         public static List<LevelQuality> Measure(string cloud, CliRun run)
         {
             var verified = new VerifyResult();
-            run.Pump(VerifyCloud.Run(cloud, Array.Empty<PointReader>(), verified, run.Progress));
+            run.RunSteps(VerifyCloud.Run(cloud, Array.Empty<PointReader>(), verified, run.Progress));
             var result = new List<LevelQuality>();
             using var folder = CloudFolder.Open(cloud);
             for (int level = 0; level < verified.Levels.Count; level++)
@@ -83,7 +83,7 @@ namespace FastPoints.Cli.Convert
                 return;
             var schema = LoadNodes.SchemaFor(folder);
             using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-            run.Pump(LoadNodes.Run(folder, selection, batch, null));
+            run.RunSteps(LoadNodes.Run(folder, selection, batch, null));
             var bytes = (byte*)batch.Bytes.GetUnsafeReadOnlyPtr();
             var x = (double*)(bytes + batch.Column(schema.IndexOf(AttributeNames.X)).OffsetBytes);
             var y = (double*)(bytes + batch.Column(schema.IndexOf(AttributeNames.Y)).OffsetBytes);

@@ -33,14 +33,14 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
     List<View> DrawReferences()
     {
         var standard = new DrawCloud(reader, new PictureOptions { View = ViewDirection.Iso });
-        run.Pump(standard.Run(run.Progress));
+        run.RunSteps(standard.Run(run.Progress));
         var close = standard.Plan.Camera;
         var center = standard.Ranges.Robust.Center;
         close.EyeGeo += close.Forward * ((1 - CloseUp) * math.dot(center - close.EyeGeo, close.Forward));
         var options = new PictureOptions { Camera = standard.Plan.Camera, Color = standard.Plan.Mode };
         var closeOptions = new PictureOptions { Camera = close, Color = standard.Plan.Mode };
         var closer = new DrawCloud(reader, closeOptions);
-        run.Pump(closer.Run(run.Progress));
+        run.RunSteps(closer.Run(run.Progress));
         return [new View("iso", options, standard.Image), new View("close", closeOptions, closer.Image)];
     }
 

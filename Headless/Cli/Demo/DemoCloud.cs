@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Demo;
 public static class DemoCloud
 {
     public const long DefaultPoints = 5_000_000;
-    public const int MostOrderedPoints = OrderedScan.MostPoints;
+    public const int MaxOrderedPoints = OrderedScan.MaxPoints;
 
     /// <param name="path">Ends in .las, .laz or .ply; anything else becomes LAS.</param>
     public static void Write(string path, long points, uint seed, ScanOrder order, CliRun run)
@@ -16,7 +16,7 @@ public static class DemoCloud
             OutputFile.Guarded(path, () =>
             {
                 var ply = new PlyOutput(file.Stream, points);
-                run.Pump(OrderedScan.Run(points, seed, order, ply, run.Progress));
+                run.RunSteps(OrderedScan.Run(points, seed, order, ply, run.Progress));
                 ply.Flush();
             });
             file.Commit();
@@ -27,7 +27,7 @@ public static class DemoCloud
         }
         else
         {
-            run.Pump(LasScan.Run(path, points, seed, order, run.Progress));
+            run.RunSteps(LasScan.Run(path, points, seed, order, run.Progress));
         }
         run.Progress.Report(1, points, new FileInfo(path).Length);
         run.Progress.End();
@@ -39,10 +39,10 @@ public static class DemoCloud
         string las = path + ".las.tmp";
         try
         {
-            run.Pump(LasScan.Run(las, points, seed, order, run.Progress));
+            run.RunSteps(LasScan.Run(las, points, seed, order, run.Progress));
             run.Progress.End();
             using var reader = PointReaders.Open(las);
-            run.Pump(ExportCloud.Run(reader, path, new ExportSettings(), _ => { }, run.Progress));
+            run.RunSteps(ExportCloud.Run(reader, path, new ExportSettings(), _ => { }, run.Progress));
         }
         finally
         {

@@ -32,9 +32,9 @@ public static class LasUnpacking
 
         run.Progress.Begin("unpack");
         if (!reader.BlocksAreKnown)
-            run.Pump(reader.FindBlocks());
+            run.RunSteps(reader.FindBlocks());
         using var writer = LasWriter.Create(destination, settings);
-        run.Pump(SourceScan.Run(reader, info.Schema, new Appending(writer),
+        run.RunSteps(SourceScan.Run(reader, info.Schema, new Appending(writer),
             SourceScan.SlotsFor(reader, info.Schema), run.Progress));
         writer.Complete();
         run.Progress.End();

@@ -23,7 +23,7 @@ public sealed class DrawStep
     {
         double begin = run.Seconds;
         var draw = new DrawCloud(reader, options, budget);
-        run.Pump(draw.Run(run.Progress));
+        run.RunSteps(draw.Run(run.Progress));
         run.Warn(reader.Info);
         return new DrawStep
         {
@@ -42,7 +42,7 @@ public sealed class DrawStep
         double begin = run.Seconds;
         using var folder = CloudFolder.Open(path);
         var draw = new DrawStored(folder, options, budget);
-        run.Pump(draw.Run(run.Progress));
+        run.RunSteps(draw.Run(run.Progress));
         return new DrawStep
         {
             Points = draw.PointsDrawn,

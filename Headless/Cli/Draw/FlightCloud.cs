@@ -31,10 +31,10 @@ public static class FlightCloud
         {
             if (reader.Tree == null)
                 return AddSample(reader, stream, options, cancellation, out ranges, out number);
-            WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
+            JobCoroutine.RunToEnd(TreeSource.FindTop(reader), cancellation);
             ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
             using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
-                WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
+                JobCoroutine.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
@@ -61,8 +61,8 @@ public static class FlightCloud
         using (reader)
         using (var preview = new PreviewCloud(reader, settings))
         {
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
-            WorkPump.RunToEnd(preview.PlanPicture(), cancellation);
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
+            JobCoroutine.RunToEnd(preview.PlanPicture(), cancellation);
             ranges = preview.Ranges;
             sample = new SampleReader(preview.Sample, reader.Info.Path);
         }
@@ -85,8 +85,8 @@ public static class FlightCloud
             {
                 selection.Choose(null, PointsToPlanWith);
                 using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-                WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
-                WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
+                JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
+                JobCoroutine.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
             }
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
@@ -103,7 +103,7 @@ public static class FlightCloud
     static PointBatch ReadTop(PointReader reader, string[] attributes, CancellationToken cancellation)
     {
         PointBatch? top = null;
-        WorkPump.RunToEnd(TreeTop.Read(reader, attributes, PointsToPlanWith, read => top = read), cancellation);
+        JobCoroutine.RunToEnd(TreeTop.Read(reader, attributes, PointsToPlanWith, read => top = read), cancellation);
         return top!;
     }
 }

@@ -30,7 +30,7 @@ public sealed class FlightLog
 
     /// <summary>In the first frame code is compiled or loaded.</summary>
     public double FirstMs => m_frames[0].MainThreadMs;
-    public double MostLaterMs => m_frames.Skip(1).Select(f => f.MainThreadMs).DefaultIfEmpty().Max();
+    public double MaxLaterMs => m_frames.Skip(1).Select(f => f.MainThreadMs).DefaultIfEmpty().Max();
     public long BytesRead => m_frames.Sum(f => f.Stats.ReadBytes);
     public int Hitches => m_frames.Count(f => f.MainThreadMs > HitchMs);
     public long PoolBytesPeak => m_frames.Max(f => f.Stats.PoolBytes);
@@ -93,7 +93,7 @@ public sealed class FlightLog
                 .Append(string.Create(CultureInfo.InvariantCulture,
                     $"{s.DrawnNodes},{s.DrawnPoints},{s.CachedNodes},{s.PoolBytes},"))
                 .Append(string.Create(CultureInfo.InvariantCulture,
-                    $"{s.HierarchyBytes},{s.ReadsUnderWay},{s.ReceiveMs:0.000},"))
+                    $"{s.HierarchyBytes},{s.ReadsInFlight},{s.ReceiveMs:0.000},"))
                 .Append(string.Create(CultureInfo.InvariantCulture,
                     $"{s.SelectMs:0.000},{s.UploadMs:0.000},{s.RequestMs:0.000},"))
                 .Append(string.Create(CultureInfo.InvariantCulture,

@@ -15,11 +15,11 @@ sealed partial class FlightPictures : IDisposable
     /// <exception cref="UsageException">The name asks for WebP, which cannot be written here.</exception>
     public FlightPictures(string output, PictureOptions options, int pictures, int delayMs, bool canWebp)
     {
-        canWebp &= Math.Max(options.WidthPx, options.HeightPx) <= AnimatedWebp.MostEdgePx;
+        canWebp &= Math.Max(options.WidthPx, options.HeightPx) <= AnimatedWebp.MaxEdgePx;
         bool isFile = IsFile(output), isWebp = Path.GetExtension(output).Equals(".webp", StringComparison.OrdinalIgnoreCase);
         if (isWebp && !canWebp)
             throw new UsageException("--output: WebP takes libwebp, which is not here, and edges up to "
-                + AnimatedWebp.MostEdgePx + " pixels; NAME.png takes neither");
+                + AnimatedWebp.MaxEdgePx + " pixels; NAME.png takes neither");
         string name = isFile ? output : Path.Combine(output, "flight.png");
         if (isFile && Numbers().IsMatch(output))
             m_singles = output;

@@ -7,7 +7,7 @@ namespace FastPoints.Cli.Draw;
 /// <param name="metresPerUnit">Of the coordinates: NaN for degrees, 0 where it is not known.</param>
 public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, PictureOptions options, double metresPerUnit)
 {
-    const int LeastWidthPx = 320, LeastHeightPx = 180, MostRows = 8;
+    const int MinWidthPx = 320, MinHeightPx = 180, MaxRows = 8;
 
     /// <summary>Columns of seven dots of each letter, the topmost in the lowest bit.</summary>
     const string Letters = "0123456789abcdefghijklmnopqrstuvwxyz.,-+%/:()";
@@ -27,7 +27,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
     {
         var copy = new RgbaImage(image.Width, image.Height);
         image.Rgba.CopyTo(copy.Rgba, 0);
-        if (image.Width < LeastWidthPx || image.Height < LeastHeightPx || ranges.Full.IsEmpty)
+        if (image.Width < MinWidthPx || image.Height < MinHeightPx || ranges.Full.IsEmpty)
             return copy;
         int dot = Math.Max(1, image.Height / 360), row = 10 * dot, left = row, bottom = image.Height - row;
         Colors(copy, dot, row, left, bottom);
@@ -59,7 +59,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             return;
         using var colors = Palettes.Create(mode, Allocator.Persistent);
         var names = mode == ColorMode.ReturnNumber ? Enumerable.Range(1, 5).Select(n => (n, "return " + n)).ToList()
-            : ranges.Classes.Select(c => (Number: c, ClassNames.Of(c) ?? "class " + c)).Take(MostRows).ToList();
+            : ranges.Classes.Select(c => (Number: c, ClassNames.Of(c) ?? "class " + c)).Take(MaxRows).ToList();
         for (int i = 0; i < names.Count; i++)
         {
             int top = bottom - (names.Count - i) * row;
@@ -79,11 +79,11 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             camera.Forward / ranges.LengthsPerUnit) / length;
         double pxPerUnit = camera.IsOrthographic ? image.Height / camera.HeightGeo
             : image.Height / (2 * Math.Tan(camera.FovRadians / 2) * depth);
-        double most = image.Width / 5.0 / pxPerUnit;
-        if (!(most > 0) || !double.IsFinite(most))
+        double max = image.Width / 5.0 / pxPerUnit;
+        if (!(max > 0) || !double.IsFinite(max))
             return;
-        double ten = Math.Pow(10, Math.Floor(Math.Log10(most)));
-        double units = most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
+        double ten = Math.Pow(10, Math.Floor(Math.Log10(max)));
+        double units = max >= 5 * ten ? 5 * ten : max >= 2 * ten ? 2 * ten : ten;
         int width = (int)Math.Round(units * pxPerUnit), top = bottom - 2 * dot;
         Fill(image, right - width, top, width, 2 * dot, Ink);
         Fill(image, right - width, top - 4 * dot, 2 * dot, 4 * dot, Ink);

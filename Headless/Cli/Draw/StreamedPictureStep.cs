@@ -16,7 +16,7 @@ public static class StreamedPictureStep
         stream.SetClipBoxes(options.ClipBoxes);
         stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
         stream.Settings.UploadBytesPerFrame = BankBytes;
-        stream.Settings.FramesAhead = 0;
+        stream.Settings.PrefetchFrames = 0;
         using var picture = new StreamedPicture(options);
         run.Progress.Begin("select");
         var bounds = BoundsGeo.Empty;
@@ -71,7 +71,7 @@ public static class StreamedPictureStep
             run.Cancellation.ThrowIfCancellationRequested();
             var stats = FrameStep.Run(stream, views);
             JobHandle.ScheduleBatchedJobs();
-            bool isQuiet = stats.ReadsUnderWay + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
+            bool isQuiet = stats.ReadsInFlight + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
             quiet = isQuiet ? quiet + 1 : 0;
             if (stats.IsSettled || quiet > stream.Settings.FramesToRetry + FramesOfRest)
                 return stats;

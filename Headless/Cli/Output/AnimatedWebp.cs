@@ -8,7 +8,7 @@ namespace FastPoints.Cli.Output;
 sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pictures, int delayMs)
     : Animation(path, widthPx, heightPx, pictures)
 {
-    public const int MostEdgePx = 16_383;
+    public const int MaxEdgePx = 16_383;
 
     const float Quality = 80;
 

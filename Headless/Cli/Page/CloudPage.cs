@@ -23,7 +23,7 @@ sealed class CloudPage
     CloudManifest Manifest => Convert.Result.Manifest;
 
     /// <summary>Of a page: many letter boxes take no more than 10 MB, encoded once more.</summary>
-    const int MostBytes = 7_400_000;
+    const int MaxBytes = 7_400_000;
 
     public byte[] ToBytes()
     {
@@ -37,7 +37,7 @@ sealed class CloudPage
         var pictures = Pictures().ToList();
         byte[] preview = Preview.ToPng(isPlain: false);
         int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
-        string json = View.ToJson(Math.Max(MostBytes - others, MostBytes / 8), out int shown);
+        string json = View.ToJson(Math.Max(MaxBytes - others, MaxBytes / 8), out int shown);
         page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown));
         page.Heading("Facts");
         page.Html("<div class=\"row two\"><div>");

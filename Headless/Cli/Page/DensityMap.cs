@@ -3,7 +3,7 @@ namespace FastPoints.Cli.Page;
 /// <summary>How many points there are on a square of ground, from above: counted in a sample, and scaled up to all.</summary>
 sealed class DensityMap
 {
-    const int MostCells = 256;
+    const int MaxCells = 256;
 
     /// <summary>Fewer of the sample in a cell, and its density would be chance.</summary>
     const int PointsOfCell = 16;
@@ -21,7 +21,7 @@ sealed class DensityMap
         HasArea = Math.Min(width, depth) > 1e-6 * math.cmax(size);
         (width, depth) = (Math.Max(width, 1e-9), Math.Max(depth, 1e-9));
         double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, sample.Count));
-        Edge = Math.Max(wanted, Math.Max(width, depth) / MostCells);
+        Edge = Math.Max(wanted, Math.Max(width, depth) / MaxCells);
         int columns = (int)(width / Edge) + 1, rows = (int)(depth / Edge) + 1;
         int[] counts = new int[columns * rows];
         for (int i = 0; i < sample.Count; i++)

@@ -8,7 +8,7 @@ namespace FastPoints.Cli.Page;
 sealed class ViewCloud
 {
     /// <summary>Few enough for a page that is sent around, and for a telephone's graphics.</summary>
-    public const int MostPoints = 400_000;
+    public const int MaxPoints = 400_000;
 
     const int Steps = 65_535;
 
@@ -55,7 +55,7 @@ sealed class ViewCloud
     /// <param name="open">Opens the source.</param>
     public static ViewCloud Take(Func<PointReader> open, PictureOptions options, Camera camera, CliRun run)
     {
-        var preview = new PreviewOptions { Points = MostPoints, Picture = options };
+        var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
         using var taken = new SampleTakers(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
@@ -69,7 +69,7 @@ sealed class ViewCloud
                 view.m_sets.Add(ViewPoints.Of(points, wave.Points, taken.Transform));
         }
         if (taken.Waves.Count > 0)
-            run.Pump(view.Ranges.Measure(taken.Waves[^1].Points, taken.Transform, options.UpAxis));
+            run.RunSteps(view.Ranges.Measure(taken.Waves[^1].Points, taken.Transform, options.UpAxis));
         view.Prepare();
         return view;
     }
@@ -83,9 +83,9 @@ sealed class ViewCloud
         var parts = new List<ViewPoints>();
         foreach (string cloud in clouds)
         {
-            using var batch = Load(cloud, MostPoints / clouds.Length, run, out var transform, out var crs);
+            using var batch = Load(cloud, MaxPoints / clouds.Length, run, out var transform, out var crs);
             var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(crs.MetresPerUnit) };
-            run.Pump(ranges.Measure(batch, transform, options.UpAxis));
+            run.RunSteps(ranges.Measure(batch, transform, options.UpAxis));
             parts.Add(ViewPoints.Of(batch, batch.Count, transform));
             view ??= new ViewCloud(options, crs, ranges) { Camera = cameras[0], Path = every > 0 ? (cameras, every) : null };
             if (ranges.Full.IsEmpty)
@@ -103,32 +103,32 @@ sealed class ViewCloud
     static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
     /// <summary>About so many points of a cloud, with all attributes.</summary>
-    static PointBatch Load(string path, int most, CliRun run, out PositionTransform transform, out CoordinateSystem crs)
+    static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CoordinateSystem crs)
     {
         if (!CloudFolder.IsCloud(path))
         {
             using var reader = WithAll(PointReaders.Open(path));
-            using var sampler = Sampled(reader, most, run);
+            using var sampler = Sampled(reader, max, run);
             (transform, crs) = (reader.Info.Transform, reader.Info.Crs);
             return sampler.TakeSample().Points;
         }
         using var folder = CloudFolder.Open(path);
         using var selection = new NodeSelection(folder);
-        selection.Choose(null, most);
+        selection.Choose(null, max);
         var schema = LoadNodes.SchemaFor(folder, folder.Manifest.Attributes.Select(a => a.Name).ToArray());
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-        run.Pump(LoadNodes.Run(folder, selection, batch, null));
+        run.RunSteps(LoadNodes.Run(folder, selection, batch, null));
         transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
         crs = new CoordinateSystem { MetresPerUnit = folder.Manifest.MetresPerUnit };
         return batch;
     }
 
-    static PreviewSampler Sampled(PointReader reader, int most, CliRun run)
+    static PreviewSampler Sampled(PointReader reader, int max, CliRun run)
     {
         if (!reader.BlocksAreKnown)
-            run.Pump(reader.FindBlocks());
-        var sampler = PreviewSampler.Create(reader, most, 1);
-        run.Pump(sampler.Run(0, null));
+            run.RunSteps(reader.FindBlocks());
+        var sampler = PreviewSampler.Create(reader, max, 1);
+        run.RunSteps(sampler.Run(0, null));
         return sampler;
     }
 
@@ -150,20 +150,20 @@ sealed class ViewCloud
     }
 
     /// <summary>For the page's script; fewer points where the page would be too large.</summary>
-    /// <param name="mostBytes">At most so long, or a thousand points.</param>
+    /// <param name="maxBytes">At most so long, or a thousand points.</param>
     /// <param name="shown">The points of the last set that are in it.</param>
-    public string ToJson(int mostBytes, out int shown)
+    public string ToJson(int maxBytes, out int shown)
     {
         List<int[]> kept;
         List<byte[]> packed;
-        for (double share = 1; ; share *= 0.95 * mostBytes / (packed.Sum(p => p.Length) * BytesOfLetters))
+        for (double share = 1; ; share *= 0.95 * maxBytes / (packed.Sum(p => p.Length) * BytesOfLetters))
         {
             // What lies far outside is left out: its places would leave too few for the rest.
             kept = m_sets.Select(s => Enumerable.Range(0, s.Count).Where(i =>
                 (i == 0 || (long)(i * share) != (long)((i - 1) * share)) && IsInside(s[i])).ToArray()).ToList();
             packed = m_sets.Select((s, i) => Pack(s, kept[i])).ToList();
             shown = kept[^1].Length;
-            if (packed.Sum(p => p.Length) * BytesOfLetters <= mostBytes || shown < 1000)
+            if (packed.Sum(p => p.Length) * BytesOfLetters <= maxBytes || shown < 1000)
                 return ToJson(kept, packed);
         }
     }

@@ -4,8 +4,8 @@ namespace FastPoints.Cli.Page;
 /// colours.</summary>
 sealed class ViewColumn
 {
-    const int MostCategories = 32, MostNames = 256;
-    const double StrayShare = 0.01;
+    const int MaxCategories = 32, MaxNames = 256;
+    const double OutlierShare = 0.01;
 
     Func<ViewPoints, ViewValues>[] m_planes = [];
     Func<double, double> m_toByte = v => v;
@@ -39,13 +39,13 @@ sealed class ViewColumn
         foreach (string name in sets[^1].Attributes.Keys.Except(rgb))
         {
             // More than names have: all of them would take much memory.
-            double[] distinct = sets.SelectMany(s => s.Attributes[name]).Where(double.IsFinite).Distinct().Take(MostNames + 1)
+            double[] distinct = sets.SelectMany(s => s.Attributes[name]).Where(double.IsFinite).Distinct().Take(MaxNames + 1)
                 .Order().ToArray();
             if (distinct.Length < 2)
                 continue;
             var column = new ViewColumn { Name = name, m_planes = [s => s.Attributes[name]] };
-            bool isNames = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MostNames
-                : name != AttributeNames.Intensity && distinct.Length <= MostCategories;
+            bool isNames = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MaxNames
+                : name != AttributeNames.Intensity && distinct.Length <= MaxCategories;
             if (isNames && distinct.All(v => v == Math.Floor(v)))
                 column.SetValues(distinct);
             else
@@ -64,9 +64,9 @@ sealed class ViewColumn
     void SetRange(ViewValues values, DisplayRanges ranges)
     {
         double[] sorted = values.Where(double.IsFinite).Order().ToArray();
-        int strays = (int)(sorted.Length * StrayShare);
+        int outliers = (int)(sorted.Length * OutlierShare);
         (Low, High) = Name == AttributeNames.Intensity && ranges.IntensityVaries ? (ranges.IntensityLow, ranges.IntensityHigh)
-            : (sorted[strays], sorted[sorted.Length - 1 - strays]);
+            : (sorted[outliers], sorted[sorted.Length - 1 - outliers]);
         if (!(High > Low))
             (Low, High) = (sorted[0], sorted[^1]);
         double low = Low, perStep = 255 / (High - Low);

@@ -14,10 +14,10 @@ static class WaveErrors
     public static List<double> Measure(PointReader reader, TakenSample taken, CliRun run)
     {
         if (!reader.BlocksAreKnown)
-            run.Pump(reader.FindBlocks());
+            run.RunSteps(reader.FindBlocks());
         run.Progress.Begin("error of the waves");
         using var uniform = new UniformSampler(reader, Queries, Seed);
-        run.Pump(uniform.Run(0, run.Progress));
+        run.RunSteps(uniform.Run(0, run.Progress));
         using var asked = uniform.TakeSample();
         using var queries = new NativeArray<double3>(Math.Max(1, asked.Count), Allocator.Persistent);
         using var loaded = new NativeReference<int>(Allocator.Persistent);
@@ -40,9 +40,9 @@ static class WaveErrors
         CliRun run)
     {
         using var tree = new PointTree();
-        run.Pump(tree.Build(points, count, transform));
+        run.RunSteps(tree.Build(points, count, transform));
         double rms = double.NaN;
-        run.Pump(tree.Measure(queries, asked, 1, found => rms = found.Rms));
+        run.RunSteps(tree.Measure(queries, asked, 1, found => rms = found.Rms));
         return rms;
     }
 }

@@ -42,9 +42,9 @@ public sealed class ErrorStep
         var takers = new SampleTakers(open, options, run);
         var step = new ErrorStep(run, comparison, takers);
         run.Progress.Group = "error";
-        run.Pump(comparison.Prepare(run.Progress));
+        run.RunSteps(comparison.Prepare(run.Progress));
         step.MeasureAll(reader);
-        run.Pump(comparison.LookUp(run.Progress));
+        run.RunSteps(comparison.LookUp(run.Progress));
         run.Progress.Group = null;
         return step;
     }
@@ -118,7 +118,7 @@ public sealed class ErrorStep
         {
             var error = new SampleError();
             m_viewsOfScan.TryGetValue(wave.Points, out var sameCount);
-            m_run.Pump(m_comparison.Measure(points, wave.Points, taken.Transform, sameCount, error));
+            m_run.RunSteps(m_comparison.Measure(points, wave.Points, taken.Transform, sameCount, error));
             if (curve.Name == ScanName)
                 m_viewsOfScan.TryAdd(wave.Points, error.Views);
             curve.Waves.Add(new ErrorWave(wave, error, FastPoints.Picture.Png.Encode(error.Views[2])));

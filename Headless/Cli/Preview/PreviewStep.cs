@@ -32,7 +32,7 @@ public sealed class PreviewStep
     {
         double begin = run.Seconds;
         using var preview = new PreviewCloud(reader, options);
-        var slices = SliceLengths.Measure(() => run.Pump(preview.Run(run.Progress)));
+        var slices = SliceLengths.Measure(() => run.RunSteps(preview.Run(run.Progress)));
         run.Warn(reader.Info);
         return new PreviewStep
         {

@@ -13,7 +13,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
     const double QuickSeconds = 3;
 
     /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
-    const int MostSinglePoints = 20_000;
+    const int MaxSinglePoints = 20_000;
 
     /// <summary>The product's own sample, in its waves.</summary>
     public TakenSample Ours() => Timed((reader, opened) =>
@@ -24,18 +24,18 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         var watch = Stopwatch.StartNew();
         using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))
         {
-            run.Pump(sampler.Run(0, run.Progress));
+            run.RunSteps(sampler.Run(0, run.Progress));
             var sample = sampler.TakeSample();
             foreach (var wave in sampler.Waves)
                 taken.Add(wave, opened, sample.Points);
             if (!refines || sample.IsWhole)
                 return taken;
             var ranges = new DisplayRanges();
-            run.Pump(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
+            run.RunSteps(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
             using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
             double before = opened + watch.Elapsed.TotalSeconds;
             refining.WaveReady += wave => taken.Add(wave, before, refining.TakeSample().Points);
-            run.Pump(refining.Run(0, run.Progress));
+            run.RunSteps(refining.Run(0, run.Progress));
         }
         return taken;
     });
@@ -45,14 +45,14 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
     {
         var watch = Stopwatch.StartNew();
         using var sampler = new UniformSampler(reader, points, options.Seed);
-        run.Pump(sampler.Run(0, run.Progress));
+        run.RunSteps(sampler.Run(0, run.Progress));
         double seconds = opened + watch.Elapsed.TotalSeconds;
         var sample = sampler.TakeSample();
         return OneWave(sample.Points, reader, seconds, sample.BytesRead);
     });
 
     public TakenSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
-        reader.HasFixedStride && points <= MostSinglePoints && points <= reader.PointCount
+        reader.HasFixedStride && points <= MaxSinglePoints && points <= reader.PointCount
             ? RangeSampler.Single(reader, points)
             : RangeSampler.Whole(reader), points));
 
@@ -70,10 +70,10 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         var watch = Stopwatch.StartNew();
         var ranges = RangeSampler.Beginnings(reader, Math.Min(1, (double)times * points / reader.PointCount));
         using var sampler = new RangeSampler(reader, ranges, int.MaxValue);
-        run.Pump(sampler.Run(run.Progress));
+        run.RunSteps(sampler.Run(run.Progress));
         using var decoded = sampler.TakePoints();
         var display = new DisplayRanges();
-        run.Pump(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
+        run.RunSteps(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
         var thinned = ThinnedChoice.Take(decoded, reader.Info.Transform, display, points);
         return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     });
@@ -82,7 +82,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
     {
         var watch = Stopwatch.StartNew();
         using var sampler = new RangeSampler(reader, ranges, points);
-        run.Pump(sampler.Run(run.Progress));
+        run.RunSteps(sampler.Run(run.Progress));
         return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     }
 
@@ -104,7 +104,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
             var watch = Stopwatch.StartNew();
             using var reader = open();
             if (!reader.BlocksAreKnown)
-                run.Pump(reader.FindBlocks());
+                run.RunSteps(reader.FindBlocks());
             var taken = take(reader, watch.Elapsed.TotalSeconds);
             if (best == null || taken.Seconds < best.Seconds)
             {

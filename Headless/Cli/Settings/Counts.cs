@@ -7,35 +7,35 @@ public static class Counts
 {
     const double Largest = 1L << 53;
 
-    public static Option<long> Of(string name, string description, long otherwise, string helpName = "N", long least = 1) =>
+    public static Option<long> Of(string name, string description, long otherwise, string helpName = "N", long min = 1) =>
         new(name)
         {
             HelpName = helpName,
             Description = description,
             DefaultValueFactory = _ => otherwise,
-            CustomParser = result => Parse(result, least),
+            CustomParser = result => Parse(result, min),
         };
 
     /// <summary>Null where it is not given.</summary>
-    public static Option<long?> Optional(string name, string description, string helpName = "N", long least = 1) => new(name)
+    public static Option<long?> Optional(string name, string description, string helpName = "N", long min = 1) => new(name)
     {
         HelpName = helpName,
         Description = description,
-        CustomParser = result => Parse(result, least),
+        CustomParser = result => Parse(result, min),
     };
 
     /// <summary>More than an int holds is as much as it holds.</summary>
     public static int ToInt(long count) => (int)Math.Min(int.MaxValue, count);
 
-    static long Parse(ArgumentResult result, long least)
+    static long Parse(ArgumentResult result, long min)
     {
         string text = result.Tokens[^1].Value;
-        if (TryParse(text, out long count) && count >= least)
+        if (TryParse(text, out long count) && count >= min)
             return count;
         string? name = (result.Parent as OptionResult)?.Option.Name;
         result.AddError(string.Create(CultureInfo.InvariantCulture,
-            $"{name}: wanted a whole number from {least} (such as 500k, 2M or 1e6), got {text}"));
-        return least;
+            $"{name}: wanted a whole number from {min} (such as 500k, 2M or 1e6), got {text}"));
+        return min;
     }
 
     public static bool TryParse(string text, out long count)

@@ -27,7 +27,7 @@ public sealed class LookSettings
     /// <exception cref="UsageException">A value cannot be read.</exception>
     public PictureOptions Read(ParseResult parsed)
     {
-        var options = new PictureOptions { GuessesUp = true };
+        var options = new PictureOptions { GuessesUpAxis = true };
         foreach (string pair in parsed.GetValue(m_style)?.Split(',') ?? [])
         {
             int equals = pair.IndexOf('=');

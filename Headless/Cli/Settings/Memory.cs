@@ -6,14 +6,14 @@ public static class Memory
     /// <summary>What the process takes whatever the cloud: code, the runtime's own, readers, stacks. Measured with a thousand
     /// points: 45 MB; with LAZ and two workers 70.</summary>
     const long ProcessBytes = 96L << 20;
-    const long LeastBytes = ProcessBytes + (64L << 20);
+    const long MinBytes = ProcessBytes + (64L << 20);
 
     /// <summary>What is left for the points.</summary>
     public static long ForBuild(string text)
     {
         long bytes = Parse(text);
-        if (bytes < LeastBytes)
-            throw new UsageException("--memory: wanted at least " + (LeastBytes >> 20) + "MiB, got " + text);
+        if (bytes < MinBytes)
+            throw new UsageException("--memory: wanted at least " + (MinBytes >> 20) + "MiB, got " + text);
         return bytes - ProcessBytes;
     }
 

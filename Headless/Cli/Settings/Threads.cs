@@ -11,10 +11,10 @@ public static class Threads
         JobsUtility.ResetJobWorkerCount();
         if (threads is not { } count)
             return null;
-        int most = Math.Min(JobsUtility.JobWorkerMaximumCount + 1, Environment.ProcessorCount);
-        JobsUtility.JobWorkerCount = (int)Math.Min(count, most) - 1;
-        return count <= most ? null
-            : string.Create(CultureInfo.InvariantCulture, $"--threads {count}: there are {most} cores, and so many threads work");
+        int max = Math.Min(JobsUtility.JobWorkerMaximumCount + 1, Environment.ProcessorCount);
+        JobsUtility.JobWorkerCount = (int)Math.Min(count, max) - 1;
+        return count <= max ? null
+            : string.Create(CultureInfo.InvariantCulture, $"--threads {count}: there are {max} cores, and so many threads work");
     }
 
     public static int InUse => JobsUtility.JobWorkerCount + 1;

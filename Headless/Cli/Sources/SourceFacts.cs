@@ -74,7 +74,7 @@ public sealed class SourceFacts(PointReader reader)
         var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
         foreach (var level in tree.Levels)
             table.Add(level.Level.ToString(CultureInfo.InvariantCulture), Human.Count(level.Nodes), Human.Count(level.Points),
-                Human.Count(level.MostPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
+                Human.Count(level.MaxPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
         return table;
     }
 
@@ -217,7 +217,7 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteNumber("level", level.Level);
             json.WriteNumber("nodes", level.Nodes);
             json.WriteInteger("points", level.Points);
-            json.WriteNumber("mostPoints", level.MostPoints);
+            json.WriteNumber("mostPoints", level.MaxPoints);
             json.WriteReal("spacing", level.Spacing);
             json.WriteEndObject();
         }

@@ -7,7 +7,7 @@ namespace FastPoints.Cli.Sources;
 sealed class Spread
 {
     /// <summary>Along each axis this share is farther out, half of it at either end.</summary>
-    const double StrayShare = 0.001;
+    const double OutlierShare = 0.001;
 
     readonly DensityMap m_density;
 
@@ -32,7 +32,7 @@ sealed class Spread
             return null;
         double unit = reader.Info.Crs.MetresPerUnit;
         var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(unit) };
-        run.Pump(ranges.Measure(batch, reader.Info.Transform, UpAxis.Z));
+        run.RunSteps(ranges.Measure(batch, reader.Info.Transform, UpAxis.Z));
         if (ranges.Full.IsEmpty)
             return null;
         var points = ViewPoints.Of(batch, batch.Count, reader.Info.Transform);
@@ -40,8 +40,8 @@ sealed class Spread
         for (int axis = 0; axis < 3; axis++)
         {
             double[] sorted = points.Positions[axis].Where(double.IsFinite).Order().ToArray();
-            int strays = (int)(sorted.Length * StrayShare / 2);
-            (low[axis], high[axis]) = (sorted[strays], sorted[sorted.Length - 1 - strays]);
+            int outliers = (int)(sorted.Length * OutlierShare / 2);
+            (low[axis], high[axis]) = (sorted[outliers], sorted[sorted.Length - 1 - outliers]);
         }
         var bounds = new BoundsGeo(low, high);
         var density = new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, sample.Found);

@@ -7,7 +7,7 @@ public sealed class StoredFacts
     {
         public int Nodes;
         public long Points;
-        public int MostPoints;
+        public int MaxPoints;
         public double Spacing;
     }
 
@@ -51,7 +51,7 @@ public sealed class StoredFacts
             var level = m_levels[at];
             level.Nodes++;
             level.Points += node.PointCount;
-            level.MostPoints = Math.Max(level.MostPoints, node.PointCount);
+            level.MaxPoints = Math.Max(level.MaxPoints, node.PointCount);
             double spacing = math.cmax(m_cloud.Grid.Step) * Math.Pow(2, node.CellLog2);
             if (node.HasSpacing && (level.Spacing == 0 || spacing < level.Spacing))
                 level.Spacing = spacing;
@@ -83,7 +83,7 @@ public sealed class StoredFacts
         var levels = new TextTable("level", "nodes", "points", "most in a node", "spacing");
         for (int i = 0; i < m_levels.Count; i++)
             levels.Add(Human.Count(i), Human.Count(m_levels[i].Nodes), Human.Count(m_levels[i].Points),
-                Human.Count(m_levels[i].MostPoints), m_levels[i].Spacing > 0 ? Human.Value(m_levels[i].Spacing) : "");
+                Human.Count(m_levels[i].MaxPoints), m_levels[i].Spacing > 0 ? Human.Value(m_levels[i].Spacing) : "");
         yield return levels;
         var planes = new TextTable("plane", "bytes", "bytes a point");
         foreach (var (name, bytes) in m_planes)
@@ -153,7 +153,7 @@ public sealed class StoredFacts
             json.WriteNumber("level", i);
             json.WriteNumber("nodes", m_levels[i].Nodes);
             json.WriteInteger("points", m_levels[i].Points);
-            json.WriteNumber("mostPoints", m_levels[i].MostPoints);
+            json.WriteNumber("mostPoints", m_levels[i].MaxPoints);
             json.WriteReal("spacing", m_levels[i].Spacing > 0 ? m_levels[i].Spacing : double.NaN);
             json.WriteEndObject();
         }

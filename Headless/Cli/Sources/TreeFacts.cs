@@ -29,7 +29,7 @@ public sealed class TreeLevel
     public required double Spacing { get; init; }
     public int Nodes { get; private set; }
     public long Points { get; private set; }
-    public int MostPoints { get; private set; }
+    public int MaxPoints { get; private set; }
 
     internal static IReadOnlyList<TreeLevel> Of(SourceTree tree)
     {
@@ -41,7 +41,7 @@ public sealed class TreeLevel
             var level = levels[tree[i].Level];
             level.Nodes++;
             level.Points += tree[i].PointCount;
-            level.MostPoints = Math.Max(level.MostPoints, tree[i].PointCount);
+            level.MaxPoints = Math.Max(level.MaxPoints, tree[i].PointCount);
         }
         return levels;
     }

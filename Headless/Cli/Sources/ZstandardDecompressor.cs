@@ -58,16 +58,16 @@ internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
         {
             var source = new Piece { Start = from, Bytes = (nuint)input.Length };
             var target = new Piece { Start = to, Bytes = (nuint)output.Length };
-            bool isSound = true, isMoving = true;
-            while (isSound && isMoving && target.Done < target.Bytes)
+            bool isValid = true, isMoving = true;
+            while (isValid && isMoving && target.Done < target.Bytes)
             {
                 nuint before = source.Done + target.Done;
-                isSound = m_library.IsError(m_library.Decompress(m_context, &target, &source)) == 0;
+                isValid = m_library.IsError(m_library.Decompress(m_context, &target, &source)) == 0;
                 isMoving = source.Done + target.Done > before;
             }
             consumed = (int)source.Done;
             written = (int)target.Done;
-            return isSound;
+            return isValid;
         }
     }
 

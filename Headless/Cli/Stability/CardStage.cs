@@ -4,14 +4,14 @@ namespace FastPoints.Cli.Stability;
 /// rasteriser's picture of the same.</summary>
 static class CardStage
 {
-    const int MostBytes = 256 << 20;
+    const int MaxBytes = 256 << 20;
 
     /// <summary>Of covered pixels: discs are cut out pixel by pixel, see Documentation~/rendering.md.</summary>
-    const double MostThatDiffer = 0.002;
+    const double MaxDifferent = 0.002;
 
     /// <summary>In 255ths: of entries of the palette that lie beside one another. Places on a lattice often lie at the border
     /// of two, which floats and doubles round to either side.</summary>
-    const int MostPerChannel = 4;
+    const int MaxPerChannel = 4;
 
     /// <returns>Share of the covered pixels that differ.</returns>
     public static double Run(string target, PictureOptions from, List<string> problems)
@@ -28,15 +28,15 @@ static class CardStage
             EdlStrength = 0,
         };
         var shaders = new GpuShaders();
-        using var memory = new StreamContext(new MemoryNodePool(MostBytes));
-        using var card = new StreamContext(shaders.CreatePool(MostBytes, 8 << 20, 4 << 20));
+        using var memory = new StreamContext(new MemoryNodePool(MaxBytes));
+        using var card = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20, 4 << 20));
         using var software = new CpuPicture(memory, options);
         using var drawn = new GpuPicture(shaders, card, options);
         var wanted = Draw(target, memory, software, options, problems);
         var got = Draw(target, card, drawn, options, problems);
-        double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MostPerChannel);
+        double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MaxPerChannel);
         // A picture of a few pixels may have one beside its place.
-        if (differ > MostThatDiffer && differ * covered > 1.5)
+        if (differ > MaxDifferent && differ * covered > 1.5)
             problems.Add("card: " + differ * covered + " of " + covered + " pixels are not the software rasteriser's");
         return differ;
     }

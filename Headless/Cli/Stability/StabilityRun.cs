@@ -53,9 +53,9 @@ public sealed class StabilityRun
         {
             using var reader = PointReaders.Open(input.Files);
             var scan = new SummariseCloud(reader);
-            WorkPump.RunToEnd(scan.Run(null));
+            JobCoroutine.RunToEnd(scan.Run(null));
             var all = new DrawCloud(reader, options);
-            WorkPump.RunToEnd(all.Run(null));
+            JobCoroutine.RunToEnd(all.Run(null));
             reference = all.Image;
             options.Camera = all.Plan.Camera;
             options.Color = all.Plan.Mode;
@@ -65,7 +65,7 @@ public sealed class StabilityRun
         {
             using var reader = PointReaders.Open(input.Files);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50000, Picture = options });
-            WorkPump.RunToEnd(preview.Run(null));
+            JobCoroutine.RunToEnd(preview.Run(null));
             return ImageError.Compare(preview.Image, reference!, options.Background).Uncovered;
         });
         Take("build", () => Build(input, target));
@@ -75,7 +75,7 @@ public sealed class StabilityRun
             {
                 using var folder = CloudFolder.Open(target);
                 var draw = new DrawStored(folder, options);
-                WorkPump.RunToEnd(draw.Run(null));
+                JobCoroutine.RunToEnd(draw.Run(null));
                 return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
             });
             Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
@@ -89,14 +89,14 @@ public sealed class StabilityRun
         using var reader = PointReaders.Open(input.Files);
         ConvertResult? made = null;
         var settings = new ConvertSettings { Sampler = m_sampler };
-        using var work = new WorkSteps(ConvertCloud.Run([reader], target, settings, r => made = r, null));
+        using var work = new CoroutineStack(ConvertCloud.Run([reader], target, settings, r => made = r, null));
         if (m_case.IsBuiltTwice)
         {
             using var other = PointReaders.Open(input.Files);
             Step(work, 5);
             try
             {
-                WorkPump.RunToEnd(ConvertCloud.Run([other], target, settings, r => { }, null));
+                JobCoroutine.RunToEnd(ConvertCloud.Run([other], target, settings, r => { }, null));
                 Problems.Add("a second build of the same target was let in");
             }
             catch (PointCloudException)
@@ -106,7 +106,7 @@ public sealed class StabilityRun
         }
         Step(work, int.MaxValue);
         var verified = new VerifyResult();
-        WorkPump.RunToEnd(VerifyCloud.Run(target, [reader], verified, null));
+        JobCoroutine.RunToEnd(VerifyCloud.Run(target, [reader], verified, null));
         Problems.AddRange(verified.Problems);
         if (m_sampler != Sampler.Random)
         {
@@ -119,7 +119,7 @@ public sealed class StabilityRun
             + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);
     }
 
-    static void Step(WorkSteps work, int steps)
+    static void Step(CoroutineStack work, int steps)
     {
         for (int i = 0; i < steps && work.MoveNext(); i++)
         {

@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Stability;
 static class StreamStage
 {
     /// <summary>A read that never ends is a failure, not a hang.</summary>
-    const int MostFrames = 100_000_000;
+    const int MaxFrames = 100_000_000;
 
     /// <returns>Share of the reference's pixels that the picture leaves bare.</returns>
     public static double Run(string target, PictureOptions options, RgbaImage reference, List<string> problems)
@@ -13,12 +13,12 @@ static class StreamStage
         using var picture = new StreamedPicture(options);
         var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud, out _);
         picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
-        stream.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
+        stream.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
         long points = ((FolderSource)stream.Clouds[cloud].Source).Folder.Manifest.Points;
         var all = Settle(stream, StreamView.Everything(1), problems);
         if (all.DrawnPoints != points)
             problems.Add("stream: " + all.DrawnPoints + " points of " + points);
-        stream.Settings.Selection = SelectionSettings.Default;
+        stream.Settings.Selection = LodSettings.Default;
         Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems);
         while (stream.TryTakeFailure(out var failure))
             problems.Add("stream: " + failure);
@@ -29,7 +29,7 @@ static class StreamStage
     public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems, Action? endFrame = null)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = view };
-        for (int frame = 0; frame < MostFrames; frame++)
+        for (int frame = 0; frame < MaxFrames; frame++)
         {
             var stats = FrameStep.Run(stream, views);
             endFrame?.Invoke();

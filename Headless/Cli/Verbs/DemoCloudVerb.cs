@@ -73,9 +73,9 @@ public sealed class DemoCloudVerb : Verb
             written = parsed.GetValue(m_points);
             if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) || !Enum.IsDefined(order))
                 throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
-            if (order != ScanOrder.Strip && written > DemoCloud.MostOrderedPoints)
+            if (order != ScanOrder.Strip && written > DemoCloud.MaxOrderedPoints)
                 throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
-                    + Human.Count(DemoCloud.MostOrderedPoints));
+                    + Human.Count(DemoCloud.MaxOrderedPoints));
             if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
                 throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
             run.Begin([], output);

@@ -26,7 +26,7 @@ public sealed class ExportVerb : Verb
     };
     readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
     readonly Option<long?> m_level = Counts.Optional("--level",
-        "Only the nodes of an octree up to this level, of which 0 is the root.", least: 0);
+        "Only the nodes of an octree up to this level, of which 0 is the root.", min: 0);
     readonly Option<long?> m_budget = Counts.Optional("--budget",
         "At most so many points, spread over all: an octree's first levels, or an even share.");
     readonly Option<string?> m_attributes = new("--attributes")
@@ -82,7 +82,7 @@ public sealed class ExportVerb : Verb
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
         ExportResult? result = null;
-        run.Pump(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
+        run.RunSteps(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
         run.Warn(reader.Info);
         bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0;
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);

@@ -10,7 +10,7 @@ public sealed class FlyVerb : Verb
     const int DefaultFrames = 600;
 
     /// <summary>An animation shows a picture for a minute at most: 65,535 ms.</summary>
-    const int MostFramesAPicture = 3600;
+    const int MaxFramesPerPicture = 3600;
 
     readonly Argument<string[]> m_clouds = new("CLOUD")
     {
@@ -82,8 +82,8 @@ public sealed class FlyVerb : Verb
         }
         var options = m_picture.Read(parsed);
         int every = Counts.ToInt(parsed.GetValue(m_every)), asked = Counts.ToInt(parsed.GetValue(m_frames) ?? 0);
-        if (every > MostFramesAPicture)
-            throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
+        if (every > MaxFramesPerPicture)
+            throw new UsageException("--every: wanted 1 to " + MaxFramesPerPicture);
         if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
             throw new UsageException("--cpu or --gpu, not both");
         string? folder = output == null || FlightPictures.IsFile(output) ? null : output;
@@ -150,7 +150,7 @@ public sealed class FlyVerb : Verb
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
         RgbaImage? last = null;
-        IoThreads.Prepare(2 * stream.Files.MostOpen);
+        IoThreads.Prepare(2 * stream.Files.MaxOpenFiles);
         double begin = run.Seconds;
         for (int frame = 0; frame < frames; frame++)
         {
@@ -188,7 +188,7 @@ public sealed class FlyVerb : Verb
             + Human.Count(log.Last.DrawnNodes, "node") + ", "
             + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
         var main = log.MainThreadMs;
-        run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(log.MostLaterMs)} after the first frame, "
+        run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(log.MaxLaterMs)} after the first frame, "
             + $"which took {Ms(log.FirstMs)} (selection p99 {Ms(log.SelectMs[1])}, requests p99 {Ms(log.RequestMs[1])}); "
             + $"{log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage, "
             + $"{Human.Bytes(log.LaterGarbageBytes)} of it after 60 frames");
@@ -217,7 +217,7 @@ public sealed class FlyVerb : Verb
         Write("frameMs", log.FrameMs);
         Write("mainThreadMs", log.MainThreadMs);
         json.WriteReal("firstFrameMs", log.FirstMs);
-        json.WriteReal("mostLaterMs", log.MostLaterMs);
+        json.WriteReal("mostLaterMs", log.MaxLaterMs);
         Write("selectMs", log.SelectMs);
         Write("requestMs", log.RequestMs);
         json.WriteInteger("hitches", log.Hitches);

@@ -61,13 +61,13 @@ public sealed class InfoVerb : Verb
         }
         using var reader = PointReaders.Open(cloud, source);
         if (reader.Tree != null && !reader.BlocksAreKnown)
-            run.Pump(reader.FindBlocks());
+            run.RunSteps(reader.FindBlocks());
         var facts = new SourceFacts(reader);
         if (scan)
         {
             using var sample = new SpreadSample(reader);
             var summarise = new SummariseCloud(reader) { Took = sample.Take };
-            run.Pump(summarise.Run(run.Progress));
+            run.RunSteps(summarise.Run(run.Progress));
             facts.Found = summarise.Summary;
             facts.Spread = Spread.Of(reader, sample, run);
         }

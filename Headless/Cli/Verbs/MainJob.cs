@@ -201,7 +201,7 @@ public sealed class MainJob : Verb
             using var reader = PointReaders.Open(files, source);
             string file = files[0];
             if (reader.Tree != null && !reader.BlocksAreKnown)
-                run.Pump(reader.FindBlocks());
+                run.RunSteps(reader.FindBlocks());
             var facts = new SourceFacts(reader);
             facts.Write(run.Out);
             run.Out.WriteLine();

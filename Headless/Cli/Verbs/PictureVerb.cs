@@ -69,7 +69,7 @@ public sealed class PictureVerb : Verb
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
             : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
             ? DrawStep.RunStored(clouds[0], options, budget, run)
-            : clouds.Any(CloudFolder.IsCloud) || (budget > 0 || options.IsFiltered) && clouds.All(BringsOctree)
+            : clouds.Any(CloudFolder.IsCloud) || (budget > 0 || options.IsFiltered) && clouds.All(HasOctree)
             ? StreamedPictureStep.Run(clouds, options, budget, run)
             : options.IsFiltered
             ? throw new UsageException("--clip, --cut and classes want clouds that are converted, or bring octrees along")
@@ -92,7 +92,7 @@ public sealed class PictureVerb : Verb
     /// <summary>Whether there is more to it than drawing each node's points.</summary>
     static bool IsForStream(PictureOptions options) => options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
 
-    static bool BringsOctree(string path)
+    static bool HasOctree(string path)
     {
         using var reader = PointReaders.Open(path);
         return reader.Tree != null;

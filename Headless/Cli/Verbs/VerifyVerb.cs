@@ -44,7 +44,7 @@ public sealed class VerifyVerb : Verb
                 readers.Add(PointReaders.Open(files, m_source.Read(parsed)));
                 run.Warn(readers[0].Info);
             }
-            run.Pump(VerifyCloud.Run(cloud, readers, result, run.Progress));
+            run.RunSteps(VerifyCloud.Run(cloud, readers, result, run.Progress));
             foreach (var reader in readers)
                 run.Points.Add(reader.Info, reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable);
         }

@@ -31,12 +31,12 @@ public sealed class SimulatedWorkersTests
     public void DeleteFolder() => Directory.Delete(m_folder, true);
 
     /// <param name="speedups">By number of workers, of one worker's speed: the least, run to the end.</param>
-    /// <param name="most60Ms">The same, at 60 Hz: the most time, since a share falls where fewer jobs do the same.</param>
-    /// <param name="most10Ms">At 10 Hz.</param>
+    /// <param name="max60Ms">The same, at 60 Hz: the most time, since a share falls where fewer jobs do the same.</param>
+    /// <param name="max10Ms">At 10 Hz.</param>
     [TestCase(Sampler.Random, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 834.0, 534, 400, 334 }, new[] { 1300.0, 1100, 1000, 900 })]
     [TestCase(Sampler.Poisson, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 884.0, 567, 417, 350 }, new[] { 1300.0, 1100, 1000, 900 })]
-    public void Convert_BesideFrames_FollowsTheNumberOfWorkers(Sampler sampler, double[] speedups, double[] most60Ms,
-        double[] most10Ms)
+    public void Convert_BesideFrames_FollowsTheNumberOfWorkers(Sampler sampler, double[] speedups, double[] max60Ms,
+        double[] max10Ms)
     {
         double first = 0;
         for (int i = 0; i < s_workers.Length; i++)
@@ -47,14 +47,14 @@ public sealed class SimulatedWorkersTests
             double at10 = ConvertMs(sampler, s_workers[i], 100, 4, 250);
             TestContext.Out.WriteLine(s_workers[i] + FormattableString.Invariant($" workers: {alone:0} ms, {at60:0}, {at10:0}"));
             Assert.That(first / alone, Is.GreaterThanOrEqualTo(speedups[i]), s_workers[i] + " workers");
-            Assert.That(at60, Is.LessThanOrEqualTo(most60Ms[i]), s_workers[i] + " workers, at 60 Hz");
+            Assert.That(at60, Is.LessThanOrEqualTo(max60Ms[i]), s_workers[i] + " workers, at 60 Hz");
             // Eight phases await one another, a frame each: with a million points more workers make little of it.
-            Assert.That(at10, Is.LessThanOrEqualTo(most10Ms[i] + 0.5), s_workers[i] + " workers, at 10 Hz");
+            Assert.That(at10, Is.LessThanOrEqualTo(max10Ms[i] + 0.5), s_workers[i] + " workers, at 10 Hz");
         }
     }
 
     /// <param name="frameMs">0 to run to the end.</param>
-    double ConvertMs(Sampler sampler, int workers, double frameMs, double tickMs, double aheadMs)
+    double ConvertMs(Sampler sampler, int workers, double frameMs, double tickMs, double inFlightMs)
     {
         SimulatedWorkers.Begin(workers, 1, 0.005);
         try
@@ -66,13 +66,13 @@ public sealed class SimulatedWorkersTests
                 // Many chunks, so that eight workers have several each.
                 PointsPerChunk = 50000,
                 Workers = workers,
-                AheadMs = aheadMs,
+                InFlightMs = inFlightMs,
                 SecondsToFirstGeneration = 1e9,
                 SecondsPerGeneration = 1e9,
             };
             var work = ConvertCloud.Run([reader], Path.Combine(m_folder, "c" + m_made++), settings, r => { }, null);
-            var pump = new WorkPump(work, () => SimulatedWorkers.NowMs);
-            for (double frame = frameMs; !pump.Tick(tickMs); frame = Math.Max(frame, SimulatedWorkers.NowMs) + frameMs)
+            var coroutine = new JobCoroutine(work, () => SimulatedWorkers.NowMs);
+            for (double frame = frameMs; !coroutine.Tick(tickMs); frame = Math.Max(frame, SimulatedWorkers.NowMs) + frameMs)
                 if (frameMs > 0)
                     SimulatedWorkers.AdvanceTo(frame);
                 else

@@ -77,7 +77,7 @@ public sealed class BatchTests
     }
 
     [Test]
-    public void MainJob_OverTheReportOnAnotherFile_WantsForce()
+    public void MainJob_OverTheReportOnAnotherFile_NeedsForce()
     {
         string laz = m_scratch.Demo("a.laz", 600), folder = m_scratch["r"];
         Assert.That(CliCall.Of(m_demo, "-o", folder).Status, Is.Zero);

@@ -27,8 +27,8 @@ public sealed class BenchTests
 
     CliCall Bench(string folder, string points, string[] more)
     {
-        string[] usual = ["bench", "loop over", "--runs", "4", "--points", points, "--out", m_scratch[folder]];
-        var call = CliCall.Of([.. usual, .. more]);
+        string[] typical = ["bench", "loop over", "--runs", "4", "--points", points, "--out", m_scratch[folder]];
+        var call = CliCall.Of([.. typical, .. more]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return call;
     }
@@ -122,8 +122,8 @@ public sealed class BenchTests
     [TestCase(15, 20, "slower, less than all are")]
     [TestCase(40, 20, "slower")]
     [TestCase(20, 5, "slower")]
-    public void Baseline_AChangeBesideThatOfAll_IsNamed(double own, double others, string verdict) =>
-        Assert.That(Compare(own, others)[0].Verdict, Is.EqualTo(verdict));
+    public void Baseline_AChangeBesideThatOfAll_IsNamed(double own, double others, string result) =>
+        Assert.That(Compare(own, others)[0].Verdict, Is.EqualTo(result));
 
     [Test]
     public void Baseline_OtherInput_IsNotCompared() =>

@@ -128,7 +128,7 @@ public sealed class FlyTests
     }
 
     [Test]
-    public void Fly_NoCloud_SaysSo()
+    public void Fly_NoCloud_ReportsIt()
     {
         var call = CliCall.Of("fly", m_scratch["none.fastpoints"]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Failed));

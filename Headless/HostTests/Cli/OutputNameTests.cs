@@ -56,7 +56,7 @@ public sealed class OutputNameTests
     }
 
     [Test]
-    public void DemoCloud_OverAScanOfSomebody_WantsForce()
+    public void DemoCloud_OverAScanOfSomebody_NeedsForce()
     {
         string[] demo = ["demo-cloud", "-o", m_scratch["scan.las"], "--points", "50"];
         Assert.That(CliCall.Of(demo).Status, Is.Zero, "its own scan is replaced");
@@ -75,7 +75,7 @@ public sealed class OutputNameTests
     [TestCase("@s.las", "demo-cloud", "-o", "@s.las", "--points", "10")]
     [TestCase("@s.laz", "demo-cloud", "-o", "@s.laz", "--points", "10")]
     [TestCase("@s.ply", "demo-cloud", "-o", "@s.ply", "--points", "10")]
-    public void Output_OfSomebodyElse_WantsForce(string output, params string[] args)
+    public void Output_OfSomebodyElse_NeedsForce(string output, params string[] args)
     {
         output = Real(output);
         args = args.Select(Real).ToArray();
@@ -92,7 +92,7 @@ public sealed class OutputNameTests
 
     [TestCase("report.json", "@scan.las", "-o", "@d")]
     [TestCase("PerformanceTestResults.json", "bench", "job chain", "--runs", "1", "--points", "100", "-o", "@d")]
-    public void Folder_WithOtherThings_WantsForce(string made, params string[] args)
+    public void Folder_WithOtherThings_NeedsForce(string made, params string[] args)
     {
         args = args.Select(Real).ToArray();
         Directory.CreateDirectory(m_scratch["d"]);

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Cli;
 /// <summary>What only a process of its own can show.</summary>
 public sealed class SignalTests
 {
-    const int MostSeconds = 60;
+    const int MaxSeconds = 60;
 
     /// <summary>A shell that runs this in the background has interrupts ignored, and what it starts inherits that: GNU's env
     /// puts it back to what a terminal gives.</summary>
@@ -35,7 +35,7 @@ public sealed class SignalTests
     {
         using var scratch = new ScratchFolder();
         using var process = Start("demo-cloud", "-o", scratch["big.las"], "--points", "400000000");
-        using var limit = new Timer(_ => process.Kill(), null, MostSeconds * 1000, Timeout.Infinite);
+        using var limit = new Timer(_ => process.Kill(), null, MaxSeconds * 1000, Timeout.Infinite);
         // The first line of progress: the file is being written.
         string line = process.StandardError.ReadLine();
         Assert.That(line, Does.Contain("points/s"));

@@ -43,8 +43,8 @@ public sealed class AssetNamingTests
     {
         string safe = AssetNaming.Safe(string.Concat(System.Linq.Enumerable.Repeat(character, 500)));
 
-        Assert.That(Encoding.UTF8.GetByteCount(safe), Is.LessThanOrEqualTo(AssetNaming.MostBytes)
-            .And.GreaterThan(AssetNaming.MostBytes - Encoding.UTF8.GetByteCount(character)));
+        Assert.That(Encoding.UTF8.GetByteCount(safe), Is.LessThanOrEqualTo(AssetNaming.MaxBytes)
+            .And.GreaterThan(AssetNaming.MaxBytes - Encoding.UTF8.GetByteCount(character)));
         Assert.That(safe.Length % character.Length, Is.Zero, "no character is cut in two");
     }
 

@@ -48,7 +48,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Importer_ThatAsksForASingleton_IsThrownOut()
+    public void Importer_ThatAsksForASingleton_IsRejected()
     {
         RuleImporter.Imports = _ => Assert.That(AssetDatabase.IsAssetImportWorkerProcess(), Is.True);
         AssetDatabase.ImportAsset(Path, ImportAssetOptions.ForceUpdate);
@@ -58,7 +58,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Importer_ThatMakesSomethingElseEachTime_IsThrownOut()
+    public void Importer_ThatMakesSomethingElseEachTime_IsRejected()
     {
         RuleImporter.Imports = asset => asset.Length = ++s_imports;
         Assert.That(() => AssetDatabase.ImportAsset(Path, ImportAssetOptions.ForceUpdate),
@@ -81,7 +81,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Refresh_FileThatIsGone_IsNoAssetAnyMore()
+    public void Refresh_FileThatIsMissing_IsNoAssetAnyMore()
     {
         File.Delete(m_project.Paths.Absolute(Path));
         AssetDatabase.Refresh();
@@ -129,7 +129,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void AddAdditionalPath_WhatIsNotThereOrAnothersPlace_IsThrownOut()
+    public void AddAdditionalPath_WhatIsNotThereOrAnothersPlace_IsRejected()
     {
         var context = new BuildPlayerContext(new BuildPlayerOptions());
         string one = m_project.Scratch["one.txt"], two = m_project.Scratch["two.txt"];

@@ -20,7 +20,7 @@ public sealed class BackgroundWorkTests : EditorFixture
         var now = new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc);
         Assert.That(pace.Next(now, 4, isFocused), Is.EqualTo(4), "nothing is measured yet");
         Assert.That(pace.Next(now.AddMilliseconds(apartMs), 4, isFocused), Is.EqualTo(wantedMs).Within(1e-9));
-        Assert.That(pace.AheadMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
+        Assert.That(pace.InFlightMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
         // A slice of 30 ms in 16 would make the next interval longer, and that the next slice.
         Assert.That(pace.Next(now.AddMilliseconds(apartMs + 100), 30, false), Is.EqualTo(50).Within(1e-9));
     }
@@ -29,7 +29,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     public void PlayMode_Pause_TakesNoStepUntilItEnds()
     {
         FastPointsSettings.instance.InPlayMode = InPlayMode.Pause;
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         var queue = m_project.Imports.Queue;
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
             () => queue.Session?.State == BuildState.Building);
@@ -50,7 +50,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     [Test]
     public void PlayMode_OneWorker_IsAsked_AndAllAfterwards()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         var queue = m_project.Imports.Queue;
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
             () => queue.Session?.State == BuildState.Building);
@@ -68,8 +68,8 @@ public sealed class BackgroundWorkTests : EditorFixture
     public void BatchConvert_ConvertsWhatIsNotConverted_WithoutUpdates()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-        m_project.Imports.Take(m_project.Copc("streamed.copc.laz"), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Copc("streamed.copc.laz"), "Assets");
         m_project.Scratch.Demo("project/Assets/inside.las", 4000);
         AssetDatabase.Refresh();
         Application.isBatchMode = true;
@@ -87,12 +87,12 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_SourceThatIsGone_FailsAndNamesIt()
+    public void BatchConvert_SourceThatIsMissing_FailsAndNamesIt()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         string source = m_project.Scratch.Demo("gone.las", 1000);
-        m_project.Imports.Take(source, "Assets");
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(source, "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         File.Delete(source);
         Assert.That(BatchConvert.All, Throws.InvalidOperationException.With.Message.Contains(
             "1 of 2 point clouds were not converted").And.Message.Contains("gone.las"));
@@ -103,10 +103,10 @@ public sealed class BackgroundWorkTests : EditorFixture
     public void BatchConvert_FilesThatAreRefusedForAMoment_AreWrittenLater()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         var refused = new HashSet<string>();
-        var before = FileChanges.Before;
-        FileChanges.Before = (change, from, to) =>
+        var before = FileChanges.Intercept;
+        FileChanges.Intercept = (change, from, to) =>
         {
             before?.Invoke(change, from, to);
             string name = Path.GetFileName(to);
@@ -119,7 +119,7 @@ public sealed class BackgroundWorkTests : EditorFixture
         }
         finally
         {
-            FileChanges.Before = before;
+            FileChanges.Intercept = before;
         }
         Assert.That(refused, Has.Count.EqualTo(2));
         Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(1000));
@@ -139,7 +139,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     [Test]
     public void BatchConvert_AnotherEditorHasTheFolder_SaysWho()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
         using (held)
             Assert.That(BatchConvert.All, Throws.InvalidOperationException.With.Message.Contains("imports into"));
@@ -161,7 +161,7 @@ public sealed class BackgroundWorkTests : EditorFixture
                 string name = isClone ? "clone.las" : "main.las";
                 m_project.Scratch.Demo("project/Assets/" + name, 1000);
                 AssetDatabase.Refresh();
-                m_project.Imports.MakePlace(m_project.Paths.Clouds);
+                m_project.Imports.CreateFolder(m_project.Paths.Clouds);
                 Assert.That(EditorApplication.update == null, Is.EqualTo(isClone));
                 Assert.That(AssetDatabase.GetImporterOverride("Assets/" + name), isClone ? Is.Null : Is.Not.Null);
                 Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(isClone ? 0 : 1));

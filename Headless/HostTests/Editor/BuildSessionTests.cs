@@ -131,7 +131,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Tick_OpeningThrowsWhatNobodyForesaw_FailsAndSaysWhere()
+    public void Tick_OpeningThrowsUnexpectedly_FailsAndSaysWhere()
     {
         using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
         UpdateUntil(session, () => session.IsEnded);
@@ -144,7 +144,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Suspend_WhenTheOpeningThrowsWhatNobodyForesaw_Ends()
+    public void Suspend_WhenTheOpeningThrowsUnexpectedly_Ends()
     {
         using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
         session.Suspend();

@@ -69,7 +69,7 @@ public sealed class CloudCatalogTests
     }
 
     [Test]
-    public void Refresh_UnfinishedAndDamagedClouds_AreToldAsSuch()
+    public void Refresh_UnfinishedAndDamagedClouds_AreReportedAsSuch()
     {
         string broken = Convert("broken", 2000), building = Convert("building", 3000);
         File.WriteAllText(Path.Combine(broken, StoreFormat.ManifestName), "{}");

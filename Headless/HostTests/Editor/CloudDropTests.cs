@@ -22,9 +22,9 @@ public sealed class CloudDropTests : EditorFixture
         }).ToArray();
     }
 
-    void Finish() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.IsTaking);
+    void Finish() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.IsCreating);
 
-    static void Drop(string[] paths, DropPlace place = null)
+    static void Drop(string[] paths, DropTarget place = null)
     {
         DragAndDrop.paths = paths;
         FastPointsSettings.instance.CopiedMiB = 0;
@@ -64,7 +64,7 @@ public sealed class CloudDropTests : EditorFixture
     public void Drop_AsOneCloud_IsOneHandleNamedAfterTheFolder()
     {
         EditorUtility.s_answer = 0;
-        Drop(Tiles(3).Reverse().ToArray(), new DropPlace());
+        Drop(Tiles(3).Reverse().ToArray(), new DropTarget());
         Finish();
         var cloud = SceneLoop.Find<PointCloud>().Single();
         Assert.That(AssetDatabase.GetAssetPath(cloud.Cloud), Is.EqualTo("Assets/tiles.pointcloud"));
@@ -108,12 +108,12 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void Reload_InTheMiddle_EndsItsProgressAndSaysSo()
+    public void Reload_InTheMiddle_EndsItsProgressAndReportsIt()
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         Drop(Tiles(20));
         m_project.Imports.Update(DateTime.UtcNow);
-        Assert.That(m_project.Imports.IsTaking, Is.True);
+        Assert.That(m_project.Imports.IsCreating, Is.True);
         AssemblyReloadEvents.Reload();
         Assert.That(Progress.Entries.All(e => e.HasEnded), Is.True);
         Assert.That(m_logged.Single(), Does.Contain("broke off the import of 20 point clouds"));
@@ -125,28 +125,28 @@ public sealed class CloudDropTests : EditorFixture
     public void Drop_Many_CostsEachAsMuchAsTheFirst(int count)
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
-        m_project.Imports.Take(m_project.Scratch.Demo("first.las", 200_000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("first.las", 200_000), "Assets");
         var queue = m_project.Imports.Queue;
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => queue.Session?.State == BuildState.Building);
         queue.Pause(queue.Running);
         var tiles = Tiles(count);
-        int saves = queue.Saves;
+        int saves = queue.SaveCount;
         (AssetDatabase.s_loads, AssetDatabase.s_searches, AssetDatabase.s_batches) = (0, 0, 0);
 
         var (whole, slice) = (Stopwatch.StartNew(), new Stopwatch());
         var slices = new List<double>();
-        Drop(tiles, new DropPlace());
+        Drop(tiles, new DropTarget());
         ImportProject.Updates(() =>
         {
             slice.Restart();
             m_project.Imports.Update(DateTime.UtcNow);
             slices.Add(slice.Elapsed.TotalMilliseconds);
-        }, () => !m_project.Imports.IsTaking);
+        }, () => !m_project.Imports.IsCreating);
         TestContext.Out.WriteLine($"{count} files: {whole.Elapsed.TotalSeconds:0.00} s; longest updates " +
             string.Join(", ", slices.OrderByDescending(s => s).Take(4).Select(s => s.ToString("0.0"))) + " ms");
 
         Assert.That(queue.Requests, Has.Count.EqualTo(1 + count));
-        Assert.That(queue.Saves - saves, Is.EqualTo(1), "the list");
+        Assert.That(queue.SaveCount - saves, Is.EqualTo(1), "the list");
         Assert.That(AssetDatabase.s_searches, Is.LessThanOrEqualTo(1));
         if (count < 100)
             ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.Thumbnails.IsDrawing);
@@ -172,7 +172,7 @@ public sealed class CloudDropTests : EditorFixture
     public void Assets_MovedAndDeleted_AreFoundByTheirCloud()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
-        var asset = m_project.Imports.Take(Tiles(1)[0], "Assets");
+        var asset = m_project.Imports.CreateAsset(Tiles(1)[0], "Assets");
         string cloud = m_project.Paths.Absolute(asset.ProjectPath);
         Assert.That(m_project.Imports.Assets.Of(cloud.ToUpperInvariant()), Is.EqualTo(new[] { "Assets/tile 0000.pointcloud" }));
         File.Copy("Assets/tile 0000.pointcloud", "Assets/copy.pointcloud");
@@ -202,7 +202,7 @@ public sealed class CloudDropTests : EditorFixture
         };
         PointCloudDrops.OnScene(new Vector3(4, 5, 6), null, true);
         var origin = SceneLoop.Find<PointCloudOrigin>().Single();
-        Assert.That(origin.Place, Is.EqualTo(new double3(690_050, 5_330_050, 500)));
+        Assert.That(origin.PositionGeo, Is.EqualTo(new double3(690_050, 5_330_050, 500)));
         Assert.That(SceneLoop.Find<PointCloud>().Select(c => c.Origin), Is.All.SameAs(origin));
         Assert.That(SceneLoop.Find<PointCloud>().Select(c => c.transform.position), Is.All.EqualTo(Vector3.zero));
 
@@ -229,16 +229,16 @@ public sealed class CloudDropTests : EditorFixture
             mine.transform.position = new Vector3(x, 0, 0);
             Selection.activeObject = mine;
         }
-        Drop(Tiles(5), new DropPlace());
+        Drop(Tiles(5), new DropTarget());
         Move(1);
         int moves = 1, selected = 0;
         ImportProject.Updates(() =>
         {
             m_project.Imports.Update(DateTime.UtcNow);
             selected += Selection.activeObject != mine ? 1 : 0;
-            if (m_project.Imports.IsTaking)
+            if (m_project.Imports.IsCreating)
                 Move(++moves);
-        }, () => !m_project.Imports.IsTaking);
+        }, () => !m_project.Imports.IsCreating);
         Assert.That(selected, Is.EqualTo(1));
         Assert.That(SceneLoop.Find<PointCloud>(), Has.Length.EqualTo(5));
         // Without an event between: still not part of what came with the drop.
@@ -263,7 +263,7 @@ public sealed class CloudDropTests : EditorFixture
         var scene = new Scene { Number = 7, Path = "one" };
         SceneManager.s_open.Add(scene);
         var target = new GameObject("target");
-        Drop(Tiles(3), isScene ? new DropPlace { Scene = scene } : new DropPlace { Parent = target.transform });
+        Drop(Tiles(3), isScene ? new DropTarget { Scene = scene } : new DropTarget { Parent = target.transform });
         m_project.Imports.Update(DateTime.UtcNow);
         UnityEngine.Object.DestroyImmediate(target);
         SceneManager.s_open.Remove(scene);
@@ -280,9 +280,9 @@ public sealed class CloudDropTests : EditorFixture
         var origin = new GameObject("origin").AddComponent<PointCloudOrigin>();
         DragAndDrop.objectReferences = new UnityEngine.Object[] { Known("a", new double3(690_000, 5_330_000, 500)) };
         PointCloudDrops.OnScene(null, origin.transform, true);
-        Assert.That(origin.HasPlace, Is.True);
+        Assert.That(origin.HasPosition, Is.True);
         Undo.PerformUndo();
-        Assert.That(origin.HasPlace, Is.False);
+        Assert.That(origin.HasPosition, Is.False);
     }
 
     [Test]

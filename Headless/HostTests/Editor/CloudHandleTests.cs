@@ -29,7 +29,7 @@ public sealed class CloudHandleTests
     }
 
     [TestCase(2, 2, "b.las: at byte 7: odd 1")]
-    [TestCase(30, CloudHandle.MostWarnings, "11 more")]
+    [TestCase(30, CloudHandle.MaxWarnings, "11 more")]
     public void Describe_Warnings_AreKeptUpToALimit(int count, int kept, string last)
     {
         var handle = new CloudHandle { CloudPath = "a" };
@@ -61,7 +61,7 @@ public sealed class CloudHandleTests
     [TestCase("{\"format\": \"other\"}", FailureCode.BadInput, "got \"other\"")]
     [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 2}", FailureCode.Unsupported, "wanted 1, got 2")]
     [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 1, \"cloudId\": \"12\"}", FailureCode.BadInput, "\"cloudId\"")]
-    public void FromJson_SomethingElse_TellsFileAndMember(string text, FailureCode code, string reported) =>
+    public void FromJson_SomethingElse_ReportsFileAndMember(string text, FailureCode code, string reported) =>
         Assert.That(() => CloudHandle.FromJson(text, "x.pointcloud"), Throws.TypeOf<PointCloudException>()
             .With.Property("Code").EqualTo(code).And.Message.StartsWith("x.pointcloud: ").And.Message.Contains(reported));
 
@@ -69,7 +69,7 @@ public sealed class CloudHandleTests
     [TestCase("\"cloud\": \"a\"", "\"cloud\": \"\"", "\"cloud\"")]
     [TestCase("\"sources\": [", "\"sources\": [1", "\"sources\"")]
     [TestCase("\"points\": -1", "\"points\": -1, \"bounds\": {\"min\": [0, 0], \"max\": [1, 1, 1]}", "\"min\"")]
-    public void FromJson_PlantedFault_TellsTheMember(string whole, string planted, string reported)
+    public void FromJson_PlantedFault_ReportsTheMember(string whole, string planted, string reported)
     {
         string text = new CloudHandle { CloudPath = "a" }.ToJson();
         Assert.That(text, Does.Contain(whole));

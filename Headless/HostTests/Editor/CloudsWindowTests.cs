@@ -25,7 +25,7 @@ public sealed class CloudsWindowTests : EditorFixture
         typeof(CloudsWindow).GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(m_window, null);
 
     CloudList List() => CloudList.Collect(m_project.Paths, m_project.Imports.Assets.All,
-        m_project.Imports.Queue.Promised.ToList());
+        m_project.Imports.Queue.ReservedPaths.ToList());
 
     void Press(string button)
     {
@@ -43,10 +43,10 @@ public sealed class CloudsWindowTests : EditorFixture
     [Test]
     public void List_SaysOfEachCloudWhatItIs()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("a.las", 2000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 2000), "Assets");
         m_project.UpdateToTheEnd();
-        m_project.Imports.Take(m_project.Scratch.Demo("b.las", 3000), "Assets");
-        m_project.Imports.Take(m_project.Copc("c.copc.laz"), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("b.las", 3000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Copc("c.copc.laz"), "Assets");
         File.Delete(m_project.Scratch["b.las"]);
 
         var list = List();
@@ -68,8 +68,8 @@ public sealed class CloudsWindowTests : EditorFixture
     [TestCase(false)]
     public void DeleteUnused_TakesWhatNoAssetHas(bool agrees)
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("a.las", 1000), "Assets");
-        m_project.Imports.Take(m_project.Scratch.Demo("b.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("b.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         File.Delete("Assets/b.pointcloud");
         AssetDatabase.Refresh();
@@ -98,7 +98,7 @@ public sealed class CloudsWindowTests : EditorFixture
     [Test]
     public void List_OfThousands_IsReachedPageByPage()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("z.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("z.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         Collected(0);
         var rows = ((CloudList)typeof(CloudsWindow).GetField("m_list", BindingFlags.Instance | BindingFlags.NonPublic)
@@ -121,7 +121,7 @@ public sealed class CloudsWindowTests : EditorFixture
     public void Queue_ButtonsOrderAndCancel()
     {
         foreach (string name in new[] { "a", "b", "c" })
-            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
         var queue = m_project.Imports.Queue;
         queue.MoveFirst(queue.Requests[2]);
         Assert.That(queue.Requests.Select(r => r.Cloud), Is.EqualTo(new[] { "c", "a", "b" }.Select(n =>
@@ -139,7 +139,7 @@ public sealed class CloudsWindowTests : EditorFixture
     public void Button_ThatOpensAPanel_LeavesTheWindowsLayout(string button)
     {
         foreach (string name in new[] { "a", "b", "c" })
-            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         File.Delete(m_project.Scratch["a.las"]);
         File.Delete("Assets/c.pointcloud");
@@ -154,8 +154,8 @@ public sealed class CloudsWindowTests : EditorFixture
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         foreach (string name in new[] { "a", "b", "c", "gone" })
-            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
-        m_project.Imports.Take(m_project.Copc("d.copc.laz"), "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Copc("d.copc.laz"), "Assets");
         File.Copy("Assets/a.pointcloud", "Assets/a 1.pointcloud");
         File.Delete(m_project.Scratch["gone.las"]);
         AssetDatabase.Refresh();
@@ -173,7 +173,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void Group_ThatIsNotEnded_IsThrownOut()
+    public void Group_ThatIsNotEnded_IsRejected()
     {
         void Unbalanced() => GUILayout.BeginHorizontal();
         Assert.That(() => GUILayoutUtility.Repaint(Unbalanced), Throws.InvalidOperationException);

@@ -94,7 +94,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Handlers_OfAllThreeWindows_AreThere()
+    public void Handlers_OfAllThreeWindows_Exist()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
         Assert.That(DragAndDrop.Handlers.Select(h => h.GetType().Name), Is.EquivalentTo(new[]

@@ -13,7 +13,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         string source = m_project.Scratch.Demo("scan.las", 20_000);
 
-        var asset = m_project.Imports.Take(source, "Assets");
+        var asset = m_project.Imports.CreateAsset(source, "Assets");
 
         Assert.That(m_logged, Is.Empty);
         Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
@@ -36,7 +36,7 @@ public sealed class EditorImportsTests : EditorFixture
     public void Update_HandleIsReadWhenItsCloudIsDone_IsWrittenLater()
     {
         using var windows = WindowsRules.On();
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 3000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
         using (WindowsRules.ReadAt((change, _, to) => change == FileChange.Replace && to == HandlePath("scan.pointcloud"),
             (_, to) => to))
         {
@@ -49,12 +49,12 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Take_TwoFilesOfOneName_AreTwoClouds()
+    public void CreateAsset_TwoFilesOfOneName_AreTwoClouds()
     {
         Directory.CreateDirectory(m_project.Scratch["other"]);
         string one = m_project.Scratch.Demo("scan.las", 3000), two = m_project.Scratch.Demo("other/scan.las", 4000);
-        var first = m_project.Imports.Take(one, "Assets");
-        var second = m_project.Imports.Take(two, "Assets");
+        var first = m_project.Imports.CreateAsset(one, "Assets");
+        var second = m_project.Imports.CreateAsset(two, "Assets");
         Assert.That(second.ProjectPath, Is.EqualTo("PointClouds/scan 2.fastpoints"));
 
         m_project.UpdateToTheEnd();
@@ -67,7 +67,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         string folder = m_project.Scratch.Converted("far.fastpoints");
 
-        var asset = m_project.Imports.Take(folder, "Assets");
+        var asset = m_project.Imports.CreateAsset(folder, "Assets");
 
         Assert.That(asset.Points, Is.EqualTo(3000));
         Assert.That(asset.Paths.FullPath, Is.EqualTo(folder));
@@ -76,10 +76,10 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Take_SourceThatIsGone_SaysSoAndCanBeTriedAgain()
+    public void CreateAsset_SourceThatIsMissing_ReportsItAndCanBeTriedAgain()
     {
         string source = m_project.Scratch.Demo("scan.las", 3000);
-        m_project.Imports.Take(source, "Assets");
+        m_project.Imports.CreateAsset(source, "Assets");
         File.Move(source, source + ".away");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => m_logged.Count > 0);
         Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: ").And.EndsWith("no such file or folder"));
@@ -94,7 +94,7 @@ public sealed class EditorImportsTests : EditorFixture
     public void Suspend_InTheMiddle_IsFinishedAfterTheReload()
     {
         string source = m_project.Scratch.Demo("scan.las", 100_000);
-        m_project.Imports.Take(source, "Assets");
+        m_project.Imports.CreateAsset(source, "Assets");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
             () => m_project.Imports.Queue.Session?.Progress.Current == "read");
         m_project.Imports.Suspend();
@@ -108,7 +108,7 @@ public sealed class EditorImportsTests : EditorFixture
     [Test]
     public void ProgressButtons_PauseAndCancelTheConversion()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
         var shown = Progress.Entries[0];
         Assert.That(shown.Name, Is.EqualTo("Convert scan.pointcloud"));
@@ -134,7 +134,7 @@ public sealed class EditorImportsTests : EditorFixture
     [Test]
     public void ProgressPause_BeforeTheFileIsOpen_IsRefused()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.Imports.Update(DateTime.UtcNow);
         Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Opening));
         Assert.That(Progress.Pause(0), Is.False);
@@ -145,7 +145,7 @@ public sealed class EditorImportsTests : EditorFixture
     [Test]
     public void Reload_WhileTheConversionIsShown_IsNoCancel()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
 
         AssemblyReloadEvents.Reload();
@@ -171,14 +171,14 @@ public sealed class EditorImportsTests : EditorFixture
             Is.EqualTo(CatalogMatch.InPlace));
         Assert.That(cloud.Manifest.Points, Is.EqualTo(5000));
 
-        m_project.Imports.TakePointFiles(new[] { "Assets/scan.las" });
+        m_project.Imports.CreatePointFileHandles(new[] { "Assets/scan.las" });
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "it is converted already");
     }
 
     [Test]
     public void Import_UpAxisAndUnit_DecideOnHowTheCloudStands()
     {
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
         Assert.That(asset.TryGetSpace(out var bounds, out var asIs), Is.True);
         Assert.That((asIs.Up, asIs.OriginGeo), Is.EqualTo((UpAxis.Z, asset.Origin)));
@@ -199,7 +199,7 @@ public sealed class EditorImportsTests : EditorFixture
     public void Import_ConvertedWithAnotherUpAxis_StaysWhereItIs()
     {
         ScriptedImports.Configure = importer => ((CloudImporter)importer).UpAxis = UpAxis.Y;
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
 
         var handle = m_project.Imports.HandleOf("Assets/scan.pointcloud");
@@ -211,7 +211,7 @@ public sealed class EditorImportsTests : EditorFixture
     [Test]
     public void PointCloud_AssetGetsAnotherUpAxis_IsTurned()
     {
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
         using var world = StreamingWorld();
         var cloud = PointCloudDrops.Show(asset, null, null);
@@ -239,9 +239,9 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Take_Copc_IsStreamedAsItIsUnlessTheSettingsSayOtherwise()
+    public void CreateAsset_Copc_IsStreamedAsItIsUnlessTheSettingsSayOtherwise()
     {
-        var asset = m_project.Imports.Take(m_project.Copc("scan.copc.laz"), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Copc("scan.copc.laz"), "Assets");
 
         Assert.That(m_logged, Is.Empty);
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
@@ -249,15 +249,15 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(asset.PlayerSource, Does.Match("^PointClouds/[0-9a-f]{8}/scan.copc.laz$"));
 
         FastPointsSettings.instance.ConvertOctrees = true;
-        m_project.Imports.Take(m_project.Copc("other.copc.laz"), "Assets");
+        m_project.Imports.CreateAsset(m_project.Copc("other.copc.laz"), "Assets");
         Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1));
     }
 
     [Test]
-    public void Take_ConvertAtOnceOff_LeavesTheFileToItsPreview()
+    public void CreateAsset_ConvertAtOnceOff_LeavesTheFileToItsPreview()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
         Assert.That(asset.PlayerSource, Is.Empty, "a player cannot stream it");
         using var world = StreamingWorld();
@@ -286,7 +286,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         using var world = StreamingWorld();
         var stream = world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
         Assert.That(cloud.transform.position.z, Is.EqualTo(3));
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
@@ -324,7 +324,7 @@ public sealed class EditorImportsTests : EditorFixture
             return EditorApplication.s_queuedUpdates - before;
         }
         EditorProject.Rest(world);
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         var cloud = PointCloudDrops.Show(asset, null, null);
         world.Update();
         Assert.That(Asked(), Is.EqualTo(1));
@@ -343,7 +343,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         using var world = StreamingWorld();
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         var entity = world.EntityManager.CreateEntity();
         world.EntityManager.AddComponentData(entity, new Unity.Transforms.LocalToWorld { Value = float4x4.identity });
         world.EntityManager.AddComponentData(entity, asset.File());
@@ -360,21 +360,21 @@ public sealed class EditorImportsTests : EditorFixture
     public void EditModeFrames_BuildThatStandsStill_AreOneASecondUntilItIsDone()
     {
         string folder = m_project.Scratch.Converted("far.fastpoints");
-        var asset = m_project.Imports.Take(folder, "Assets");
+        var asset = m_project.Imports.CreateAsset(folder, "Assets");
         Directory.Move(folder, folder + ".part");
         using var world = StreamingWorld();
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var cloud = PointCloudDrops.Show(asset, null, null);
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         EditorProject.Rest(world);
-        Assert.That(group.WantsFrame, Is.False);
+        Assert.That(group.NeedsFrame, Is.False);
         int looks = 0;
         for (var watch = Stopwatch.StartNew(); watch.Elapsed.TotalSeconds < 2.5;)
         {
             EditModeFrames.Update();
             if (EditorApplication.TakeUpdate())
             {
-                looks += group.WantsFrame ? 0 : 1;
+                looks += group.NeedsFrame ? 0 : 1;
                 world.Update();
             }
             Thread.Sleep(1);
@@ -382,7 +382,7 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(looks, Is.InRange(1, 3));
         Directory.Move(folder + ".part", folder);
         EditorProject.Frames(world, () => group.Stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(
-            cloud.Entity).Number].Source is FolderSource { Folder: { IsInTheMaking: false } });
+            cloud.Entity).Number].Source is FolderSource { Folder: { IsUnfinished: false } });
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
     }
 
@@ -394,9 +394,9 @@ public sealed class EditorImportsTests : EditorFixture
         using var world = StreamingWorld();
         using var other = new World("other");
         if (isChosen)
-            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ShownWorld) = (other, world);
+            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ObjectWorld) = (other, world);
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
         var cloud = PointCloudDrops.Show(asset, null, null);
         EditorApplication.isPlaying = EditorApplication.isPaused = true;
@@ -407,7 +407,7 @@ public sealed class EditorImportsTests : EditorFixture
                 () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
             Assert.That(SceneView.Repaints, Is.GreaterThan(repaints));
             Assert.That(EditorApplication.s_queuedUpdates, Is.EqualTo(queued), "a frame would end the pause");
-            ImportProject.Updates(EditModeFrames.Update, () => !group.WantsFrame);
+            ImportProject.Updates(EditModeFrames.Update, () => !group.NeedsFrame);
             repaints = SceneView.Repaints;
             EditModeFrames.Update();
             Assert.That(SceneView.Repaints, Is.EqualTo(repaints), "there is nothing to do");
@@ -415,7 +415,7 @@ public sealed class EditorImportsTests : EditorFixture
         finally
         {
             EditorApplication.isPlaying = EditorApplication.isPaused = false;
-            PointCloudSystemGroup.ShownWorld = null;
+            PointCloudSystemGroup.ObjectWorld = null;
             UnityEngine.Object.DestroyImmediate(cloud.gameObject);
         }
     }

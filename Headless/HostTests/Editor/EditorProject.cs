@@ -56,14 +56,14 @@ sealed class EditorProject : IDisposable
     public void Pull(string name)
     {
         string data = Paths.Absolute("PointClouds/" + name + ".fastpoints"), asset = "Assets/" + name + ".pointcloud";
-        Imports.Take(Scratch.Demo(name + ".las", 1000), "Assets");
+        Imports.CreateAsset(Scratch.Demo(name + ".las", 1000), "Assets");
         UpdateToTheEnd();
         Directory.Move(data, Scratch["old"]);
         Scratch.Demo(name + ".las", 3000);
         Imports.Convert(asset);
         UpdateToTheEnd();
         ImportProject.Updates(() => Imports.Update(DateTime.UtcNow),
-            () => !Imports.Thumbnails.IsDrawing && !Imports.Missing.IsLooking);
+            () => !Imports.Thumbnails.IsDrawing && !Imports.Missing.IsSearching);
         Directory.Delete(data, true);
         Directory.Move(Scratch["old"], data);
         AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);

@@ -37,12 +37,12 @@ sealed class ImportProject : IDisposable
 
     /// <summary>Against waiting for ever, not a bound on speed: on a busy machine any number of turns may pass
     /// idly.</summary>
-    public static readonly TimeSpan MostWait = TimeSpan.FromMinutes(4);
+    public static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(4);
 
     /// <summary>As an editor's updates, until something has come about.</summary>
     public static void Updates(Action update, Func<bool> isDone)
     {
-        for (var wait = Stopwatch.StartNew(); !isDone() && wait.Elapsed < MostWait;)
+        for (var wait = Stopwatch.StartNew(); !isDone() && wait.Elapsed < MaxWait;)
         {
             update();
             Thread.Yield();

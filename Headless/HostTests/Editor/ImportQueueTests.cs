@@ -114,7 +114,7 @@ public sealed class ImportQueueTests
     [Test]
     public void Crash_InTheMiddle_TheNextQueueGoesOnButNotForever()
     {
-        for (int crash = 1; crash <= ImportQueue.MostAttempts; crash++)
+        for (int crash = 1; crash <= ImportQueue.MaxAttempts; crash++)
         {
             var queue = Open();
             if (crash == 1)
@@ -154,7 +154,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Tick_SourceThatIsGone_FailsAndTheOthersGoOn()
+    public void Tick_SourceThatIsMissing_FailsAndTheOthersGoOn()
     {
         using var queue = Open();
         var gone = m_project.Request("gone");
@@ -172,7 +172,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Tick_FolderThatCannotBeWritten_SaysSoAndKeepsTheRequests()
+    public void Tick_FolderThatCannotBeWritten_ReportsItAndKeepsTheRequests()
     {
         Directory.CreateDirectory(m_project.Paths.Project);
         File.WriteAllText(m_project.Paths.Clouds, "a file where the folder would be");
@@ -231,7 +231,7 @@ public sealed class ImportQueueTests
         queue.Add(m_project.Request());
         queue.Add(m_project.Request());
         Assert.That(queue.Requests, Has.Count.EqualTo(1));
-        Assert.That(queue.Promised, Is.EqualTo(new[] { m_project.Target() }));
+        Assert.That(queue.ReservedPaths, Is.EqualTo(new[] { m_project.Target() }));
         UpdateUntil(queue, () => queue.Session != null);
         var running = queue.Running;
         queue.Add(m_project.Request());
@@ -245,11 +245,11 @@ public sealed class ImportQueueTests
         using var queue = Open();
         queue.Add(m_project.Request("first"));
         UpdateUntil(queue, () => queue.Session != null);
-        int saves = queue.Saves;
+        int saves = queue.SaveCount;
         queue.Add(new[] { "b", "a", "c", "A" }.Select(m_project.Request).Append(m_project.Request("first")).ToArray());
         Assert.That(queue.Requests.Select(r => r.Asset),
             Is.EqualTo(new[] { "asset of first", "asset of b", "asset of c", "asset of A" }));
-        Assert.That(queue.Saves - saves, Is.EqualTo(1));
+        Assert.That(queue.SaveCount - saves, Is.EqualTo(1));
     }
 
     [Test]

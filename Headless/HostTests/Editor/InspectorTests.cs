@@ -121,7 +121,7 @@ public sealed class InspectorTests
             DrawnNodes = 12,
             CachedNodes = 40,
             PoolBytes = 3 << 20,
-            ReadsUnderWay = 3,
+            ReadsInFlight = 3,
             SelectMs = 0.25,
             ListMs = 0.5,
         };
@@ -146,7 +146,7 @@ public sealed class InspectorTests
             var buttons = new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
             try
             {
-                project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
+                project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
                 var importer = new HandleImporter { Path = "Assets/scan.pointcloud" };
                 var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
                 void Draw()
@@ -304,7 +304,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Layout_AControlMoreAtTheRepaint_IsThrownOut()
+    public void Layout_AControlMoreAtTheRepaint_IsRejected()
     {
         int controls = 1;
         void Draw()
@@ -322,7 +322,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void ImporterInspector_ThatLeavesOutApply_IsToldSo()
+    public void ImporterInspector_ThatLeavesOutApply_IsRefused()
     {
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(text);
@@ -341,7 +341,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Check_SoundAndDamagedCloud_SaysSo()
+    public void Check_SoundAndDamagedCloud_ReportsIt()
     {
         using (var project = new EditorProject())
         {
@@ -349,7 +349,7 @@ public sealed class InspectorTests
             Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
             try
             {
-                var asset = project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
+                var asset = project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
                 project.UpdateToTheEnd();
                 string path = project.Paths.Absolute(asset.ProjectPath);
                 CloudCheck Verify()

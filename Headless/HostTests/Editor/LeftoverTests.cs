@@ -18,13 +18,13 @@ public sealed class LeftoverTests : EditorFixture
     public void Place_ThatIsMade_IsNotForGitUnlessTheSettingsSaySo([Values] bool ignores)
     {
         FastPointsSettings.instance.GitIgnore = ignores;
-        m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         Assert.That(File.Exists("PointClouds/.gitignore"), Is.EqualTo(ignores));
         if (!ignores)
             return;
         Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
         File.Delete("PointClouds/.gitignore");
-        m_project.Imports.Take(m_project.Scratch.Demo("other.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("other.las", 1000), "Assets");
         Assert.That(File.Exists("PointClouds/.gitignore"), Is.False, "who has taken it away wants it so");
     }
 
@@ -36,8 +36,8 @@ public sealed class LeftoverTests : EditorFixture
     public void Delete_ByTheUser_AsksOnceForAllWhetherTheDataGo(bool agrees)
     {
         AssetDatabase.CreateFolder("Assets", "Scans");
-        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets/Scans");
-        m_project.Imports.Take(m_project.Scratch.Demo("two.las", 1000), "Assets/Scans");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets/Scans");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 1000), "Assets/Scans");
         m_project.UpdateToTheEnd();
         Updates();
         EditorUtility.s_agrees = agrees;
@@ -56,7 +56,7 @@ public sealed class LeftoverTests : EditorFixture
     [Test]
     public void Delete_ByABranch_AsksNobody()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         File.Delete("Assets/one.pointcloud");
         AssetDatabase.Refresh();
@@ -69,7 +69,7 @@ public sealed class LeftoverTests : EditorFixture
     [Test]
     public void Delete_OfOneOfTwoUsers_LeavesTheDataToTheOther()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         File.Copy("Assets/one.pointcloud", "Assets/one 1.pointcloud");
         AssetDatabase.Refresh();
@@ -89,7 +89,7 @@ public sealed class LeftoverTests : EditorFixture
     public void Delete_OfAFolderElsewhere_IsNotOffered()
     {
         string folder = m_project.Scratch.Converted("far.fastpoints");
-        m_project.Imports.Take(folder, "Assets");
+        m_project.Imports.CreateAsset(folder, "Assets");
         EditorUtility.s_agrees = true;
         AssetDatabase.DeleteAsset("Assets/far.pointcloud");
         m_project.Imports.Update(DateTime.UtcNow);
@@ -101,7 +101,7 @@ public sealed class LeftoverTests : EditorFixture
     [Test]
     public void Duplicate_OfAHandle_SharesTheCloudAndItsConversion()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 3000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 3000), "Assets");
         File.Copy("Assets/one.pointcloud", "Assets/one 1.pointcloud");
         AssetDatabase.Refresh();
         Assert.That(m_project.Imports.RequestOf("Assets/one 1.pointcloud"),
@@ -121,7 +121,7 @@ public sealed class LeftoverTests : EditorFixture
     void Clone(params string[] names)
     {
         foreach (string name in names)
-            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         Updates();
         AssemblyReloadEvents.Reload();
@@ -152,7 +152,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     void Look() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-        () => !m_project.Imports.Missing.IsLooking);
+        () => !m_project.Imports.Missing.IsSearching);
 
     [Test]
     public void Clone_Declined_IsAskedAboutWhatComesLaterAlone()
@@ -201,7 +201,7 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(SpinWait.SpinUntil(() =>
         {
             m_project.Imports.Update(DateTime.UtcNow);
-            return !m_project.Imports.Missing.IsLooking;
+            return !m_project.Imports.Missing.IsSearching;
         }, 500), Is.False);
         Assert.That(EditorUtility.s_dialogs, Is.Empty);
         EditorApplication.isPlaying = false;
@@ -210,7 +210,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Look_ThatFails_IsToldAndNotTriedAgain()
+    public void Look_ThatFails_IsReportedAndNotTriedAgain()
     {
         Clone("one");
         string source = CloudHandle.FromJson(File.ReadAllText("Assets/one.pointcloud"), "").Sources[0];
@@ -223,7 +223,7 @@ public sealed class LeftoverTests : EditorFixture
     [Test]
     public void Look_AddsUpNoSizes_AndEndsWhenItIsCancelled()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
         CloudList Collect(bool isCancelled) => CloudList.Collect(m_project.Paths, m_project.Imports.Assets.All, new string[0],
             false, false, new CancellationToken(isCancelled));
@@ -235,7 +235,7 @@ public sealed class LeftoverTests : EditorFixture
     [TestCase("the conversion")]
     public void Data_ThatTheUserDoesNotWant_AreNotAskedAbout(string what)
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         if (what == "the conversion")
         {
             m_project.Imports.Cancel(m_project.Imports.RequestOf("Assets/one.pointcloud"));
@@ -257,7 +257,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Clone_WithoutSources_IsToldOnceAndNamed()
+    public void Clone_WithoutSources_IsReportedOnceAndNamed()
     {
         Clone("gone");
         File.Delete(m_project.Scratch["gone.las"]);
@@ -276,7 +276,7 @@ public sealed class LeftoverTests : EditorFixture
     {
         Clone("one");
         (Application.isBatchMode, FastPointsSettings.instance.ConvertAtOnce) = (isBatch, isBatch);
-        for (int i = 0; i < 3 || !isBatch && m_project.Imports.Missing.IsLooking; i++)
+        for (int i = 0; i < 3 || !isBatch && m_project.Imports.Missing.IsSearching; i++)
             m_project.Imports.Update(DateTime.UtcNow);
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
         if (isBatch)

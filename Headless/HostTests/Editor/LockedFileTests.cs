@@ -18,7 +18,7 @@ public sealed class LockedFileTests : EditorFixture
         return agrees;
     };
 
-    void Take() => m_project.Imports.Take(m_project.Scratch.Demo("a.las", 2000), "Assets");
+    void Take() => m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 2000), "Assets");
 
     [Test]
     public void Handle_IsCheckedOutWhenItsCloudIsConverted()

@@ -81,16 +81,16 @@ public sealed class MeasureTests
     }
 
     [Test]
-    public void ScenePicker_TurnedAndEnlargedCloud_TellsCoordinatesOfTheFile()
+    public void ScenePicker_TurnedAndEnlargedCloud_ReportsCoordinatesOfTheFile()
     {
         using (var picker = new ScenePicker())
         {
             var ray = Down();
             var pick = Find(picker, ray);
             Assert.That(pick.Failure, Is.Null);
-            Assert.That(m_folder.Manifest.BoundsGeo.Contains(pick.Point.PlaceGeo), Is.True);
-            Assert.That(math.distance(WorldOf(pick.Point.PlaceGeo), pick.Point.PlaceWorld), Is.LessThan(1e-6));
-            Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PlaceWorld),
+            Assert.That(m_folder.Manifest.BoundsGeo.Contains(pick.Point.PositionGeo), Is.True);
+            Assert.That(math.distance(WorldOf(pick.Point.PositionGeo), pick.Point.PositionWorld), Is.LessThan(1e-6));
+            Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PositionWorld),
                 Is.LessThan(ray.RadiusAt(pick.Point.Distance)));
             Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
             Assert.That(pick.Path, Is.EqualTo(m_path));
@@ -133,12 +133,12 @@ public sealed class MeasureTests
         {
             var first = Find(picker, Down()).Point;
             var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-            stream.ClipBoxes.Add(new ClipBox(first.PlaceWorld - 0.5, first.PlaceWorld + 0.5, true));
+            stream.ClipBoxes.Add(new ClipBox(first.PositionWorld - 0.5, first.PositionWorld + 0.5, true));
             var second = Find(picker, Down()).Point;
-            Assert.That(second.Place, Is.Not.EqualTo(first.Place));
+            Assert.That(second.Position, Is.Not.EqualTo(first.Position));
             Assert.That(second.Distance, Is.GreaterThan(first.Distance));
             stream.ClipBoxes.Clear();
-            Assert.That(Find(picker, Down()).Point.Place, Is.EqualTo(first.Place));
+            Assert.That(Find(picker, Down()).Point.Position, Is.EqualTo(first.Position));
 
             var ray = Down();
             m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
@@ -165,7 +165,7 @@ public sealed class MeasureTests
             var ray = Down();
             m_cloud.enabled = false;
             var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-            Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
+            Frames(() => stream.Clouds.All(c => c == null || c.IsRemoving));
             Assert.That(Find(picker, ray).Point, Is.Null);
             m_world.Dispose();
             Assert.That(picker.Begin(ray), Is.False);
@@ -177,7 +177,7 @@ public sealed class MeasureTests
     {
         float3 point;
         using (var picker = new ScenePicker())
-            point = (float3)Find(picker, Down(east)).Point.PlaceWorld;
+            point = (float3)Find(picker, Down(east)).Point.PositionWorld;
         var camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
         camera.cameraType = CameraType.SceneView;
         camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
@@ -195,7 +195,7 @@ public sealed class MeasureTests
     [Test]
     public void Click_InTheSceneView_SelectsTheCloudThatCanBePicked()
     {
-        ScenePicking.MostMs = double.PositiveInfinity;
+        ScenePicking.MaxMs = double.PositiveInfinity;
         var camera = CameraAbove();
         var middle = new Vector2(50, 50);
         var cloud = m_cloud.gameObject;
@@ -224,9 +224,9 @@ public sealed class MeasureTests
             StageUtility.Focused = new UnityEngine.SceneManagement.Scene { Number = 7 };
             Assert.That(Hits(), Is.False, "another prefab is open");
             StageUtility.Focused = default;
-            ScenePicking.MostMs = 0;
+            ScenePicking.MaxMs = 0;
             Assert.That(() => Hits(), Throws.Nothing, "no time at all");
-            ScenePicking.MostMs = double.PositiveInfinity;
+            ScenePicking.MaxMs = double.PositiveInfinity;
             Assert.That(Hits(), Is.True);
             EditorApplication.CallDelayed();
             m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
@@ -235,7 +235,7 @@ public sealed class MeasureTests
         }
         finally
         {
-            ScenePicking.MostMs = 100;
+            ScenePicking.MaxMs = 100;
             EditorApplication.CallDelayed();
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
@@ -246,7 +246,7 @@ public sealed class MeasureTests
     [TestCase(EventType.DragPerform)]
     public void Drag_OverTheSceneView_LooksForNoPoints(EventType type)
     {
-        ScenePicking.MostMs = double.PositiveInfinity;
+        ScenePicking.MaxMs = double.PositiveInfinity;
         var camera = CameraAbove();
         try
         {
@@ -257,7 +257,7 @@ public sealed class MeasureTests
         }
         finally
         {
-            (ScenePicking.MostMs, Event.current) = (100, null);
+            (ScenePicking.MaxMs, Event.current) = (100, null);
             EditorApplication.CallDelayed();
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
@@ -266,18 +266,18 @@ public sealed class MeasureTests
     [Test]
     public void Click_WorldThatIsShownIsNotTheDefaultOne_SelectsItsCloud()
     {
-        ScenePicking.MostMs = double.PositiveInfinity;
+        ScenePicking.MaxMs = double.PositiveInfinity;
         var camera = CameraAbove();
         using var other = new World("other");
         try
         {
-            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ShownWorld) = (other, m_world);
+            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ObjectWorld) = (other, m_world);
             Assert.That(HandleUtility.Click(camera, new Vector2(50, 50)), Is.EqualTo(new[] { m_scene }));
         }
         finally
         {
-            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ShownWorld) = (m_world, null);
-            ScenePicking.MostMs = 100;
+            (World.DefaultGameObjectInjectionWorld, PointCloudSystemGroup.ObjectWorld) = (m_world, null);
+            ScenePicking.MaxMs = 100;
             EditorApplication.CallDelayed();
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
@@ -287,7 +287,7 @@ public sealed class MeasureTests
     [Test]
     public void Click_OnTwoClouds_GoesThroughBoth()
     {
-        ScenePicking.MostMs = double.PositiveInfinity;
+        ScenePicking.MaxMs = double.PositiveInfinity;
         var above = new GameObject("above");
         var camera = CameraAbove();
         try
@@ -303,7 +303,7 @@ public sealed class MeasureTests
         }
         finally
         {
-            ScenePicking.MostMs = 100;
+            ScenePicking.MaxMs = 100;
             EditorApplication.CallDelayed();
             UnityEngine.Object.DestroyImmediate(above);
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
@@ -311,7 +311,7 @@ public sealed class MeasureTests
     }
 
     [Test]
-    public void MeasureTool_TwoClicks_TellBothPointsAndWhatLiesBetween()
+    public void MeasureTool_TwoClicks_ReportBothPointsAndWhatLiesBetween()
     {
         var view = ScriptableObject.CreateInstance<SceneView>();
         view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
@@ -329,7 +329,7 @@ public sealed class MeasureTests
         {
             float3 eye;
             using (var picker = new ScenePicker())
-                eye = (float3)Find(picker, Down(east)).Point.PlaceWorld + new float3(0, 1, 0);
+                eye = (float3)Find(picker, Down(east)).Point.PositionWorld + new float3(0, 1, 0);
             view.camera.transform.position = new Vector3(eye.x, eye.y, eye.z);
             var down = new Vector3(0, -1, 0);
             HandleUtility.PointedAlong = new Ray(view.camera.transform.position + down * 0.1f, down);
@@ -371,7 +371,7 @@ public sealed class MeasureTests
     /// <summary>Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive
     /// them.</summary>
     [Test]
-    public void MeasureTool_ScriptsAreReloaded_IsToldOnceAndBeginsAnew()
+    public void MeasureTool_ScriptsAreReloaded_IsReportedOnceAndBeginsAgain()
     {
         var tool = ScriptableObject.CreateInstance<MeasureTool>();
         tool.Activate();
@@ -390,22 +390,22 @@ public sealed class MeasureTests
 
     void AssertMarksGoWithTheCloud(MeasureSession session)
     {
-        var picked = session.Picks[1].Point.PlaceWorld;
-        Assert.That(math.distance(session.PlaceOf(1), picked), Is.LessThan(1e-6));
+        var picked = session.Picks[1].Point.PositionWorld;
+        Assert.That(math.distance(session.PositionOf(1), picked), Is.LessThan(1e-6));
         var moved = m_scene.transform.localToWorldMatrix;
         moved.m13 += 7;
         SceneLoop.Place(m_scene.transform, moved);
         Frames(() => true);
-        Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6));
+        Assert.That(math.distance(session.PositionOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6));
 
         m_cloud.Reopen();
         Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
         Frames(() => true);
-        Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6), "opened anew");
+        Assert.That(math.distance(session.PositionOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6), "opened anew");
         m_cloud.enabled = false;
         var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-        Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
-        Assert.That(session.PlaceOf(1), Is.EqualTo(picked), "nobody knows any more");
+        Frames(() => stream.Clouds.All(c => c == null || c.IsRemoving));
+        Assert.That(session.PositionOf(1), Is.EqualTo(picked), "nobody knows any more");
         m_cloud.enabled = true;
         Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
     }

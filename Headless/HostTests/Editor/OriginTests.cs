@@ -34,7 +34,7 @@ public sealed class OriginTests : EditorFixture
     /// <summary>A converted cloud of the demo scan, beneath an origin if there is one.</summary>
     PointCloud Shown(string name, PointCloudOrigin origin, string crs = null)
     {
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 3000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 3000), "Assets");
         m_project.UpdateToTheEnd();
         if (crs != null)
         {
@@ -65,14 +65,14 @@ public sealed class OriginTests : EditorFixture
         var cloud = Shown("a", origin);
         var own = cloud.Cloud.Origin;
         Update();
-        Assert.That(origin.HasPlace, Is.True, "the first beneath it decides");
-        Assert.That(origin.Place, Is.EqualTo(own));
+        Assert.That(origin.HasPosition, Is.True, "the first beneath it decides");
+        Assert.That(origin.PositionGeo, Is.EqualTo(own));
         Assert.That(origin.Crs, Is.EqualTo(cloud.Cloud.Crs));
 
         // Far away, in steps that float does not have.
-        origin.Place = own + new double3(1_000_000.001, -2_000_000.002, 0.003);
+        origin.PositionGeo = own + new double3(1_000_000.001, -2_000_000.002, 0.003);
         m_world.Update();
-        var at = WorldOf(cloud, origin.Place);
+        var at = WorldOf(cloud, origin.PositionGeo);
         Assert.That(math.length(at), Is.LessThan(1e-8), "its place lies at the GameObject");
         Assert.That(WorldOf(cloud, own).x, Is.EqualTo(-1_000_000.001).Within(1e-8));
 
@@ -99,12 +99,12 @@ public sealed class OriginTests : EditorFixture
         }
         var cloud = Shown("a", origin);
         Assert.That(Kept(), Is.EqualTo(new[] { 1, 1 }));
-        Assert.That(origin.HasPlace, Is.True);
+        Assert.That(origin.HasPosition, Is.True);
         Assert.That(Kept(), Is.EqualTo(new[] { 0, 0 }), "nothing is decided any more");
 
         Object.DestroyImmediate(origin.gameObject);
         origin = Origin();
-        origin.Place = cloud.Cloud.Origin;
+        origin.PositionGeo = cloud.Cloud.Origin;
         Shown("b", origin, "EPSG:25832 ETRS89 / UTM zone 32N");
         Assert.That(Kept(), Is.EqualTo(new[] { 1, 1 }), "a coordinate system alone");
         Assert.That(origin.Crs, Does.StartWith("EPSG:25832"));
@@ -115,7 +115,7 @@ public sealed class OriginTests : EditorFixture
             origin = Origin();
             Shown("c", origin);
             Assert.That(Kept(), Is.EqualTo(new[] { 0, 0 }), "play mode's end takes it back");
-            Assert.That(origin.HasPlace, Is.True);
+            Assert.That(origin.HasPosition, Is.True);
         }
         finally
         {
@@ -208,8 +208,8 @@ public sealed class OriginTests : EditorFixture
     public void Convert_CloudBeneathAnOrigin_KeepsAnOriginOfItsOwn()
     {
         var origin = Origin();
-        origin.Place = new double3(1e6, 1e6, 0);
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 3000), "Assets");
+        origin.PositionGeo = new double3(1e6, 1e6, 0);
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
         var cloud = PointCloudDrops.Show(asset, null, origin.transform);
         ImportProject.Updates(Update, () => cloud.TryGetSpace(out var space) && space.OriginGeo.x == 1e6);
         m_project.UpdateToTheEnd();
@@ -222,14 +222,14 @@ public sealed class OriginTests : EditorFixture
         var origin = Origin();
         var cloud = Shown("a", origin);
         Update();
-        var (place, before) = (origin.Place, PlacementOf(cloud.Entity).OriginWorld);
+        var (place, before) = (origin.PositionGeo, PlacementOf(cloud.Entity).OriginWorld);
         Undo.IncrementCurrentGroup();
         Undo.RecordObject(origin, "Set origin");
         origin.Shift(new double3(5, 0, 0));
         m_world.Update();
         Assert.That(PlacementOf(cloud.Entity).OriginWorld.x, Is.EqualTo(before.x - 5).Within(1e-9));
         Undo.PerformUndo();
-        Assert.That(origin.Place, Is.EqualTo(place));
+        Assert.That(origin.PositionGeo, Is.EqualTo(place));
         Update();
         Assert.That(PlacementOf(cloud.Entity).OriginWorld, Is.EqualTo(before));
     }
@@ -240,7 +240,7 @@ public sealed class OriginTests : EditorFixture
         var origin = Origin();
         var cloud = Shown("a", origin);
         Update();
-        var place = origin.Place;
+        var place = origin.PositionGeo;
         var editor = UnityEditor.Editor.Of<PointCloudOriginEditor>(origin);
         editor.Draw();
         SceneView.lastActiveSceneView = new SceneView { pivot = new Vector3(7, 0, 0) };
@@ -248,11 +248,11 @@ public sealed class OriginTests : EditorFixture
         GUILayout.Pressed = "Set origin here";
         GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, editor.OnInspectorGUI);
         (GUILayout.Pressed, Event.current, SceneView.lastActiveSceneView) = (null, null, null);
-        Assert.That(origin.Place.x, Is.EqualTo(place.x + 7).Within(1e-9), "east is Unity's X");
+        Assert.That(origin.PositionGeo.x, Is.EqualTo(place.x + 7).Within(1e-9), "east is Unity's X");
         m_world.Update();
-        Assert.That(WorldOf(cloud, origin.Place).x, Is.Zero.Within(1e-8));
+        Assert.That(WorldOf(cloud, origin.PositionGeo).x, Is.Zero.Within(1e-8));
         Undo.PerformUndo();
-        Assert.That(origin.Place, Is.EqualTo(place));
+        Assert.That(origin.PositionGeo, Is.EqualTo(place));
         Object.DestroyImmediate(editor);
     }
 
@@ -268,11 +268,11 @@ public sealed class OriginTests : EditorFixture
             SerializedObject.s_typed = null;
         }
         Type("m_crs", "EPSG:25832");
-        Assert.That(origin.HasPlace, Is.False);
+        Assert.That(origin.HasPosition, Is.False);
         Type("m_place", new double3(7, 8, 9));
-        Assert.That((origin.HasPlace, origin.Place), Is.EqualTo((true, new double3(7, 8, 9))));
+        Assert.That((origin.HasPosition, origin.PositionGeo), Is.EqualTo((true, new double3(7, 8, 9))));
         Undo.PerformUndo();
-        Assert.That(origin.HasPlace, Is.False, "a prefab's instance keeps what Undo has recorded");
+        Assert.That(origin.HasPosition, Is.False, "a prefab's instance keeps what Undo has recorded");
         Object.DestroyImmediate(editor);
     }
 
@@ -280,7 +280,7 @@ public sealed class OriginTests : EditorFixture
     public void AlignTo_CloudThatOnlyAPathNames_IsTheMiddleOfItsFloor()
     {
         var origin = Origin();
-        origin.Place = new double3(1, 2, 3);
+        origin.PositionGeo = new double3(1, 2, 3);
         var made = new GameObject("path");
         var cloud = made.AddComponent<PointCloud>();
         Assert.That(origin.AlignTo(cloud), Is.False, "nobody knows where it lies");
@@ -288,6 +288,6 @@ public sealed class OriginTests : EditorFixture
         cloud.Path = m_project.Paths.Absolute(known.Cloud.ProjectPath);
         ImportProject.Updates(Update, () => cloud.TryGetSpace(out _) && cloud.TryGetLocalBounds(out _));
         Assert.That(origin.AlignTo(cloud), Is.True);
-        Assert.That(math.length(origin.Place - known.Cloud.Origin), Is.LessThan(2));
+        Assert.That(math.length(origin.PositionGeo - known.Cloud.Origin), Is.LessThan(2));
     }
 }

@@ -18,7 +18,7 @@ public sealed class PlayerCloudTests : EditorFixture
     void Take(params string[] names)
     {
         for (int i = 0; i < names.Length; i++)
-            m_project.Imports.Take(m_project.Scratch.Demo(names[i] + ".las", 2000 + 1000 * i), "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo(names[i] + ".las", 2000 + 1000 * i), "Assets");
     }
 
     BuildPlayerContext Build() => Build(new[] { ScenePath });
@@ -75,7 +75,7 @@ public sealed class PlayerCloudTests : EditorFixture
 
     [TestCase("Assets/menu.unity", "of 2 in the project: neither Assets/menu.unity nor")]
     [TestCase(null, "of 2 in the project: neither a scene nor")]
-    public void Build_CloudsOfWhichNoneGoesIn_SaysSo(string scene, string said)
+    public void Build_CloudsOfWhichNoneGoesIn_ReportsIt(string scene, string said)
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
@@ -148,7 +148,7 @@ public sealed class PlayerCloudTests : EditorFixture
     {
         string source = m_project.Copc("a.copc.laz");
         AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud" };
-        m_project.Imports.Take(source, "Assets");
+        m_project.Imports.CreateAsset(source, "Assets");
         using (var file = File.OpenWrite(source))
             file.SetLength(3 << 20);
         var settings = FastPointsSettings.instance;
@@ -190,7 +190,7 @@ public sealed class PlayerCloudTests : EditorFixture
     {
         string source = m_project.Copc("a.copc.laz");
         AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
-        var asset = m_project.Imports.Take(source, "Assets");
+        var asset = m_project.Imports.CreateAsset(source, "Assets");
 
         var added = Build().FolderOfPlayerPath;
 
@@ -215,7 +215,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Add_OnePlaceForTwoClouds_IsToldWithTheAsset()
+    public void Add_OnePlaceForTwoClouds_IsReportedWithTheAsset()
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();

@@ -52,7 +52,7 @@ public sealed class SceneEditorTests
     [TestCase("m_gradient", FastPoints.Drawing.Gradient.Gray)]
     [TestCase("m_hiddenClasses", new[] { 2, 7 })]
     [TestCase("m_path", "elsewhere.fastpoints")]
-    public void Update_FieldThatWasBroughtBack_OpensTheCloudAnewOnce(string field, object value)
+    public void Update_FieldThatWasBroughtBack_OpensTheCloudAgainOnce(string field, object value)
     {
         using var world = World.DefaultGameObjectInjectionWorld = new World("default");
         var scene = new GameObject("scan");

@@ -88,9 +88,9 @@ public sealed class SceneExportTests : EditorFixture
         // The scene's boxes are floats.
         var middle = new double3(center.x, center.y, center.z);
         var edges = new double3(size.x, size.y, size.z);
-        int least = Count(middle, edges - 1e-3), most = Count(middle, edges + 1e-3);
-        Assert.That(least, Is.GreaterThan(0).And.LessThan(Points));
-        Assert.That(cuts ? Points - written : written, Is.InRange(least, most));
+        int min = Count(middle, edges - 1e-3), max = Count(middle, edges + 1e-3);
+        Assert.That(min, Is.GreaterThan(0).And.LessThan(Points));
+        Assert.That(cuts ? Points - written : written, Is.InRange(min, max));
     }
 
     [Test]

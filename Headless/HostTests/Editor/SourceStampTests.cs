@@ -67,7 +67,7 @@ public sealed class SourceStampTests
     }
 
     [Test]
-    public void Compare_SourceThatIsGone_IsMissing()
+    public void Compare_SourceThatIsMissing_IsMissing()
     {
         var stamp = SourceStamp.Of(new[] { m_file });
         File.Delete(m_file);

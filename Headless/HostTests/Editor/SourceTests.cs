@@ -39,7 +39,7 @@ public sealed class SourceTests : EditorFixture
         Directory.CreateDirectory(m_project.Scratch["ann/city"]);
         m_project.Scratch.Demo("ann/city/scan.las", 2000);
         PointCloudImports.MoveRoot(m_project.Scratch["ann"]);
-        var asset = m_project.Imports.Take(m_project.Scratch["ann/city/scan.las"], "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch["ann/city/scan.las"], "Assets");
         Assert.That(asset.ProjectSources, Is.EqualTo(new[] { "${FASTPOINTS_SOURCES}/city/scan.las" }));
         Assert.That(File.ReadAllText("Assets/scan.pointcloud"), Does.Not.Contain("ann"));
         Assert.That(File.ReadAllText("UserSettings/FastPoints.asset"), Does.Contain("ann"));
@@ -75,7 +75,7 @@ public sealed class SourceTests : EditorFixture
         {
             Directory.CreateDirectory(Path.GetDirectoryName(m_project.Scratch[name]));
             m_project.Scratch.Demo(name, 500);
-            m_project.Imports.Take(m_project.Scratch[name], "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch[name], "Assets");
         }
         var a = m_project.Asset("Assets/a.pointcloud");
         string guid = AssetDatabase.AssetPathToGUID("Assets/a.pointcloud");
@@ -106,7 +106,7 @@ public sealed class SourceTests : EditorFixture
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         foreach (string name in new[] { "a", "b" })
-            m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 500), "Assets");
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 500), "Assets");
         var inspector = InspectorOf("Assets/a.pointcloud");
         inspector.Targets = new[] { inspector.target, new HandleImporter { Path = "Assets/b.pointcloud" } };
         GUILayoutUtility.Repaint(inspector.OnInspectorGUI);
@@ -121,11 +121,11 @@ public sealed class SourceTests : EditorFixture
     public void Locate_AnotherFileThanWasConverted_IsSaid()
     {
         string source = m_project.Scratch.Demo("scan.las", 500);
-        m_project.Imports.Take(source, "Assets");
+        m_project.Imports.CreateAsset(source, "Assets");
         m_project.UpdateToTheEnd();
         File.Delete(source);
         EditorUtility.s_file = m_project.Scratch.Demo("other.las", 700);
-        CloudRelocation.Ask(m_project.Imports, "Assets/scan.pointcloud", source);
+        CloudRelocation.Prompt(m_project.Imports, "Assets/scan.pointcloud", source);
         Assert.That(m_project.Paths.Absolute(m_project.Imports.HandleOf("Assets/scan.pointcloud").Sources[0]),
             Is.EqualTo(EditorUtility.s_file));
         Assert.That(m_logged.Single(), Does.Contain("another file"));
@@ -138,11 +138,11 @@ public sealed class SourceTests : EditorFixture
         FastPointsSettings.instance.ConvertAtOnce = false;
         Directory.CreateDirectory(m_project.Scratch["scan.v2"]);
         m_project.Scratch.Demo("scan.v2/a.las", 500);
-        m_project.Imports.Take(m_project.Scratch["scan.v2"], "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch["scan.v2"], "Assets");
         string asset = AssetDatabase.GUIDToAssetPath(AssetDatabase.FindAssets("t:PointCloudAsset").Single());
         Directory.Move(m_project.Scratch["scan.v2"], m_project.Scratch["scan.v3"]);
         EditorUtility.s_folder = m_project.Scratch["scan.v3"];
-        CloudRelocation.Ask(m_project.Imports, asset, m_project.Scratch["scan.v2"]);
+        CloudRelocation.Prompt(m_project.Imports, asset, m_project.Scratch["scan.v2"]);
         Assert.That(m_project.Paths.Absolute(m_project.Imports.HandleOf(asset).Sources.Single()),
             Is.EqualTo(m_project.Scratch["scan.v3"]));
     }

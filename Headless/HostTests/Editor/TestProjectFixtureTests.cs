@@ -17,7 +17,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
     public void Stop() => (EditorApplication.isPlaying, Application.isBatchMode) = (false, false);
 
     [Test]
-    public void Run_ScriptsAreLoadedAnew_SetUpRunsAgainAndUnitySetUpDoesNot()
+    public void Run_ScriptsAreLoadedAgain_SetUpRunsAgainAndUnitySetUpDoesNot()
     {
         new EditModeRun(typeof(Listing), nameof(Listing.Play)).Run();
 

@@ -26,7 +26,7 @@ public sealed class ThumbnailTests : EditorFixture
     [Test]
     public void Thumbnail_OfAFile_IsThereBeforeItIsConvertedAndGivesWayToThatOfTheCloud()
     {
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 200_000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 200_000), "Assets");
         Draw();
         Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1), "it is not converted yet");
         var first = Png.Read(PictureOf(asset));
@@ -57,7 +57,7 @@ public sealed class ThumbnailTests : EditorFixture
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         var watch = Stopwatch.StartNew();
-        var asset = m_project.Imports.Take(Real(name), "Assets");
+        var asset = m_project.Imports.CreateAsset(Real(name), "Assets");
         double longest = 0;
         var update = new Stopwatch();
         ImportProject.Updates(() =>
@@ -86,7 +86,7 @@ public sealed class ThumbnailTests : EditorFixture
         Directory.CreateDirectory(m_project.Scratch["tiles"]);
         m_project.Scratch.Demo("tiles/a.las", 20_000);
         m_project.Scratch.Demo("tiles/b.las", 10_000);
-        var asset = m_project.Imports.Take(m_project.Scratch["tiles"], "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch["tiles"], "Assets");
         Draw();
         AssertShowsSomething(Png.Read(PictureOf(asset)));
     }
@@ -118,7 +118,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_WhenWhatNobodyForesawIsThrown_IsToldOnceAndTheNextIsDrawn()
+    public void Thumbnail_WhenItThrowsUnexpectedly_IsReportedOnceAndTheNextIsDrawn()
     {
         string scan = m_project.Scratch.Demo("scan.las", 5000);
         string first = m_project.Scratch["first.fastpoints"], second = m_project.Scratch["second.fastpoints"];
@@ -147,9 +147,9 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_OfAFileThatCannotBeRead_IsNotThereAndNobodyIsTold()
+    public void Thumbnail_OfAFileThatCannotBeRead_IsMissingWithoutAReport()
     {
-        var asset = m_project.Imports.Take(m_project.Copc("scan.copc.laz"), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Copc("scan.copc.laz"), "Assets");
         Draw();
         Assert.That(File.Exists(PictureOf(asset)), Is.False);
         Assert.That(m_logged, Is.Empty, "what opens the cloud tells");
@@ -171,12 +171,12 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Take_TwoFilesOfOneNameThatAreNotConverted_HaveAPictureEach()
+    public void CreateAsset_TwoFilesOfOneNameThatAreNotConverted_HaveAPictureEach()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         Directory.CreateDirectory(m_project.Scratch["other"]);
-        var first = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 3000), "Assets");
-        var second = m_project.Imports.Take(m_project.Scratch.Demo("other/scan.las", 4000), "Assets");
+        var first = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
+        var second = m_project.Imports.CreateAsset(m_project.Scratch.Demo("other/scan.las", 4000), "Assets");
         Assert.That(second.ProjectPath, Is.EqualTo("PointClouds/scan 2.fastpoints"));
         Draw();
         AssertShowsSomething(Png.Read(PictureOf(first)));
@@ -186,7 +186,7 @@ public sealed class ThumbnailTests : EditorFixture
     [Test]
     public void Thumbnail_OfAConvertedCloud_IsDrawnAndShown()
     {
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         m_project.UpdateToTheEnd();
         Draw();
 

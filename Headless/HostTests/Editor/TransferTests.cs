@@ -5,7 +5,7 @@ public sealed class TransferTests : EditorFixture
 {
     PointCloudAsset Converted(string name = "scan")
     {
-        var asset = m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 20_000), "Assets");
+        var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 20_000), "Assets");
         m_project.UpdateToTheEnd();
         return asset;
     }
@@ -32,7 +32,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void Export_CloudThatIsNotConverted_SaysSo()
+    public void Export_CloudThatIsNotConverted_ReportsIt()
     {
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         asset.name = "scan";
@@ -113,7 +113,7 @@ public sealed class TransferTests : EditorFixture
 
         using (var imports = new EditorImports(PointCloudImports.Paths, FastPointsSettings.instance))
         {
-            var after = imports.Take(m_project.Scratch.Demo("after.las", 3000), "Assets");
+            var after = imports.CreateAsset(m_project.Scratch.Demo("after.las", 3000), "Assets");
             Assert.That(after.ProjectPath, Is.EqualTo("Data/Clouds/after.fastpoints"));
             ImportProject.Updates(() => imports.Update(DateTime.UtcNow), () => imports.Queue.Requests.Count == 0);
             AssertIsWhole(m_project.Paths.Absolute(after.ProjectPath));
@@ -154,10 +154,10 @@ public sealed class TransferTests : EditorFixture
         Assert.That(handle.Stamp.Compare(new[] { path }), Is.EqualTo(SourceChange.None));
 
         File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddDays(1));
-        m_project.Imports.TakePointFiles(new[] { "Assets/tile.las" });
+        m_project.Imports.CreatePointFileHandles(new[] { "Assets/tile.las" });
         Assert.That(m_logged, Is.Empty, "a time alone is no change");
         File.Copy(m_project.Scratch.Demo("other.las", 4000), path, true);
-        m_project.Imports.TakePointFiles(new[] { "Assets/tile.las" });
+        m_project.Imports.CreatePointFileHandles(new[] { "Assets/tile.las" });
         Assert.That(m_logged.Single(), Does.Contain("Assets/tile.las has changed"));
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
         string cloud = m_project.Paths.Absolute(handle.CloudPath);
@@ -168,7 +168,7 @@ public sealed class TransferTests : EditorFixture
     [Test]
     public void Move_BeforeTheFirstUpdate_TakesTheRequestsAlong()
     {
-        m_project.Imports.Take(m_project.Scratch.Demo("late.las", 2000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("late.las", 2000), "Assets");
         Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
         PointCloudImports.MoveRoot(m_project.Scratch["root"]);
         string cloud = PointCloudImports.Paths.Absolute(m_project.Imports.Queue.Requests.Single().Cloud);

@@ -77,7 +77,7 @@ public sealed class AuthoringTests
         {
             SceneLoop.Update();
             m_world.Update();
-            return CameraViews.StreamViewOf(camera).Mask.Sees(m_group.Stream.Clouds[0].Placement.SeenBy);
+            return CameraViews.StreamViewOf(camera).Mask.Shows(m_group.Stream.Clouds[0].Placement.Visibility);
         }
         Assert.That(Sees(), Is.True);
         camera.cullingMask = ~(1 << 5);
@@ -300,7 +300,7 @@ public sealed class AuthoringTests
         Assert.That(IsStreamed(entity), Is.False);
         authoring.Path = m_cloud;
         Changed("what could not be opened", () => m_group.Stream.Clouds[Number()].Source.Path == m_cloud);
-        Assert.That(m_group.Stream.Clouds.Count(c => c != null && !c.IsLeaving), Is.EqualTo(1));
+        Assert.That(m_group.Stream.Clouds.Count(c => c != null && !c.IsRemoving), Is.EqualTo(1));
         UnityEngine.Object.DestroyImmediate(scene);
     }
 
@@ -331,7 +331,7 @@ public sealed class AuthoringTests
 
         int number = entities.GetComponentData<StreamedPointCloud>(entity).Number;
         PointCloudOrigin.ShiftEntities(new double3(100, 0, 0));
-        origin.Place = new double3(1e6, 2e6, 3);
+        origin.PositionGeo = new double3(1e6, 2e6, 3);
         BakeAgain(scan, entity);
         m_world.Update();
         Assert.That(Geo(), Is.EqualTo(new double3(1e6 + 100, 2e6, 3)), "shifted once, east is Unity's X");
@@ -352,19 +352,19 @@ public sealed class AuthoringTests
         World.DefaultGameObjectInjectionWorld = server;
         using var second = new World("second client");
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(second, typeof(PointCloudSystemGroup));
-        Assert.That(PointCloudSystemGroup.Shown, Is.SameAs(m_group), "the default world draws nothing");
-        PointCloudSystemGroup.ShownWorld = second;
+        Assert.That(PointCloudSystemGroup.ObjectGroup, Is.SameAs(m_group), "the default world draws nothing");
+        PointCloudSystemGroup.ObjectWorld = second;
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<PointCloud>();
         cloud.Path = m_cloud;
         Assert.That(second.EntityManager.Exists(cloud.Entity), Is.True);
         Assert.That(second.EntityManager.HasComponent<PointCloudFile>(cloud.Entity), Is.True);
-        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().WantsFrame, Is.True);
-        PointCloudSystemGroup.ShownWorld = server;
-        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().WantsFrame, Is.False, "another is shown");
+        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().NeedsFrame, Is.True);
+        PointCloudSystemGroup.ObjectWorld = server;
+        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().NeedsFrame, Is.False, "another is shown");
         server.Dispose();
-        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().WantsFrame, Is.True, "which has ended");
-        PointCloudSystemGroup.ShownWorld = null;
+        Assert.That(second.GetExistingSystemManaged<PointCloudSystemGroup>().NeedsFrame, Is.True, "which has ended");
+        PointCloudSystemGroup.ObjectWorld = null;
         UnityEngine.Object.DestroyImmediate(scene);
     }
 }

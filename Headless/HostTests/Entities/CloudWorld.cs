@@ -4,7 +4,7 @@ namespace FastPoints.HostTests;
 static class CloudWorld
 {
     /// <summary>Folders are opened on another thread, which may get its turn late on a machine at work.</summary>
-    const int MostFrames = 10_000_000;
+    const int MaxFrames = 10_000_000;
 
     public static World Make()
     {
@@ -26,7 +26,7 @@ static class CloudWorld
 
     public static void Frames(World world, Func<bool> isDone)
     {
-        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
+        for (int frame = 0; frame < MaxFrames && !isDone(); frame++)
         {
             SceneLoop.Update();
             world.Update();

@@ -42,18 +42,18 @@ public sealed class GpuPictureTests : GraphicsFixture
     };
 
     /// <summary>Pictures beside the tests' results, for people.</summary>
-    /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
+    /// <param name="maxPerChannel">Colours that differ by no more are the same.</param>
     /// <param name="tiedPixels">Of a disc that is as deep as another but for rounding: either may be in front.</param>
-    static void Compare(TwinStreams streams, PictureCamera camera, string name, int mostPerChannel = 0, float tiedPixels = 0)
+    static void Compare(TwinStreams streams, PictureCamera camera, string name, int maxPerChannel = 0, float tiedPixels = 0)
     {
         var pictures = streams.Draw(camera);
-        double share = streams.ShareThatDiffers(pictures, out int covered, mostPerChannel);
+        double share = streams.ShareThatDiffers(pictures, out int covered, maxPerChannel);
         string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, "gpu-" + name);
         File.WriteAllBytes(output + "-cpu.png", Png.Encode(pictures.Cpu));
         File.WriteAllBytes(output + "-gpu.png", Png.Encode(pictures.Gpu));
         TestContext.Out.WriteLine(name + ": " + covered + " pixels covered, " + share.ToString("P3") + " differ");
         Assert.That(covered, Is.GreaterThan(500), output);
-        Assert.That(share, Is.LessThan(streams.MostThatDiffer + tiedPixels / covered), output);
+        Assert.That(share, Is.LessThan(streams.MaxDifferent + tiedPixels / covered), output);
     }
 
     /// <summary>Points of one pixel are drawn by a compute shader, or as point primitives.</summary>

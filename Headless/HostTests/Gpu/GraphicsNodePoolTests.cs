@@ -8,7 +8,7 @@ namespace FastPoints.HostTests.Gpu;
 /// <summary>Nodes in the memory of the graphics card: what lies there is what lies in the files.</summary>
 public sealed class GraphicsNodePoolTests : GraphicsFixture
 {
-    const int MostFrames = 200_000;
+    const int MaxFrames = 200_000;
 
     ScratchFolder m_scratch;
     string m_cloud;
@@ -26,7 +26,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     StreamContext Stream(long limitBytes, int bankBytes, int bytesPerUpload)
     {
         var stream = new StreamContext(new GraphicsNodePool(new GpuShaders().CopyPages, limitBytes, bankBytes, bytesPerUpload));
-        stream.Settings.Selection.FinestSpacingPx = 0.1f;
+        stream.Settings.Selection.MinScreenErrorPx = 0.1f;
         stream.Settings.UploadBytesPerFrame = bytesPerUpload;
         var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
         stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
@@ -67,10 +67,10 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     static void Rest(StreamContext stream, PictureCamera camera)
     {
         int quiet = 0;
-        for (int frame = 0; frame < MostFrames && quiet < 10; frame++)
+        for (int frame = 0; frame < MaxFrames && quiet < 10; frame++)
         {
             var stats = Frame(stream, camera);
-            quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+            quiet = stats.ReadsInFlight == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
             Thread.Yield();
         }
         Assert.That(quiet, Is.EqualTo(10), "streaming did not come to rest");
@@ -130,7 +130,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         using var stream = Stream(3 << 19, 1 << 19, 1 << 16);
         int uploaded = 0;
         var wait = Stopwatch.StartNew();
-        for (int step = 0; step < 400 || (uploaded <= 40 && wait.Elapsed < ImportProject.MostWait); step++)
+        for (int step = 0; step < 400 || (uploaded <= 40 && wait.Elapsed < ImportProject.MaxWait); step++)
         {
             using var views = new NativeArray<StreamView>(1, Allocator.Temp)
             {
@@ -168,7 +168,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
                 HeadlessGraphics.EndFrame();
             }
             var wait = Stopwatch.StartNew();
-            for (int step = 0; step < 400 || (uploaded <= 40 && wait.Elapsed < ImportProject.MostWait); step++)
+            for (int step = 0; step < 400 || (uploaded <= 40 && wait.Elapsed < ImportProject.MaxWait); step++)
             {
                 var view = Near(stream, step / 40 % 10 / 9.0, step / 40).ToStreamView(320, 180);
                 using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = view };
@@ -187,11 +187,11 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
             var last = Near(stream, 0.5, 1);
             for (int frame = 0, quiet = 0; quiet < 10; frame++)
             {
-                Assert.That(frame, Is.LessThan(MostFrames), "streaming did not come to rest");
+                Assert.That(frame, Is.LessThan(MaxFrames), "streaming did not come to rest");
                 using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = last.ToStreamView(320, 180) };
                 var stats = FrameStep.Run(stream, views);
                 Draw(views[0]);
-                quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+                quiet = stats.ReadsInFlight == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
             }
             CheckBytes(stream);
         }
@@ -205,7 +205,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
     {
         using var stream = Stream(4 << 20, 1 << 19, 1 << 18);
-        stream.Settings.Selection.FinestSpacingPx = 0;
+        stream.Settings.Selection.MinScreenErrorPx = 0;
         Rest(stream, Above(stream));
         long allocated = stream.Pool.AllocatedBytes, used = HeadlessGraphics.UsedBytes;
         Assert.That(allocated, Is.GreaterThan(1 << 20));

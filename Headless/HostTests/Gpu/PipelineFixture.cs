@@ -7,7 +7,7 @@ namespace FastPoints.HostTests.Gpu;
 public abstract class PipelineFixture : GraphicsFixture
 {
     protected const int WidthPx = 320, HeightPx = 180;
-    const int MostFrames = 200_000;
+    const int MaxFrames = 200_000;
 
     ScratchFolder m_scratch;
     string m_cloud;
@@ -49,7 +49,7 @@ public abstract class PipelineFixture : GraphicsFixture
         var shaders = new GpuShaders();
         Group.Begin(shaders.CreatePool(64 << 20, 8 << 20, 1 << 20));
         Group.Stream.Settings.Selection.SmallestNodePx = 0;
-        Group.Stream.Settings.Selection.FinestSpacingPx = 0;
+        Group.Stream.Settings.Selection.MinScreenErrorPx = 0;
         PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream,
             HasRaster ? shaders.Raster : null)
         {
@@ -112,7 +112,7 @@ public abstract class PipelineFixture : GraphicsFixture
     /// <param name="slice">Of the camera's target.</param>
     protected RgbaImage Render(Camera camera, int slice = 0)
     {
-        for (int frame = 0; frame < MostFrames; frame++)
+        for (int frame = 0; frame < MaxFrames; frame++)
         {
             Pipeline.Render(camera);
             m_world.Update();

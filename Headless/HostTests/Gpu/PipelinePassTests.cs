@@ -204,12 +204,12 @@ public sealed class PipelinePassTests : PipelineFixture
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
         Add(reference, options, out _);
         var camera = LookingCamera(out var target);
-        void Shows(bool isShown, string why)
+        void Shows(bool isShown, string reason)
         {
             var drawn = Render(camera);
             bool isEmpty = Enumerable.Range(0, WidthPx * HeightPx).All(i => drawn[i % WidthPx, i / WidthPx] == drawn[0, 0]);
-            Assert.That(isEmpty, Is.Not.EqualTo(isShown), why);
-            Assert.That(Group.Stats.SelectedNodes > 0, Is.EqualTo(isShown), why);
+            Assert.That(isEmpty, Is.Not.EqualTo(isShown), reason);
+            Assert.That(Group.Stats.SelectedNodes > 0, Is.EqualTo(isShown), reason);
         }
         camera.cullingMask = ~(1 << 7);
         Shows(true, "it has no layer");

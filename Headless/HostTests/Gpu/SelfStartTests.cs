@@ -50,7 +50,7 @@ public sealed class SelfStartTests : GraphicsFixture
             var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
             SceneLoop.Update();
             Assert.That(() => m_world.Update(), Throws.Nothing);
-            Assert.That((group.Stream, group.WantsFrame), Is.EqualTo(((StreamContext)null, false)));
+            Assert.That((group.Stream, group.NeedsFrame), Is.EqualTo(((StreamContext)null, false)));
             UnityEngine.Object.DestroyImmediate(scene);
         }
         finally

@@ -189,7 +189,7 @@ public sealed class TargetTests : PipelineFixture
             Assert.That(group.Stream, what == null ? Is.Not.Null : Is.Null);
             Assert.That(logged.Where(l => l.StartsWith("Point clouds are not drawn")),
                 what == null ? Is.Empty : Has.One.Contains(what));
-            Assert.That(group.WantsFrame, Is.EqualTo(what == null));
+            Assert.That(group.NeedsFrame, Is.EqualTo(what == null));
         }
         finally
         {
@@ -229,11 +229,11 @@ public sealed class TargetTests : PipelineFixture
             }
             worlds[2].EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
             worlds[2].Update();
-            Assert.That(PointCloudSystemGroup.Shown, Is.SameAs(groups[1]), "GameObjects' clouds join the one that draws");
+            Assert.That(PointCloudSystemGroup.ObjectGroup, Is.SameAs(groups[1]), "GameObjects' clouds join the one that draws");
             worlds[1].EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
             foreach (var world in worlds)
                 world.Update();
-            Assert.That((groups[0].Stream, groups[0].WantsFrame), Is.EqualTo(((StreamContext)null, false)));
+            Assert.That((groups[0].Stream, groups[0].NeedsFrame), Is.EqualTo(((StreamContext)null, false)));
             worlds[2].Dispose();
             worlds[1].Update();
             Assert.That(groups[0].Stream, Is.Not.Null);

@@ -7,7 +7,7 @@ namespace FastPoints.HostTests.Gpu;
 /// can be held against one another.</summary>
 sealed class TwinStreams : IDisposable
 {
-    const int MostFrames = 200_000;
+    const int MaxFrames = 200_000;
 
     readonly StreamContext m_cpu;
     readonly StreamContext m_gpu;
@@ -29,7 +29,7 @@ sealed class TwinStreams : IDisposable
         foreach (var stream in new[] { m_cpu, m_gpu })
         {
             stream.Settings.Selection.PointBudget = budget;
-            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.SmallestNodePx = 0;
         }
         Add(cloud, options, place);
@@ -53,7 +53,7 @@ sealed class TwinStreams : IDisposable
     /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
     /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
     /// pixel that differs changes the shade of those around it.</summary>
-    public double MostThatDiffer =>
+    public double MaxDifferent =>
         !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
     public PicturePlan Plan { get; private set; }
@@ -79,9 +79,9 @@ sealed class TwinStreams : IDisposable
     }
 
     /// <summary>Of the pixels that either picture covers, the share that is not the same in both.</summary>
-    /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
-    public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int mostPerChannel = 0) =>
-        ImageError.ShareThatDiffers(pictures.Cpu, pictures.Gpu, m_options.Background, out covered, mostPerChannel);
+    /// <param name="maxPerChannel">Colours that differ by no more are the same.</param>
+    public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int maxPerChannel = 0) =>
+        ImageError.ShareThatDiffers(pictures.Cpu, pictures.Gpu, m_options.Background, out covered, maxPerChannel);
 
     public void Dispose()
     {
@@ -96,7 +96,7 @@ sealed class TwinStreams : IDisposable
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
         view[0] = camera.ToStreamView(m_options.WidthPx, m_options.HeightPx);
-        for (int frame = 0; frame < MostFrames; frame++)
+        for (int frame = 0; frame < MaxFrames; frame++)
         {
             var stats = FrameStep.Run(stream, views);
             picture.EndFrame();

@@ -32,11 +32,11 @@ public sealed class ReadEndsTests
         try
         {
             string las = Path.Combine(folder, "a.las"), cloud = Path.Combine(folder, "a.fastpoints");
-            WorkPump.RunToEnd(LasScan.Run(las, 50_000, 1, ScanOrder.Strip, null));
+            JobCoroutine.RunToEnd(LasScan.Run(las, 50_000, 1, ScanOrder.Strip, null));
             using (var reader = PointReaders.Open(las))
-                WorkPump.RunToEnd(ConvertCloud.Run([reader], cloud, new ConvertSettings(), _ => { }, null));
+                JobCoroutine.RunToEnd(ConvertCloud.Run([reader], cloud, new ConvertSettings(), _ => { }, null));
             using var stream = new StreamContext(new MemoryNodePool(64 << 20, 1 << 20));
-            stream.Settings.MostTries = 1;
+            stream.Settings.MaxTries = 1;
             var source = new FolderSource(CloudFolder.Open(cloud));
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent)
@@ -50,7 +50,7 @@ public sealed class ReadEndsTests
             try
             {
                 for (int frame = 0; frame < 5; frame++)
-                    underWay = FrameStep.Run(stream, views).ReadsUnderWay;
+                    underWay = FrameStep.Run(stream, views).ReadsInFlight;
             }
             finally
             {

@@ -7,8 +7,8 @@ namespace FastPoints.HostTests.Manual;
 /// <summary>C# on the pages, compiled as a user's assembly would be: it sees what is public.</summary>
 public sealed class ManualExamplesTests
 {
-    const int LeastLines = 5;
-    const int MostLines = 16;
+    const int MinLines = 5;
+    const int MaxLines = 16;
 
     static readonly string[] s_package =
     {
@@ -36,18 +36,18 @@ public sealed class ManualExamplesTests
     [Test]
     public void Examples_OnTheApiPage_AreShort() => Assert.That(Examples(ManualPage.Of("api.md"))
         .Select(e => (e.Line, Lines: e.Code.Count(c => c == '\n')))
-        .Where(e => e.Lines < LeastLines || e.Lines > MostLines), Is.Empty);
+        .Where(e => e.Lines < MinLines || e.Lines > MaxLines), Is.Empty);
 
     [TestCase("using FastPoints.Import;\nPointReaders.Opens(\"a\");\n", "'Opens'", TestName = "a member that is not there")]
     [TestCase("PointReaders.Open(\"a\");\n", "'PointReaders' does not exist", TestName = "a namespace that is not named")]
-    [TestCase("using FastPoints.Core;\nnew WorkSteps(null).Dispose();\n", "inaccessible", TestName = "what is internal")]
+    [TestCase("using FastPoints.Core;\nnew CoroutineStack(null).Dispose();\n", "inaccessible", TestName = "what is internal")]
     [TestCase("pump.Tick(4);\n", "'pump' does not exist", TestName = "a variable from nowhere")]
     [TestCase("class A\n{\n    int B() => \"c\";\n}\n", "'string' to 'int'", TestName = "a type")]
     public void Problems_PlantedExample_IsFound(string code, string problem) =>
         Assert.That(Problems(new ManualPage("a.md", "Text.\n\n```csharp\n" + code + "```\n")), Has.Some.Contains(problem));
 
     [TestCase("using FastPoints.Import;\n\nusing var reader = PointReaders.Open(\"a\");\n", TestName = "statements")]
-    [TestCase("class A\n{\n    FastPoints.Core.WorkPump m_pump = null;\n}\n", TestName = "a type of its own")]
+    [TestCase("class A\n{\n    FastPoints.Core.JobCoroutine m_coroutine = null;\n}\n", TestName = "a type of its own")]
     public void Problems_GoodExample_AreNone(string code) =>
         Assert.That(Problems(new ManualPage("a.md", "```csharp\n" + code + "```\n")), Is.Empty);
 

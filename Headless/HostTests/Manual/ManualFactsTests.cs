@@ -9,7 +9,7 @@ public sealed class ManualFactsTests
 {
     static readonly Assembly[] s_assemblies =
     {
-        typeof(WorkPump).Assembly, typeof(PointReaders).Assembly, typeof(PointRenderer).Assembly,
+        typeof(JobCoroutine).Assembly, typeof(PointReaders).Assembly, typeof(PointRenderer).Assembly,
         typeof(PointCloudSettings).Assembly, typeof(LasScan).Assembly, typeof(EditorImports).Assembly,
     };
 
@@ -77,20 +77,20 @@ public sealed class ManualFactsTests
     }
 
     [Test]
-    public void Beginnings_OnTheApiPage_AreThere() => Assert.That(
+    public void Beginnings_OnTheApiPage_Exist() => Assert.That(
         ManualPage.Of("api.md").TableUnder("## Where to begin").SelectMany(r =>
             ManualPage.Code(r[1])).Where(n => !IsThere(n)), Is.Empty);
 
     [TestCase("ConvertCloud.Run", true)]
     [TestCase("ConvertCloud.Walk", false)]
     [TestCase("ConvertClouds", false)]
-    public void IsThere_NameOfTheApi_IsToldFromOthers(string name, bool isThere) =>
-        Assert.That(IsThere(name), Is.EqualTo(isThere));
+    public void IsThere_NameOfTheApi_IsDistinguished(string name, bool exists) =>
+        Assert.That(IsThere(name), Is.EqualTo(exists));
 
     /// <summary>Pages speak of types of the package by names that begin with Point, Cloud or Stream: others may be
     /// Unity's.</summary>
     [Test]
-    public void TypesInCode_OfTheTaskPages_AreThere()
+    public void TypesInCode_OfTheTaskPages_Exist()
     {
         string[] pages = { "show.md", "style.md", "run-time.md", "players.md", "performance.md",
             "troubleshooting.md", "api.md", "streaming.md" };

@@ -48,8 +48,8 @@ public sealed class ManualLinksTests
             string[] parts = link.Split('#');
             string path = parts[0].Length == 0 ? Path.Combine(Checkout.Repository.Root, page.Path)
                 : Path.Combine(Checkout.Repository.Root, Path.GetDirectoryName(page.Path), parts[0]);
-            bool isThere = File.Exists(path) || Directory.Exists(path) || parts[0].Length == 0;
-            if (!isThere || (parts.Length > 1 && !Target(page, path).Anchors().Contains(parts[1])))
+            bool exists = File.Exists(path) || Directory.Exists(path) || parts[0].Length == 0;
+            if (!exists || (parts.Length > 1 && !Target(page, path).Anchors().Contains(parts[1])))
                 yield return page.Path + ": " + link;
         }
     }

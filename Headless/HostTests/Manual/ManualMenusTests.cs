@@ -8,7 +8,7 @@ public sealed class ManualMenusTests
     static readonly string[] s_roots = { "Assets", "FastPoints", "GameObject", "Project Settings", "Tools" };
 
     [Test]
-    public void Menus_ThatPagesName_AreThere() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
+    public void Menus_ThatPagesName_Exist() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
 
     [Test]
     public void Menus_ThatAreThere_AreNamedInTheManual()

@@ -79,8 +79,8 @@ public sealed class ManualSettingsTests
     {
         if (field.GetCustomAttribute<UnityEngine.RangeAttribute>() is { } range)
             return string.Create(CultureInfo.InvariantCulture, $"{range.min} to {range.max}");
-        return field.GetCustomAttribute<MinAttribute>() is { } least
-            ? string.Create(CultureInfo.InvariantCulture, $"{least.min} or more") : null;
+        return field.GetCustomAttribute<MinAttribute>() is { } min
+            ? string.Create(CultureInfo.InvariantCulture, $"{min.min} or more") : null;
     }
 
     static string ChoicesOf(Type type) => type == typeof(bool) ? "on, off"

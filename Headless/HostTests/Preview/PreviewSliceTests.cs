@@ -10,7 +10,7 @@ namespace FastPoints.HostTests.Preview;
 [NonParallelizable]
 public sealed class PreviewSliceTests
 {
-    const int MostPlaces = 1 << 17, MostRuns = 1 << 14, MostLookedUp = 1 << 16;
+    const int MaxPlaces = 1 << 17, MaxRuns = 1 << 14, MaxLookedUp = 1 << 16;
 
     static Dictionary<string, int> RunsOf(Action work)
     {
@@ -28,7 +28,7 @@ public sealed class PreviewSliceTests
 
     static Dictionary<Type, JobRuns> s_last = [];
 
-    static int Slices(int places, int most) => (places + most - 1) / most;
+    static int Slices(int places, int max) => (places + max - 1) / max;
 
     static void AreCut(Dictionary<string, int> runs, int slices, params string[] jobs)
     {
@@ -55,12 +55,12 @@ public sealed class PreviewSliceTests
             var runs = RunsOf(() =>
             {
                 using var preview = new PreviewCloud(reader, new PreviewOptions { Points = points });
-                WorkPump.RunToEnd(preview.Run(new StageProgress()));
+                JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
                 Assert.That(preview.Sample.Count, Is.EqualTo(points));
             });
-            AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob", "NumberPlacesJob", "MeasureBoundsJob");
-            AreCut(runs, 3 * Slices(points, MostPlaces), "MeasureRangeJob");
-            AreCut(runs, Slices(points / 16, MostRuns), "RankStrataJob", "PlanWaveJob", "ListRunsJob");
+            AreCut(runs, Slices(points, MaxPlaces), "CompactSampleJob", "NumberPlacesJob", "MeasureBoundsJob");
+            AreCut(runs, 3 * Slices(points, MaxPlaces), "MeasureRangeJob");
+            AreCut(runs, Slices(points / 16, MaxRuns), "RankStrataJob", "PlanWaveJob", "ListRunsJob");
         }
         finally
         {
@@ -78,13 +78,13 @@ public sealed class PreviewSliceTests
         var runs = RunsOf(() =>
         {
             using var sampler = new RefiningSampler(reader, points, 1, null, new BoundsGeo(default, new double3(1500, 1500, 1)));
-            WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
             Assert.That(sampler.Sample.Count, Is.EqualTo(points));
         });
         // At a fifth and at a half, and in the end.
-        AreCut(runs, waves * Slices(points, MostPlaces), "GatherPlacesJob", "ListBlockRunsJob");
-        AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob");
-        AreCut(runs, Slices(all, MostPlaces), "SampleBlockJob");
-        AreCut(runs, Slices(all / 2, MostLookedUp), "AppendEmptyCellsJob");
+        AreCut(runs, waves * Slices(points, MaxPlaces), "GatherPlacesJob", "ListBlockRunsJob");
+        AreCut(runs, Slices(points, MaxPlaces), "CompactSampleJob");
+        AreCut(runs, Slices(all, MaxPlaces), "SampleBlockJob");
+        AreCut(runs, Slices(all / 2, MaxLookedUp), "AppendEmptyCellsJob");
     }
 }

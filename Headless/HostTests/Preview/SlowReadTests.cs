@@ -46,11 +46,11 @@ public sealed class SlowReadTests
         SimulatedLatency.Begin(secondsPerRead);
         using var reader = PointReaders.Open(path);
         if (reader.HasPrefixes)
-            WorkPump.RunToEnd(reader.FindPrefixes(1));
+            JobCoroutine.RunToEnd(reader.FindPrefixes(1));
         var waves = new List<(int, double)>();
         using var sampler = PreviewSampler.Create(reader, wanted, 1);
         sampler.WaveReady += wave => waves.Add((wave.Points, SimulatedLatency.Reads * SecondsPerRead / AtOnce));
-        WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
+        JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
         sample = sampler.TakeSample();
         TestContext.Out.WriteLine(string.Join(", ", waves.Select(w => w.Item1 + " points after " + w.Item2 + " s")));
         return waves;

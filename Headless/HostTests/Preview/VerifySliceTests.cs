@@ -25,29 +25,29 @@ namespace FastPoints.HostTests.Preview
         [Test]
         public void Verify_IsCut()
         {
-            const int points = 400_000, mostPoints = 1 << 13, mostSearched = 1 << 12;
+            const int points = 400_000, maxPoints = 1 << 13, maxSearched = 1 << 12;
             string las = Path.Combine(m_folder, "a.las"), cloud = Path.Combine(m_folder, "a.fastpoints");
-            WorkPump.RunToEnd(LasScan.Run(las, points, 1, ScanOrder.Strip, null));
+            JobCoroutine.RunToEnd(LasScan.Run(las, points, 1, ScanOrder.Strip, null));
             using (var reader = PointReaders.Open(las))
             {
                 var settings = new ConvertSettings { Sampler = Sampler.Random, PointsPerChunk = 100_000 };
-                WorkPump.RunToEnd(ConvertCloud.Run([reader], cloud, settings, _ => { }, null));
+                JobCoroutine.RunToEnd(ConvertCloud.Run([reader], cloud, settings, _ => { }, null));
             }
             var result = new VerifyResult();
             JobTimes.Begin();
             Dictionary<Type, JobRuns> runs = null;
             try
             {
-                WorkPump.RunToEnd(VerifyCloud.Run(cloud, [], result, null));
+                JobCoroutine.RunToEnd(VerifyCloud.Run(cloud, [], result, null));
             }
             finally
             {
                 runs = JobTimes.End();
             }
             Assert.That(result.Problems, Is.Empty);
-            Assert.That(runs[typeof(VerifyNodesJob)].Count, Is.GreaterThanOrEqualTo(points / mostPoints));
+            Assert.That(runs[typeof(VerifyNodesJob)].Count, Is.GreaterThanOrEqualTo(points / maxPoints));
             long sampled = result.Levels.Sum(level => level.SampledPoints);
-            Assert.That(runs[typeof(MeasureSpacingJob)].Count, Is.GreaterThanOrEqualTo(sampled / mostSearched));
+            Assert.That(runs[typeof(MeasureSpacingJob)].Count, Is.GreaterThanOrEqualTo(sampled / maxSearched));
         }
 
         /// <param name="spacing">Less than between most neighbours, more than between many, and more than between all.</param>
@@ -56,7 +56,7 @@ namespace FastPoints.HostTests.Preview
         [TestCase(2)]
         public void CrossCheck_OfAnySpacing_IsAllAgainstAll(double spacing)
         {
-            const int count = 9000, mostSearched = 1 << 12;
+            const int count = 9000, maxSearched = 1 << 12;
             var random = new Unity.Mathematics.Random(7);
             using var points = new NativeList<double3>(Allocator.Persistent);
             for (int i = 0; i < count; i++)
@@ -67,7 +67,7 @@ namespace FastPoints.HostTests.Preview
             for (int i = 0; i < 3; i++)
                 levels.Add(new VerifyResult.Level { Spacing = spacing });
             JobTimes.Begin();
-            WorkPump.RunToEnd(CrossCheck.Run([none, points, equal], levels));
+            JobCoroutine.RunToEnd(CrossCheck.Run([none, points, equal], levels));
             var runs = JobTimes.End();
             double smallest = double.PositiveInfinity;
             int near = 0;
@@ -84,7 +84,7 @@ namespace FastPoints.HostTests.Preview
             Assert.That(levels[1].MinDistanceAcrossChunks, Is.EqualTo(smallest));
             Assert.That(levels[1].NearAcrossChunks, Is.EqualTo(near));
             Assert.That(levels[2].MinDistanceAcrossChunks, Is.Zero);
-            Assert.That(runs[typeof(CountNearJob)].Count, Is.GreaterThan(count / mostSearched));
+            Assert.That(runs[typeof(CountNearJob)].Count, Is.GreaterThan(count / maxSearched));
         }
     }
 }

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Probes;
 /// <summary>A world of Unity's with the package's systems, and a converted cloud for it.</summary>
 sealed class ProbeWorld : IDisposable
 {
-    const int MostFrames = 200_000;
+    const int MaxFrames = 200_000;
 
     static readonly Type[] s_systems = typeof(PointCloudSystemGroup).Assembly.GetTypes()
         .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray();
@@ -50,7 +50,7 @@ sealed class ProbeWorld : IDisposable
 
     internal void Frames(Func<bool> isDone)
     {
-        for (int i = 0; i < MostFrames && !isDone(); i++)
+        for (int i = 0; i < MaxFrames && !isDone(); i++)
             Frame();
         Assert.That(isDone(), Is.True);
     }

@@ -156,8 +156,8 @@ public sealed unsafe class WorldTests
         var entity = probe.AddCloud();
         probe.Frames(() => probe.Entities.HasComponent<StreamedPointCloud>(entity));
         probe.Entities.SetEnabled(entity, false);
-        probe.Frames(() => probe.Group.Stream.Clouds[0].Placement.SeenBy.IsHidden);
+        probe.Frames(() => probe.Group.Stream.Clouds[0].Placement.Visibility.IsHidden);
         probe.Entities.SetEnabled(entity, true);
-        probe.Frames(() => !probe.Group.Stream.Clouds[0].Placement.SeenBy.IsHidden);
+        probe.Frames(() => !probe.Group.Stream.Clouds[0].Placement.Visibility.IsHidden);
     }
 }

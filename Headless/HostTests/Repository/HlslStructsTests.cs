@@ -36,12 +36,12 @@ public sealed class HlslStructsTests
 
     [TestCase(typeof(PlantedWithByte), "Width: no System.Byte in HLSL")]
     [TestCase(typeof(PlantedWithGap), "Width is at 8, HLSL would have it at 4")]
-    public void Compose_WhatHlslLaysOutOtherwise_IsRefused(System.Type type, string why)
+    public void Compose_WhatHlslLaysOutOtherwise_IsRefused(System.Type type, string reason)
     {
         using ModuleDefinition module = OwnModule();
 
         Assert.That(() => HlslStructs.Compose(module.GetType(type.FullName)),
-            Throws.TypeOf<ToolException>().With.Message.Contains(why));
+            Throws.TypeOf<ToolException>().With.Message.Contains(reason));
     }
 
     [Test]

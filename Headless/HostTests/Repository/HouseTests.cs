@@ -17,7 +17,7 @@ public sealed class HouseTests
 
     private static readonly SourceFile s_glossary = new SourceFile(Manual + "glossary.md",
         "| Word | Meaning | Not |\n|---|---|---|\n| **run** | points in a row | span, `slice` (of a file), page |\n" +
-        "| page | a part of the view | bare cell, Sees, `TryForesee`, Most... |\n\n| other | table | heap |\n");
+        "| page | a part of the view | bare cell, Sees, `TryPredictView`, Most... |\n\n| other | table | heap |\n");
 
     private static readonly Ceilings s_ceilings = new Ceilings("# remark\npart\tproduct\tall\toutside\n1\t9\t6\t-\n", "a.tsv");
 
@@ -128,14 +128,14 @@ public sealed class HouseTests
     [TestCase("class A { int Page; } // a page", 0, TestName = "words with a row of their own")]
     [TestCase("class A { int File, Heap; }", 0, TestName = "remarks and other tables")]
     [TestCase("/// <summary>Spans.</summary>\nclass A { } // a slice\n/* bare cells */", 0, TestName = "comments")]
-    [TestCase("class A { int MostFrameMs, m_most; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
-    [TestCase("class A { void TryForesee() { } void Try() { } void ForeseeTry() { } }", 1, TestName = "words in their order")]
+    [TestCase("class A { int MaxFrameMs, m_max; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
+    [TestCase("class A { void TryPredictView() { } void Try() { } void ForeseeTry() { } }", 1, TestName = "words in their order")]
     [TestCase("class A { string b = \"span\"; }", 0, TestName = "literals")]
     public void Figure_WordsThatTheGlossaryRefuses(string code, int figure) =>
         Assert.That(Report(s_glossary, new SourceFile(Room + "A.cs", code)).Figures["not-words"], Is.EqualTo(figure));
 
     [Test]
-    public void Text_WithoutGlossary_SaysSo()
+    public void Text_WithoutGlossary_ReportsIt()
     {
         Assert.That(Report(new SourceFile(Room + "A.cs", "class Span { }")).Figures["not-words"], Is.EqualTo(0));
         Assert.That(Report().Text(), Does.Contain("glossary.md yet"));

@@ -68,7 +68,7 @@ public sealed class SampleSceneTests
 
     /// <summary>Whatever fails: the next request begins anew.</summary>
     [Test]
-    public void Get_PlaceThatCannotBeMade_SaysSoAndCanBeAskedAgain()
+    public void Get_PlaceThatCannotBeMade_ReportsItAndCanBeAskedAgain()
     {
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
@@ -118,7 +118,7 @@ public sealed class SampleSceneTests
         Camera.main = null;
         bool isFilled = false;
 
-        SampleScene.Make(_ => isFilled = true);
+        SampleScene.Create(_ => isFilled = true);
         Updates(() => m_project.Asset(SampleScan.AssetPath) != null);
 
         Assert.That(Camera.main, Is.Null);
@@ -128,7 +128,7 @@ public sealed class SampleSceneTests
     /// <summary>In play mode Unity makes no scenes: it throws.</summary>
     [TestCase(true)]
     [TestCase(false)]
-    public void Make_InPlayMode_SaysSoAndMakesNothing(bool fromTheStart)
+    public void Make_InPlayMode_ReportsItAndMakesNothing(bool fromTheStart)
     {
         PutSmallStreet();
         var logged = new List<string>();
@@ -136,7 +136,7 @@ public sealed class SampleSceneTests
         bool isFilled = false;
 
         EditorApplication.isPlaying = fromTheStart;
-        SampleScene.Make(_ => isFilled = true);
+        SampleScene.Create(_ => isFilled = true);
         EditorApplication.isPlaying = true;
         Updates(() => logged.Count > 0);
 

@@ -53,7 +53,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void LoadFromDisk_FileThatIsNotThere_SaysSo()
+    public void LoadFromDisk_FileThatIsNotThere_ReportsIt()
     {
         var logged = "";
         UnityEngine.Debug.s_sink = (_, text) => logged += text;
@@ -155,8 +155,8 @@ public sealed class SampleScriptTests
         var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
         var level = new Vector3(along.x, 0, along.z).normalized;
         // 0.6 of a turn's 2 pi: in frames, 11.46.
-        var ahead = places[11] + (places[12] - places[11]) * 0.459f - places[120];
-        Assert.That(Vector3.Dot(level, ahead.normalized), Is.GreaterThan(0.9999f), "it looks where it will be");
+        var limit = places[11] + (places[12] - places[11]) * 0.459f - places[120];
+        Assert.That(Vector3.Dot(level, limit.normalized), Is.GreaterThan(0.9999f), "it looks where it will be");
         Assert.That(along.y, Is.LessThan(0), "and down");
     }
 

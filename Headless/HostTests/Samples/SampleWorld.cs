@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Samples;
 /// <summary>A world that plays, with a camera that sees all, for the scripts of samples.</summary>
 sealed class SampleWorld : IDisposable
 {
-    const int MostFrames = 10_000_000;
+    const int MaxFrames = 10_000_000;
 
     readonly List<GameObject> m_objects = new List<GameObject>();
 
@@ -56,7 +56,7 @@ sealed class SampleWorld : IDisposable
 
     public void Frames(Func<bool> isDone)
     {
-        for (int frame = 0; frame < MostFrames && !isDone(); frame++)
+        for (int frame = 0; frame < MaxFrames && !isDone(); frame++)
         {
             Frame();
             Thread.Yield();

@@ -171,7 +171,7 @@ public sealed class WalkTests : GraphicsFixture
     void Interrupt()
     {
         m_project.Scratch.Demo("long.las", 60_000);
-        var asset = Imports.Take(m_project.Scratch["long.las"], "Assets");
+        var asset = Imports.CreateAsset(m_project.Scratch["long.las"], "Assets");
         Until(() => Imports.Queue.Session?.State == BuildState.Building);
         AssemblyReloadEvents.Reload();
         Until(() => Imports.Queue.Session?.State == BuildState.Building);
@@ -188,7 +188,7 @@ public sealed class WalkTests : GraphicsFixture
     void PauseAndCancel()
     {
         m_project.Scratch.Demo("other.las", 60_000);
-        var asset = Imports.Take(m_project.Scratch["other.las"], "Assets");
+        var asset = Imports.CreateAsset(m_project.Scratch["other.las"], "Assets");
         Until(() => Imports.Queue.Session?.State == BuildState.Building &&
             Progress.Entries.Any(e => e.Name == "Convert other.pointcloud"));
         int shown = Progress.Entries.FindLastIndex(e => e.Name == "Convert other.pointcloud");
@@ -400,7 +400,7 @@ public sealed class WalkTests : GraphicsFixture
     {
         Frame();
         Frame();
-        Until(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 && !(rests && Group.WantsFrame));
+        Until(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 && !(rests && Group.NeedsFrame));
     }
 
     byte[] Picture()

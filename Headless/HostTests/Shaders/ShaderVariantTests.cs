@@ -8,7 +8,7 @@ namespace FastPoints.HostTests.Shaders;
 public sealed class ShaderVariantTests
 {
     // More would take minutes: then keywords want to become uniforms.
-    private const long MostVariants = 256;
+    private const long MaxVariants = 256;
 
     private static IEnumerable<string> Shaders() => ShaderSources.In("Packages").Concat(ShaderSources.In("UnityOutside/Tests"));
 
@@ -21,7 +21,7 @@ public sealed class ShaderVariantTests
             Assert.Ignore("spirv-val is not installed (Debian, Ubuntu: apt-get install spirv-tools)");
         using var folder = new ScratchFolder();
         ShaderStage[] all = ShaderSources.StagesOf(Path.Combine(Checkout.Repository.Root, shader)).ToArray();
-        Assert.That(all.Length, Is.LessThanOrEqualTo(MostVariants));
+        Assert.That(all.Length, Is.LessThanOrEqualTo(MaxVariants));
         var faults = new string[all.Length];
         Parallel.For(0, all.Length, Tool.OneACore, i =>
         {

@@ -184,7 +184,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void World_EndedByItsOwnSystem_StaysAndSaysSo()
+    public void World_EndedByItsOwnSystem_StaysAndReportsIt()
     {
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Ending));
         m_world.Update();

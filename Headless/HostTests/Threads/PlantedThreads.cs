@@ -37,12 +37,12 @@ namespace FastPoints.HostTests.Threads
                 yield return 1;
             }
 
-            public IEnumerator<Work> Nested()
+            public IEnumerator<JobStep> Nested()
             {
-                yield return Work.Of(Stages());
+                yield return JobStep.Of(Stages());
             }
 
-            private IEnumerator<Work> Stages()
+            private IEnumerator<JobStep> Stages()
             {
                 Step();
                 yield return default;
@@ -166,13 +166,13 @@ namespace FastPoints.HostTests.Threads
         [Planted(IsPlaying)]
         internal static class ThroughNestedWork
         {
-            internal static Task Begin() => Task.Run(() => new WorkSteps(new AskingWalk().Nested()).MoveNext());
+            internal static Task Begin() => Task.Run(() => new CoroutineStack(new AskingWalk().Nested()).MoveNext());
         }
 
         [Planted]
         internal static class ThroughNestedWorkThatIsKnown
         {
-            internal static Task Begin() => Task.Run(() => new WorkSteps(new QuietWalk().Nested()).MoveNext());
+            internal static Task Begin() => Task.Run(() => new CoroutineStack(new QuietWalk().Nested()).MoveNext());
         }
 
         [Planted(IsPlaying)]

@@ -29,7 +29,7 @@ public sealed class CloudFolderWriterTests
                 "is being built by process " + Environment.ProcessId + " on " + Environment.MachineName));
             CloudFolderWriter.DeleteUnfinished(m_target);
             Assert.That(File.Exists(m_lock), Is.True);
-            WorkPump.RunToEnd(first.Complete());
+            JobCoroutine.RunToEnd(first.Complete());
         }
         Assert.That(Directory.Exists(m_part), Is.False);
         Assert.That(File.Exists(Path.Combine(m_target, "build.lock")), Is.False);
@@ -48,11 +48,11 @@ public sealed class CloudFolderWriterTests
     }
 
     [Test]
-    public void Complete_OfAFolderThatSomebodyHasTakenOver_FailsAndLeavesItToHim()
+    public void Complete_LockTakenByAnotherProcess_FailsAndLeavesTheFolder()
     {
         var writer = new CloudFolderWriter(m_target);
         File.WriteAllText(m_lock, "far\n7\n1\nanother load\n");
-        Assert.That(() => WorkPump.RunToEnd(writer.Complete()),
+        Assert.That(() => JobCoroutine.RunToEnd(writer.Complete()),
             Throws.TypeOf<PointCloudException>().With.Message.EndsWith("was taken over by another process"));
         writer.Dispose();
         Assert.That(File.Exists(m_lock), Is.True);

@@ -51,7 +51,7 @@ public sealed class FilesInUseTests
     {
         ConvertResult result = null;
         using var reader = PointReaders.Open(new[] { source });
-        WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target, settings, r => result = r, null));
+        JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target, settings, r => result = r, null));
         return result;
     }
 
@@ -59,7 +59,7 @@ public sealed class FilesInUseTests
     void ReadAt(int heldMs)
     {
         var done = new HashSet<string>();
-        FileChanges.Before = (change, path, to) =>
+        FileChanges.Intercept = (change, path, to) =>
         {
             var held = new List<IDisposable>();
             foreach (var operation in s_operations)
@@ -102,7 +102,7 @@ public sealed class FilesInUseTests
             Assert.That(File.Exists(Path.Combine(target, BuildFiles.JournalName)), Is.False);
         }
         Assert.That(m_refused.Values, Is.EqualTo(Enumerable.Repeat(count, s_operations.Length)));
-        FileChanges.Before = WindowsRules.Check;
+        FileChanges.Intercept = WindowsRules.Check;
         FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories(m_scratch.Root), Is.EqualTo(new[] { target }));
         Assert.That(CliCall.Of("verify", target, "--against", source, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
@@ -111,7 +111,7 @@ public sealed class FilesInUseTests
     /// <summary>Ten seconds are over: the error says what to do, and nothing is read again.</summary>
     [TestCase(1L << 20)]
     [TestCase(1L << 30)]
-    public void Convert_FolderIsReadToTheEnd_SaysSoAndTheNextBuildGoesOn(long memory)
+    public void Convert_FolderIsReadToTheEnd_ReportsItAndTheNextBuildGoesOn(long memory)
     {
         string source = m_scratch.Demo("a.las", 6000), target = m_scratch["a.fastpoints"];
         string part = target + StoreFormat.PartSuffix;
@@ -153,7 +153,7 @@ public sealed class FilesInUseTests
     }
 
     [Test]
-    public void BeginDelete_SomebodyReads_GoesOnUntilHeIsDone()
+    public void BeginDelete_FileInUse_RetriesUntilItIsClosed()
     {
         string folder = Directory.CreateDirectory(m_scratch["a.fastpoints"]).FullName, file = Path.Combine(folder, "a");
         File.WriteAllText(file, "a");

@@ -27,7 +27,7 @@ public sealed class FolderLockTests
     }
 
     [Test]
-    public void TryTake_WhileItIsHeld_TellsTheOwner()
+    public void TryTake_WhileItIsHeld_ReportsTheOwner()
     {
         Assert.That(FolderLock.TryTake(m_path, out var first), Is.Null);
         Assert.That(FolderLock.TryTake(m_path, "else", (1, 1), out var second),
@@ -76,7 +76,7 @@ public sealed class FolderLockTests
     }
 
     [Test]
-    public void TryTake_RuntimeThatCannotTellProcesses_KeepsItsOwnOutAndTakesOverWhatARunBeforeLeft()
+    public void TryTake_RuntimeWithoutProcessIds_ExcludesItselfAndReplacesAnEarlierLock()
     {
         var unknown = default((int, long));
         FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _);
@@ -108,11 +108,11 @@ public sealed class FolderLockTests
         FolderLock.TryTake(m_path, "far", (7, 1), out var far);
         Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));
 
-        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.GoneAfter - TimeSpan.FromSeconds(1));
+        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.StaleAfter - TimeSpan.FromSeconds(1));
         Assert.That(far.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
         Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"), "it was renewed");
 
-        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.GoneAfter - TimeSpan.FromSeconds(1));
+        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.StaleAfter - TimeSpan.FromSeconds(1));
         Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
         Assert.That(far.Renew(DateTime.UtcNow + 3 * FolderLock.RenewAfter), Is.False);
         next.Dispose();

@@ -4,9 +4,9 @@ namespace FastPoints.RepoTools.Reference;
 /// first.</summary>
 public static class Beginning
 {
-    private const int MostMembers = 2;
-    private const int MostFields = 3;
-    private const int MostValues = 6;
+    private const int MaxMembers = 2;
+    private const int MaxFields = 3;
+    private const int MaxValues = 6;
     private const int FieldRank = 4;
 
     /// <summary>C# of the members.</summary>
@@ -17,16 +17,16 @@ public static class Beginning
         // Of overloads, the plainest.
         List<(string Name, int Rank, string Text)> members = Members(type).GroupBy(m => m.Name)
             .Select(overloads => overloads.MinBy(m => m.Text.Length)).ToList();
-        int most = members.All(m => m.Rank >= FieldRank) ? MostFields : MostMembers;
+        int max = members.All(m => m.Rank >= FieldRank) ? MaxFields : MaxMembers;
         bool isInExamples = inExamples.Contains(type.Name);
         return members.OrderBy(m => m.Rank == 0 ? 0 : isInExamples && inExamples.Contains(m.Name) ? 1 : 2)
-            .ThenBy(m => m.Rank).Take(most).Select(m => m.Text);
+            .ThenBy(m => m.Rank).Take(max).Select(m => m.Text);
     }
 
     private static IEnumerable<string> Values(TypeDefinition type)
     {
         List<string> names = type.Fields.Where(f => f.IsStatic).Select(f => f.Name).ToList();
-        return names.Count <= MostValues ? names : names.Take(MostValues - 1).Append("...");
+        return names.Count <= MaxValues ? names : names.Take(MaxValues - 1).Append("...");
     }
 
     private static IEnumerable<(string Name, int Rank, string Text)> Members(TypeDefinition type)

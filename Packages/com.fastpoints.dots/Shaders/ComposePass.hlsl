@@ -120,7 +120,7 @@ float FastPointsBeforePx(int2 pixel, float depth, int radius)
     return before;
 }
 
-// ResolvePictureJob.LeastAroundHole.
+// ResolvePictureJob.MinAroundHole.
 #define FASTPOINTS_LEAST_AROUND_HOLE 6.0
 
 // The mean of the points around a pixel, as a point of one pixel; alpha is 0 where there are too few.

@@ -4,7 +4,7 @@
 
 #include "Generated/GpuSizeNode.hlsl"
 
-// SizeTree.MostLevels.
+// SizeTree.MaxLevels.
 #define FASTPOINTS_MOST_LEVELS 22
 
 // x: pixels of all points alike; y: pixels at a depth of one, of a gap of one where sizes are adaptive, and the same at any

@@ -28,7 +28,7 @@ public sealed class ApiRowTests
     }
 
     [Test]
-    public void Parameters_KindsDefaultsAndCommasInQuotes_AreTold()
+    public void Parameters_KindsDefaultsAndCommasInQuotes_AreReported()
     {
         ApiRow row = ApiRow.Parse("M:A.B\tA\tmethod\tSystem.Void\tstatic\tthis ref a, out b, c=\"x, y\", params d");
 

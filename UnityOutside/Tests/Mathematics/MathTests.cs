@@ -106,7 +106,7 @@ public sealed class MathTests
     }
 
     [Test]
-    public void Finiteness_OfSpecialNumbers_IsTold()
+    public void Finiteness_OfSpecialNumbers_IsReported()
     {
         Assert.That(math.isfinite(new double3(1, double.NaN, double.PositiveInfinity)),
             Is.EqualTo(new bool3(true, false, false)));

@@ -387,7 +387,7 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
-    public void GetFileInfo_PresentAndAbsent_AreTold()
+    public void GetFileInfo_PresentAndAbsent_AreReported()
     {
         FileInfoResult present, absent;
         ReadHandle a = AsyncReadManager.GetFileInfo(m_path, &present);

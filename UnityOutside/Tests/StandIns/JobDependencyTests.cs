@@ -180,7 +180,7 @@ public sealed class JobDependencyTests
 
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     [Test]
-    public void CheckFence_DependencyOrNot_IsTold()
+    public void CheckFence_DependencyOrNot_IsReported()
     {
         JobHandle a = new NothingJob().Schedule();
         JobHandle b = new NothingJob().Schedule(a);

@@ -44,8 +44,8 @@ internal sealed class HpcWalk
             if (handler.HandlerType != ExceptionHandlerType.Finally)
                 Add(handler.HandlerStart, "catches an exception");
         }
-        foreach ((Instruction at, string why) in IntrinsicCode.Objections(m_method.Body))
-            Add(at, why);
+        foreach ((Instruction at, string reason) in IntrinsicCode.Objections(m_method.Body))
+            Add(at, reason);
         foreach (Instruction instruction in m_method.Body.Instructions)
         {
             if (m_throwing.Contains(instruction))
@@ -347,9 +347,9 @@ internal sealed class HpcWalk
         return null;
     }
 
-    private void Add(Instruction? at, string why)
+    private void Add(Instruction? at, string reason)
     {
         string place = at == null ? "" : CodePlace.Of(m_method, at);
-        m_verifier.Report(m_visit.Path + (place.Length == 0 ? "" : $" ({place})") + $": {why}");
+        m_verifier.Report(m_visit.Path + (place.Length == 0 ? "" : $" ({place})") + $": {reason}");
     }
 }

@@ -32,9 +32,9 @@ internal sealed class IntrinsicCode
         var refused = new Dictionary<(Instruction At, string Why), string>();
         foreach (HpcTarget target in HpcTarget.All)
         {
-            foreach ((Instruction at, string why) in new IntrinsicCode(body, target).Run())
+            foreach ((Instruction at, string reason) in new IntrinsicCode(body, target).Run())
             {
-                refused[(at, why)] = refused.TryGetValue((at, why), out string? others)
+                refused[(at, reason)] = refused.TryGetValue((at, reason), out string? others)
                     ? $"{others}, {target.Name}" : target.Name;
             }
         }
@@ -87,8 +87,8 @@ internal sealed class IntrinsicCode
             Reach(target, after);
         foreach (Instruction many in at.Operand as Instruction[] ?? Array.Empty<Instruction>())
             Reach(many, after);
-        bool goesOn = at.OpCode.FlowControl is not (FlowControl.Branch or FlowControl.Return or FlowControl.Throw);
-        if (goesOn && !(isKnown && jumps == true) && at.Next != null)
+        bool hasMore = at.OpCode.FlowControl is not (FlowControl.Branch or FlowControl.Return or FlowControl.Throw);
+        if (hasMore && !(isKnown && jumps == true) && at.Next != null)
             Reach(at.Next, after);
     }
 

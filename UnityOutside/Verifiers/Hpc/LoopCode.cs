@@ -28,7 +28,7 @@ internal static class LoopCode
             Instruction[] many => many,
             _ => Enumerable.Empty<Instruction>(),
         };
-        bool goesOn = instruction.OpCode.FlowControl is not (FlowControl.Branch or FlowControl.Return or FlowControl.Throw);
-        return goesOn && instruction.Next != null ? targets.Append(instruction.Next) : targets;
+        bool hasMore = instruction.OpCode.FlowControl is not (FlowControl.Branch or FlowControl.Return or FlowControl.Throw);
+        return hasMore && instruction.Next != null ? targets.Append(instruction.Next) : targets;
     }
 }

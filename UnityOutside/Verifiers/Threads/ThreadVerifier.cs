@@ -353,12 +353,12 @@ public sealed class ThreadVerifier
         private void Add(string what)
         {
             IReadOnlyList<string> path = m_visit?.Path ?? Array.Empty<string>();
-            IEnumerable<string> steps = path.Count <= MostSteps ? path
-                : path.Take(2).Append("...").Concat(path.Skip(path.Count - MostSteps + 2));
+            IEnumerable<string> steps = path.Count <= MaxSteps ? path
+                : path.Take(2).Append("...").Concat(path.Skip(path.Count - MaxSteps + 2));
             string place = m_at == null ? "" : $" ({CodePlace.Of(Method, m_at)})";
             m_verifier.m_problems.Add($"{m_root.Name}: {string.Join(" > ", steps)}{place}: {what}");
         }
 
-        private const int MostSteps = 8;
+        private const int MaxSteps = 8;
     }
 }

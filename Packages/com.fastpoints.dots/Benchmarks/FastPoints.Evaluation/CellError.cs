@@ -7,10 +7,10 @@ namespace FastPoints.Evaluation
     public struct CellError
     {
         /// <summary>Points of the full cloud that a block must hold to count for <see cref="Variation"/>.</summary>
-        public const int FewestPointsOfBlock = 100;
+        public const int MinPointsOfBlock = 100;
 
         /// <summary>A region must hold one in so many of the full cloud's points to count for <see cref="Bias"/>.</summary>
-        public const int LeastRegion = 1000;
+        public const int MinRegion = 1000;
 
         /// <summary>Points of the full cloud, and of the sample, that lie in the grid.</summary>
         public long PointsOfCloud;
@@ -30,7 +30,7 @@ namespace FastPoints.Evaluation
         public double Uncovered512;
 
         /// <summary>Coefficient of variation of the share sampled: the root of the mean, over the 64th cells with at least
-        /// <see cref="FewestPointsOfBlock"/> points, of the squares of (share taken of the cell / share taken of all - 1). NaN
+        /// <see cref="MinPointsOfBlock"/> points, of the squares of (share taken of the cell / share taken of all - 1). NaN
         /// where there is no such cell, or no point sampled.</summary>
         public double Variation;
 
@@ -38,7 +38,7 @@ namespace FastPoints.Evaluation
         public double VariationByChance;
 
         /// <summary>The largest |share taken of a region / share taken of all - 1| over the regions (an eighth of the grid's
-        /// edge) with at least one in <see cref="LeastRegion"/> of the full cloud's points; 1 for a region that was missed. NaN
+        /// edge) with at least one in <see cref="MinRegion"/> of the full cloud's points; 1 for a region that was missed. NaN
         /// without points.</summary>
         public double Bias;
 

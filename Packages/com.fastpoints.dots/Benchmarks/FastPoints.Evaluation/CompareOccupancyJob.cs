@@ -70,7 +70,7 @@ namespace FastPoints.Evaluation
             for (int block = 0; block < ErrorGrid.Blocks; block++)
             {
                 long points = PointsOfCloud[block];
-                if (points < CellError.FewestPointsOfBlock)
+                if (points < CellError.MinPointsOfBlock)
                     continue;
                 double deviation = PointsOfSample[block] / (points * taken) - 1;
                 squares += deviation * deviation;
@@ -93,7 +93,7 @@ namespace FastPoints.Evaluation
             for (int region = 0; region < ErrorGrid.Regions; region++)
             {
                 long points = cloudOfRegion[region];
-                if (points == 0 || points * CellError.LeastRegion < error.PointsOfCloud)
+                if (points == 0 || points * CellError.MinRegion < error.PointsOfCloud)
                     continue;
                 double expected = points * taken;
                 bias = math.max(bias, math.abs(sampleOfRegion[region] / expected - 1));
@@ -124,7 +124,7 @@ namespace FastPoints.Evaluation
         const int Halvings = 60;
 
         /// <summary>Beyond so many standard deviations there is nothing.</summary>
-        const double MostSigmas = 10;
+        const double MaxSigmas = 10;
 
         /// <summary>The x that the largest |deviation| stays below in one case of two: the product of P(|deviation| &lt; x) is
         /// 1/2.</summary>
@@ -132,7 +132,7 @@ namespace FastPoints.Evaluation
         {
             double low = 0, high = 0;
             for (int i = 0; i < count; i++)
-                high = math.max(high, MostSigmas * sigmas[i]);
+                high = math.max(high, MaxSigmas * sigmas[i]);
             for (int halving = 0; halving < Halvings && high > 0; halving++)
             {
                 double middle = (low + high) / 2, product = 1;

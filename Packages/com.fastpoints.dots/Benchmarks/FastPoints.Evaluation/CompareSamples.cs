@@ -13,12 +13,12 @@ namespace FastPoints.Evaluation
 {
     /// <summary>Measures how far samples of a source are from the full cloud: distances, cells left uncovered, evenness,
     /// pictures. The full cloud is read in three scans (a fourth to look points up) in bounded memory, whatever its size: a
-    /// uniform choice of <see cref="MostQueries"/> points, occupied cells, three pictures. The results depend on no number of
+    /// uniform choice of <see cref="MaxQueries"/> points, occupied cells, three pictures. The results depend on no number of
     /// threads.</summary>
     public sealed class CompareSamples : IDisposable
     {
         /// <summary>Points of the full cloud from which distances are measured: all, or so many of a uniform choice.</summary>
-        public const int MostQueries = 200_000;
+        public const int MaxQueries = 200_000;
 
         /// <summary>Points of each sample that are looked up in the full cloud.</summary>
         public const int LookedUpPerSample = 4096;
@@ -69,31 +69,31 @@ namespace FastPoints.Evaluation
         /// <summary>Of the full cloud, as found.</summary>
         public long PointCount => m_pointCount;
 
-        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>reference sample</c> and <c>reference</c>:
+        /// <summary>Coroutine, with the stages <c>find blocks</c>, <c>reference sample</c> and <c>reference</c>:
         /// reads the full cloud. Comes before all else.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<Work> Prepare(StageProgress progress)
+        public IEnumerator<JobStep> Prepare(StageProgress progress)
         {
             if (!m_reader.BlocksAreKnown)
             {
                 progress?.Begin(PreviewSampling.FindBlocksStage);
-                yield return Work.Of(m_reader.FindBlocks());
+                yield return JobStep.Of(m_reader.FindBlocks());
             }
             progress?.Begin("reference sample");
-            using (var sampler = new UniformSampler(m_reader, MostQueries, QuerySeed))
+            using (var sampler = new UniformSampler(m_reader, MaxQueries, QuerySeed))
             {
-                yield return Work.Of(sampler.Run(0, progress));
+                yield return JobStep.Of(sampler.Run(0, progress));
                 using var sample = sampler.TakeSample();
-                yield return Work.Of(Prepare(sample, progress));
+                yield return JobStep.Of(Prepare(sample, progress));
             }
             progress?.End();
         }
 
-        IEnumerator<Work> Prepare(PreviewSample sample, StageProgress progress)
+        IEnumerator<JobStep> Prepare(PreviewSample sample, StageProgress progress)
         {
             m_pointCount = sample.PointsInSource;
             var ranges = new DisplayRanges();
-            yield return Work.Of(ranges.Measure(sample.Points, sample.Transform, m_options.UpAxis));
+            yield return JobStep.Of(ranges.Measure(sample.Points, sample.Transform, m_options.UpAxis));
             m_grid = new ErrorGrid(ranges.Robust);
             for (int view = 0; view < s_views.Length; view++)
                 m_plans[view] = new PicturePlan(OptionsFor(s_views[view]), ranges, sample.Transform);
@@ -124,26 +124,26 @@ namespace FastPoints.Evaluation
             progress?.Begin("reference");
             m_cloud = new CellOccupancy(Allocator.Persistent);
             using var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx);
-            yield return Work.Of(pass.ChooseSizes(sample.Points, m_pointCount));
-            yield return Work.Of(pass.Run(progress));
-            yield return Work.Of(pass.Resolve(sample.Points, m_options.Background));
+            yield return JobStep.Of(pass.ChooseSizes(sample.Points, m_pointCount));
+            yield return JobStep.Of(pass.Run(progress));
+            yield return JobStep.Of(pass.Resolve(sample.Points, m_options.Background));
             FullViews = pass.Images;
         }
 
-        /// <summary>Work for a pump: measures a sample, which must be a part of the source; fills
+        /// <summary>Coroutine: measures a sample, which must be a part of the source; fills
         /// <paramref name="error"/>.</summary>
         /// <param name="points">As the source stores them; positions that are not finite are passed over. Stays the
         /// caller's, and must not change meanwhile.</param>
         /// <param name="count">The sample is the first so many points of the batch.</param>
         /// <param name="viewsAtSameCount">The views of a uniform sample of as many points, to compare with; null for
         /// none.</param>
-        public IEnumerator<Work> Measure(PointBatch points, int count, PositionTransform transform,
+        public IEnumerator<JobStep> Measure(PointBatch points, int count, PositionTransform transform,
             RgbaImage[] viewsAtSameCount, SampleError error)
         {
             error.Points = count;
             error.Share = m_pointCount == 0 ? 1 : count / (double)m_pointCount;
-            yield return Work.Of(MeasureDistances(points, count, transform, error));
-            yield return Work.Of(MeasureCells(points, count, transform, error));
+            yield return JobStep.Of(MeasureDistances(points, count, transform, error));
+            yield return JobStep.Of(MeasureCells(points, count, transform, error));
 
             int countBefore = points.Count;
             points.Count = count;
@@ -151,7 +151,7 @@ namespace FastPoints.Evaluation
             {
                 error.Views = new RgbaImage[s_views.Length];
                 for (int view = 0; view < s_views.Length; view++)
-                    yield return Work.Of(Draw(points, view, error));
+                    yield return JobStep.Of(Draw(points, view, error));
             }
             finally
             {
@@ -164,18 +164,18 @@ namespace FastPoints.Evaluation
             m_measured.Add(error);
         }
 
-        IEnumerator<Work> MeasureDistances(PointBatch points, int count, PositionTransform transform, SampleError error)
+        IEnumerator<JobStep> MeasureDistances(PointBatch points, int count, PositionTransform transform, SampleError error)
         {
             using var tree = new PointTree();
-            yield return Work.Of(tree.Build(points, count, transform));
-            yield return Work.Of(tree.Measure(m_queries, m_queryCount, math.length(Bounds.Size),
+            yield return JobStep.Of(tree.Build(points, count, transform));
+            yield return JobStep.Of(tree.Measure(m_queries, m_queryCount, math.length(Bounds.Size),
                 found => error.Distance = found));
             error.LookedUp = Math.Min(LookedUpPerSample, tree.Count);
             for (int i = 0; i < error.LookedUp; i++)
                 m_lookedUp.Add(tree.Points[(int)((long)i * tree.Count / error.LookedUp)]);
         }
 
-        IEnumerator<Work> MeasureCells(PointBatch points, int count, PositionTransform transform, SampleError error)
+        IEnumerator<JobStep> MeasureCells(PointBatch points, int count, PositionTransform transform, SampleError error)
         {
             JobHandle measured = default;
             var found = new NativeReference<CellError>(Allocator.Persistent);
@@ -213,26 +213,26 @@ namespace FastPoints.Evaluation
             }
         }
 
-        IEnumerator<Work> Draw(PointBatch points, int view, SampleError error)
+        IEnumerator<JobStep> Draw(PointBatch points, int view, SampleError error)
         {
             var plan = m_plans[view];
-            if (plan.WantsAutoSize)
+            if (plan.UsesAutoSize)
                 plan.SizePx = PointSizing.MinPx;
             using var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent);
-            yield return Work.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
-            yield return Work.Of(SamplePicture.Draw(canvas, points, plan, null));
-            yield return Work.Of(SamplePicture.Resolve(canvas, points, plan, m_options.Background));
+            yield return JobStep.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
+            yield return JobStep.Of(SamplePicture.Draw(canvas, points, plan, null));
+            yield return JobStep.Of(SamplePicture.Resolve(canvas, points, plan, m_options.Background));
             error.Views[view] = canvas.ToImage();
         }
 
-        /// <summary>Work for a pump, with the stage <c>look up</c>: looks for <see cref="LookedUpPerSample"/> points of
+        /// <summary>Coroutine, with the stage <c>look up</c>: looks for <see cref="LookedUpPerSample"/> points of
         /// each sample that was measured in the full cloud, and fills their <see cref="SampleError.Found"/>.</summary>
-        public IEnumerator<Work> LookUp(StageProgress progress)
+        public IEnumerator<JobStep> LookUp(StageProgress progress)
         {
             progress?.Begin("look up");
             using (var table = new PositionTable(m_lookedUp.ToArray(), Allocator.Persistent))
             {
-                yield return Work.Of(SeeAll(table, progress));
+                yield return JobStep.Of(SeeAll(table, progress));
                 int next = 0;
                 foreach (var error in m_measured)
                 {
@@ -244,7 +244,7 @@ namespace FastPoints.Evaluation
             progress?.End();
         }
 
-        IEnumerator<Work> SeeAll(PositionTable table, StageProgress progress)
+        IEnumerator<JobStep> SeeAll(PositionTable table, StageProgress progress)
         {
             var filled = new FillPositionTableJob
             {
@@ -263,7 +263,7 @@ namespace FastPoints.Evaluation
             }
             var wanted = m_reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var pass = new LookUpPass(m_reader.Info.Transform, table);
-            yield return Work.Of(SourceScan.Run(m_reader, wanted, pass, SourceScan.SlotsFor(m_reader, wanted), progress));
+            yield return JobStep.Of(SourceScan.Run(m_reader, wanted, pass, SourceScan.SlotsFor(m_reader, wanted), progress));
         }
 
         PictureOptions OptionsFor(ViewDirection view) => new PictureOptions

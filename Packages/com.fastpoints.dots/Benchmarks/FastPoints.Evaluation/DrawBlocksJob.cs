@@ -90,7 +90,7 @@ namespace FastPoints.Evaluation
             var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
             for (int i = 0; i < count; i++)
             {
-                bool isLeft = LocalClip.Leave(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
+                bool isLeft = LocalClip.MayKeep(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
                     (HiddenClasses.IsEmpty || !HiddenClasses.Has(batch[Classes.OffsetBytes + i]));
                 x[i] = isLeft ? x[i] : double.NaN;
             }

@@ -42,14 +42,14 @@ namespace FastPoints.Evaluation
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
+        /// <summary>Coroutine, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<Work> Run(StageProgress progress)
+        public IEnumerator<JobStep> Run(StageProgress progress)
         {
             int sampled = m_budget > 0 ? (int)Math.Min(m_budget, int.MaxValue) : PointsToPlanWith;
             using var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = sampled, Picture = m_options });
-            yield return Work.Of(preview.TakeSample(progress));
-            yield return Work.Of(preview.PlanPicture());
+            yield return JobStep.Of(preview.TakeSample(progress));
+            yield return JobStep.Of(preview.PlanPicture());
             var sample = preview.Sample;
             Ranges = preview.Ranges;
             Plan = preview.Plan;
@@ -59,19 +59,19 @@ namespace FastPoints.Evaluation
             using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
             {
                 long points = drawSample ? sample.Count : m_reader.PointCount;
-                yield return Work.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
-                yield return Work.Of(drawSample
+                yield return JobStep.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
+                yield return JobStep.Of(drawSample
                     ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
                     : DrawAll(progress));
                 if (drawSample)
                     PointsDrawn = sample.Count;
-                yield return Work.Of(SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background));
+                yield return JobStep.Of(SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background));
                 Image = m_canvas.ToImage();
             }
             progress?.End();
         }
 
-        IEnumerator<Work> DrawAll(StageProgress progress)
+        IEnumerator<JobStep> DrawAll(StageProgress progress)
         {
             var wanted = WantedFor(Plan.Mode);
             return SourceScan.Run(m_reader, wanted, this, SourceScan.SlotsFor(m_reader, wanted), progress);

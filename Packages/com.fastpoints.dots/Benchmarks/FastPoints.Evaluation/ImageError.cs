@@ -110,10 +110,10 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>The share of differing pixels among those that either of two pictures of one size covers.</summary>
-        /// <param name="mostPerChannel">Colours that differ by no more than this, in 255ths, count as equal.</param>
+        /// <param name="maxPerChannel">Colours that differ by no more than this, in 255ths, count as equal.</param>
         /// <param name="covered">The number of pixels that either picture covers.</param>
         public static double ShareThatDiffers(in RgbaImage image, in RgbaImage other, uint background, out int covered,
-            int mostPerChannel = 0)
+            int maxPerChannel = 0)
         {
             int differ = 0;
             covered = 0;
@@ -123,16 +123,16 @@ namespace FastPoints.Evaluation
                 {
                     uint a = image[x, y], b = other[x, y];
                     covered += a != background || b != background ? 1 : 0;
-                    differ += IsNear(a, b, mostPerChannel) ? 0 : 1;
+                    differ += IsNear(a, b, maxPerChannel) ? 0 : 1;
                 }
             }
             return differ / (double)Math.Max(1, covered);
         }
 
-        static bool IsNear(uint a, uint b, int mostPerChannel)
+        static bool IsNear(uint a, uint b, int maxPerChannel)
         {
             for (int shift = 0; shift < 32; shift += 8)
-                if (Math.Abs((int)(a >> shift & 255) - (int)(b >> shift & 255)) > mostPerChannel)
+                if (Math.Abs((int)(a >> shift & 255) - (int)(b >> shift & 255)) > maxPerChannel)
                     return false;
             return true;
         }

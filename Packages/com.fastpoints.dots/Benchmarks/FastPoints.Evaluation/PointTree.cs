@@ -36,8 +36,8 @@ namespace FastPoints.Evaluation
         /// <summary>The root at 1, the children of i at 2i and 2i + 1.</summary>
         public NativeArray<PointTreeNode> Nodes => m_nodes;
 
-        /// <summary>Work for a pump: the tree of a batch's first points.</summary>
-        public IEnumerator<Work> Build(PointBatch batch, int count, PositionTransform transform)
+        /// <summary>Coroutine: the tree of a batch's first points.</summary>
+        public IEnumerator<JobStep> Build(PointBatch batch, int count, PositionTransform transform)
         {
             m_points = new NativeArray<double3>(Math.Max(1, count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             JobHandle built = default;
@@ -88,10 +88,10 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>Work for a pump: how far positions are from the nearest point of the tree.</summary>
+        /// <summary>Coroutine: how far positions are from the nearest point of the tree.</summary>
         /// <param name="count">The first so many positions.</param>
         /// <param name="unit">What distances are divided by; 0 stands for 1.</param>
-        public IEnumerator<Work> Measure(NativeArray<double3> positions, int count, double unit, Action<DistanceError> take)
+        public IEnumerator<JobStep> Measure(NativeArray<double3> positions, int count, double unit, Action<DistanceError> take)
         {
             JobHandle measured = default;
             var distancesSq = new NativeArray<double>(Math.Max(1, count), Allocator.Persistent);

@@ -95,8 +95,8 @@ namespace FastPoints.Evaluation
             return ranges;
         }
 
-        /// <summary>Work for a pump, once.</summary>
-        public IEnumerator<Work> Run(StageProgress progress)
+        /// <summary>Coroutine, once.</summary>
+        public IEnumerator<JobStep> Run(StageProgress progress)
         {
             Points = new PointBatch(m_schema, Math.Max(1, m_wanted), Allocator.Persistent);
             if (m_wanted == 0)

@@ -41,17 +41,17 @@ namespace FastPoints.Evaluation
         /// <summary>Of each view, when all is done.</summary>
         public RgbaImage[] Images { get; private set; }
 
-        /// <summary>Work for a pump: the sizes of points for a picture of all, from a sample.</summary>
-        public IEnumerator<Work> ChooseSizes(PointBatch sample, long pointsInSource)
+        /// <summary>Coroutine: the sizes of points for a picture of all, from a sample.</summary>
+        public IEnumerator<JobStep> ChooseSizes(PointBatch sample, long pointsInSource)
         {
             for (int view = 0; view < m_plans.Length; view++)
-                yield return Work.Of(SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource));
+                yield return JobStep.Of(SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource));
         }
 
-        /// <summary>Work for a pump: the scan.</summary>
-        public IEnumerator<Work> Run(StageProgress progress)
+        /// <summary>Coroutine: the scan.</summary>
+        public IEnumerator<JobStep> Run(StageProgress progress)
         {
-            yield return Work.Of(SourceScan.Run(m_reader, m_wanted, this, m_cellsOfSlot.Length, progress));
+            yield return JobStep.Of(SourceScan.Run(m_reader, m_wanted, this, m_cellsOfSlot.Length, progress));
             foreach (var cells in m_cellsOfSlot)
             {
                 if (cells == null)
@@ -74,13 +74,13 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>Work for a pump: the colours.</summary>
-        public IEnumerator<Work> Resolve(PointBatch sample, uint background)
+        /// <summary>Coroutine: the colours.</summary>
+        public IEnumerator<JobStep> Resolve(PointBatch sample, uint background)
         {
             var images = new RgbaImage[m_plans.Length];
             for (int view = 0; view < m_plans.Length; view++)
             {
-                yield return Work.Of(SamplePicture.Resolve(m_canvases[view], sample, m_plans[view], background));
+                yield return JobStep.Of(SamplePicture.Resolve(m_canvases[view], sample, m_plans[view], background));
                 images[view] = m_canvases[view].ToImage();
             }
             Images = images;

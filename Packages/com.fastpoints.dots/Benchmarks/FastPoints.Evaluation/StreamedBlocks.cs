@@ -119,7 +119,7 @@ namespace FastPoints.Evaluation
                 if (drawn.Cloud != m_cloud)
                     continue;
                 var place = cloud.Pages[drawn.Page].Places[drawn.Node];
-                var inCube = cubes.PlaceIn(cloud.Pages + drawn.Page, drawn.Node);
+                var inCube = cubes.PointIn(cloud.Pages + drawn.Page, drawn.Node);
                 byte* at = m_pool.AddressOf(drawn.Range);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 m_runs.Add(new NodeBlocks

@@ -54,15 +54,15 @@ namespace FastPoints.Evaluation
         /// <summary>Complete when the work has ended.</summary>
         public CloudSummary Summary { get; }
 
-        /// <summary>Work for a pump, with the stages <c>find blocks</c> and <c>scan</c>.</summary>
+        /// <summary>Coroutine, with the stages <c>find blocks</c> and <c>scan</c>.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<Work> Run(StageProgress progress, int slots = 0)
+        public IEnumerator<JobStep> Run(StageProgress progress, int slots = 0)
         {
             if (!m_reader.BlocksAreKnown)
             {
                 progress?.Begin(PreviewSampling.FindBlocksStage);
-                yield return Work.Of(m_reader.FindBlocks());
+                yield return JobStep.Of(m_reader.FindBlocks());
             }
             progress?.Begin("scan");
             if (slots < 1)
@@ -70,7 +70,7 @@ namespace FastPoints.Evaluation
             m_slots = new SlotState[slots];
             try
             {
-                yield return Work.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
+                yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
                 if (m_areRangesBounds && Summary.Points > 0)
                     TakeRanges();
                 Summary.ClassCounts = TakeCounts(AttributeNames.Classification, 0);

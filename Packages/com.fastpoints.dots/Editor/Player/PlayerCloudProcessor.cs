@@ -78,7 +78,7 @@ namespace FastPoints.Editor
     /// else in it refers to them.</summary>
     internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
-        const string Kept = "<linker>\n" + "  <assembly fullname=\"FastPoints.Import\">\n" +
+        const string LinkXml = "<linker>\n" + "  <assembly fullname=\"FastPoints.Import\">\n" +
             "    <type fullname=\"FastPoints.Import.PointFileReaders\" preserve=\"all\" />\n" +
             "  </assembly>\n" +
             "</linker>\n";
@@ -95,7 +95,7 @@ namespace FastPoints.Editor
                 return null;
             string path = PointCloudImports.Paths.Absolute("Library/FastPoints/link.xml");
             Directory.CreateDirectory(Path.GetDirectoryName(path));
-            File.WriteAllText(path, Kept);
+            File.WriteAllText(path, LinkXml);
             return path;
         }
     }

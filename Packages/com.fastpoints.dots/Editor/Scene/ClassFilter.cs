@@ -16,8 +16,9 @@ namespace FastPoints.Editor
             var classes = new List<int>();
             for (int c = 0; c <= byte.MaxValue; c++)
             {
-                bool isPossible = isKnown ? c >= min && c <= max : c < ClassNames.FirstOfUsers;
-                bool isMeant = ClassNames.Of(c) != null || (isKnown && (c == min || c == max || c >= ClassNames.FirstOfUsers));
+                bool isPossible = isKnown ? c >= min && c <= max : c < ClassNames.FirstUserDefined;
+                bool isMeant = ClassNames.Of(c) != null ||
+                    (isKnown && (c == min || c == max || c >= ClassNames.FirstUserDefined));
                 if ((isPossible && isMeant) || Array.IndexOf(hidden, c) >= 0)
                     classes.Add(c);
             }
@@ -26,7 +27,7 @@ namespace FastPoints.Editor
 
         /// <summary>The label of a class: "2 ground".</summary>
         public static string Label(int c) => NumberText.Of(c) + " " +
-            (ClassNames.Of(c) ?? (c < ClassNames.FirstOfUsers ? "reserved" : "of the user"));
+            (ClassNames.Of(c) ?? (c < ClassNames.FirstUserDefined ? "reserved" : "of the user"));
 
         /// <summary>The hidden classes after one was switched, rising; the same array if nothing changes.</summary>
         public static int[] Switch(int[] hidden, int c, bool isShown)

@@ -12,7 +12,7 @@ namespace FastPoints.Editor
     internal sealed class ClipBoxEditor : UnityEditor.Editor
     {
         /// <summary>A box that was dragged flat could not be dragged open again.</summary>
-        const float Thinnest = 1e-3f;
+        const float MinThickness = 1e-3f;
 
         readonly BoxBoundsHandle m_handle = new BoxBoundsHandle();
 
@@ -21,7 +21,7 @@ namespace FastPoints.Editor
         public static void Apply(Transform box, Vector3 center, Vector3 size)
         {
             for (int axis = 0; axis < 3; axis++)
-                size[axis] = math.max(Thinnest, math.abs(size[axis]));
+                size[axis] = math.max(MinThickness, math.abs(size[axis]));
             box.position = box.localToWorldMatrix.MultiplyPoint3x4(center);
             box.localScale = Vector3.Scale(box.localScale, size);
         }

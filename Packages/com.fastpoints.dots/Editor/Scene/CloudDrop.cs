@@ -25,10 +25,10 @@ namespace FastPoints.Editor
         readonly EditorImports m_imports;
         readonly string[] m_sources;
         readonly string m_folder;
-        readonly DropPlace m_place;
+        readonly DropTarget m_place;
         readonly CancellationTokenSource m_cancellation = new CancellationTokenSource();
-        PoolWork<List<Written>> m_writing;
-        WorkPump m_rest;
+        PoolTask<List<Written>> m_writing;
+        JobCoroutine m_rest;
         int m_progress = -1;
         int m_written;
         int m_clouds;
@@ -36,7 +36,7 @@ namespace FastPoints.Editor
         /// <param name="sources">Absolute paths; their order decides on nothing.</param>
         /// <param name="folder">The handles' folder, in <c>Assets</c>.</param>
         /// <param name="place">Where they are shown, in the order of their paths; null for nowhere.</param>
-        public CloudDrop(EditorImports imports, IReadOnlyList<string> sources, string folder, DropPlace place)
+        public CloudDrop(EditorImports imports, IReadOnlyList<string> sources, string folder, DropTarget place)
         {
             m_imports = imports;
             m_sources = new List<string>(sources).ToArray();
@@ -58,14 +58,14 @@ namespace FastPoints.Editor
                     Progress.Report(m_progress, (float)m_written / m_clouds, m_folder);
                     return false;
                 }
-                m_rest ??= new WorkPump(Import(m_writing.Take()));
+                m_rest ??= new JobCoroutine(Import(m_writing.Take()));
                 m_writing = null;
                 if (!m_rest.Tick(budgetMs))
                     return false;
             }
             catch (Exception e)
             {
-                Debug.LogError("FastPoints: " + PointCloudException.Of(m_folder, e).Story);
+                Debug.LogError("FastPoints: " + PointCloudException.Of(m_folder, e).FullMessage);
                 if (m_progress >= 0)
                     Progress.Finish(m_progress, Progress.Status.Failed);
                 return true;
@@ -78,7 +78,7 @@ namespace FastPoints.Editor
         public void Dispose()
         {
             m_cancellation.Cancel();
-            m_writing?.TakeIfSound();
+            m_writing?.TakeOrDefault();
             m_rest?.Cancel();
             if (m_progress < 0)
                 return;
@@ -89,7 +89,7 @@ namespace FastPoints.Editor
 
         bool TryBegin()
         {
-            var choice = CanBeOne ? Ask() : SeveralFiles.Separate;
+            var choice = CanMerge ? Prompt() : SeveralFiles.Separate;
             if (choice == SeveralFiles.Ask)
                 return false;
             var clouds = new List<string[]>();
@@ -103,15 +103,15 @@ namespace FastPoints.Editor
                 Progress.Options.Unmanaged);
             string folder = m_imports.Paths.Absolute(m_folder);
             var (handles, targets) = (HandleFile.NewHandles(folder), m_imports.NewTargets());
-            m_writing = PoolWork.Begin(folder, () => Write(clouds, handles, targets));
+            m_writing = PoolTask.Begin(folder, () => Write(clouds, handles, targets));
             return true;
         }
 
         /// <summary>Octrees and converted clouds stay what they are.</summary>
-        bool CanBeOne => Array.TrueForAll(m_sources, s => File.Exists(s) && !CloudSources.BringsOctree(s));
+        bool CanMerge => Array.TrueForAll(m_sources, s => File.Exists(s) && !CloudSources.HasOctree(s));
 
         /// <returns>Ask if the user does not want any.</returns>
-        SeveralFiles Ask()
+        SeveralFiles Prompt()
         {
             var settings = FastPointsSettings.instance;
             if (settings.SeveralFiles != SeveralFiles.Ask)
@@ -149,7 +149,7 @@ namespace FastPoints.Editor
             return written;
         }
 
-        IEnumerator<Work> Import(List<Written> written)
+        IEnumerator<JobStep> Import(List<Written> written)
         {
             foreach (var failed in written.FindAll(w => w.Failure != null))
                 Debug.LogError("FastPoints: " + failed.Failure.Message);

@@ -13,7 +13,7 @@ namespace FastPoints.Editor
     {
         static readonly TimeSpan s_followInterval = TimeSpan.FromSeconds(1);
 
-        static int s_asked;
+        static int s_requested;
         static DateTime s_followed;
 
         static EditModeFrames()
@@ -28,26 +28,26 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor.</summary>
         public static void Update()
         {
-            var group = PointCloudSystemGroup.Shown;
-            bool wants = group != null && (group.WantsFrame || IsTimeToFollow(group));
+            var group = PointCloudSystemGroup.ObjectGroup;
+            bool needs = group != null && (group.NeedsFrame || IsFollowDue(group));
             if (EditorApplication.isPlaying)
             {
-                if (EditorApplication.isPaused && wants)
+                if (EditorApplication.isPaused && needs)
                 {
                     group.Update();
                     InternalEditorUtility.RepaintAllViews();
                 }
                 return;
             }
-            if (!wants && s_asked == 0)
+            if (!needs && s_requested == 0)
                 return;
-            s_asked = Math.Max(0, s_asked - 1);
+            s_requested = Math.Max(0, s_requested - 1);
             EditorApplication.QueuePlayerLoopUpdate();
             SceneView.RepaintAll();
         }
 
         /// <summary>Whether it is time for a frame in which clouds look for newer data on disk.</summary>
-        static bool IsTimeToFollow(PointCloudSystemGroup group)
+        static bool IsFollowDue(PointCloudSystemGroup group)
         {
             var now = DateTime.UtcNow;
             if (now - s_followed < s_followInterval)
@@ -59,6 +59,6 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Asks for a frame, and for a picture after it.</summary>
-        public static void Ask() => s_asked = 2;
+        public static void RequestFrame() => s_requested = 2;
     }
 }

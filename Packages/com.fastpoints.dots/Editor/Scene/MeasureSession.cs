@@ -59,7 +59,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Where a picked point is now, in the world: it moves with its cloud.</summary>
-        public double3 PlaceOf(int pick) => m_picker.PlaceOf(m_picks[pick], m_clouds[pick]);
+        public double3 PositionOf(int pick) => m_picker.PositionOf(m_picks[pick], m_clouds[pick]);
 
         public void Dispose() => m_picker.Dispose();
 

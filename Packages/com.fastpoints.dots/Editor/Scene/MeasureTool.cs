@@ -83,12 +83,12 @@ namespace FastPoints.Editor
             var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
             for (int i = 0; i < m_session.Picks.Count; i++)
             {
-                var place = PlaceOf(i);
+                var place = PositionOf(i);
                 Handles.DrawWireDisc(place, toCamera, HandleUtility.GetHandleSize(place) * 0.05f);
                 Handles.Label(place, i == 0 ? "From" : "To");
             }
             if (m_session.Picks.Count == 2)
-                Handles.DrawLine(PlaceOf(0), PlaceOf(1));
+                Handles.DrawLine(PositionOf(0), PositionOf(1));
         }
 
         void DrawText()
@@ -105,9 +105,9 @@ namespace FastPoints.Editor
             Handles.EndGUI();
         }
 
-        Vector3 PlaceOf(int pick)
+        Vector3 PositionOf(int pick)
         {
-            var place = (float3)m_session.PlaceOf(pick);
+            var place = (float3)m_session.PositionOf(pick);
             return new Vector3(place.x, place.y, place.z);
         }
     }

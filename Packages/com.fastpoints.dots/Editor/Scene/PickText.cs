@@ -10,14 +10,14 @@ namespace FastPoints.Editor
     /// <summary>Describes picked points and their distances in words, with all digits of coordinates.</summary>
     internal static class PickText
     {
-        const int MostDecimals = 12;
+        const int MaxDecimals = 12;
 
         /// <summary>Returns one line for the position, and one for each attribute.</summary>
         public static List<string> Describe(StreamPick pick)
         {
             var lines = new List<string>
             {
-                Coordinates(pick.Point.PlaceGeo, pick.Point.Grid.Step) +
+                Coordinates(pick.Point.PositionGeo, pick.Point.Grid.Step) +
                     (string.IsNullOrEmpty(pick.Crs.Name) ? "" : "  " + pick.Crs.Name),
             };
             foreach (var attribute in pick.Point.Attributes)
@@ -58,7 +58,7 @@ namespace FastPoints.Editor
         {
             int decimals = 0;
             // A step of 0.001 needs three decimals, one of 2^-7 seven: until it is whole, as far as doubles can resolve.
-            for (double scaled = step; decimals < MostDecimals && Math.Abs(scaled - Math.Round(scaled)) > 1e-6 * scaled;)
+            for (double scaled = step; decimals < MaxDecimals && Math.Abs(scaled - Math.Round(scaled)) > 1e-6 * scaled;)
                 scaled = step * Math.Pow(10, ++decimals);
             return value.ToString("F" + decimals, CultureInfo.InvariantCulture);
         }

@@ -24,7 +24,7 @@ namespace FastPoints.Editor
                 return;
 #if UNITY_6000_3_OR_NEWER
             DragAndDrop.ProjectBrowserDropHandlerV2 onProject = (_, path, perform) => OnProject(path, perform);
-            DragAndDrop.HierarchyDropHandlerV2 onHierarchy = (id, flags, parent, perform) => OnScene(DropPlace.Of(
+            DragAndDrop.HierarchyDropHandlerV2 onHierarchy = (id, flags, parent, perform) => OnScene(DropTarget.Of(
                 EditorUtility.EntityIdToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
             DragAndDrop.SceneDropHandler onScene = (_, place, _, parent, perform) => OnScene(place, parent, perform);
             DragAndDrop.AddDropHandlerV2(onProject);
@@ -32,7 +32,7 @@ namespace FastPoints.Editor
             DragAndDrop.AddDropHandlerV2(onScene);
 #else
             DragAndDrop.ProjectBrowserDropHandler onProject = (_, path, perform) => OnProject(path, perform);
-            DragAndDrop.HierarchyDropHandler onHierarchy = (id, flags, parent, perform) => OnScene(DropPlace.Of(
+            DragAndDrop.HierarchyDropHandler onHierarchy = (id, flags, parent, perform) => OnScene(DropTarget.Of(
                 EditorUtility.InstanceIDToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
             DragAndDrop.SceneDropHandler onScene = (_, place, _, parent, perform) => OnScene(place, parent, perform);
             DragAndDrop.AddDropHandler(onProject);
@@ -59,10 +59,10 @@ namespace FastPoints.Editor
 
         /// <summary>Accepts clouds of the project, or files that can become some.</summary>
         public static DragAndDropVisualMode OnScene(Vector3? place, Transform parent, bool perform) =>
-            OnScene(new DropPlace { Point = place, Parent = parent, Scene = parent != null ? parent.gameObject.scene : default },
+            OnScene(new DropTarget { Point = place, Parent = parent, Scene = parent != null ? parent.gameObject.scene : default },
                 perform);
 
-        internal static DragAndDropVisualMode OnScene(DropPlace place, bool perform)
+        internal static DragAndDropVisualMode OnScene(DropTarget place, bool perform)
         {
             var assets = new List<PointCloudAsset>();
             foreach (var dragged in DragAndDrop.objectReferences)
@@ -83,16 +83,16 @@ namespace FastPoints.Editor
 
         /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
         public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent) =>
-            new DropPlace { Point = place, Parent = parent }.Show(new[] { asset });
+            new DropTarget { Point = place, Parent = parent }.Show(new[] { asset });
 
         /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
         /// <param name="place">Where they are shown; null for nowhere.</param>
-        static void Take(string folder, DropPlace place)
+        static void Take(string folder, DropTarget place)
         {
             var imports = PointCloudImports.Current;
             if (DragAndDrop.paths.Length > 1)
-                imports.Take(DragAndDrop.paths, folder, place);
-            else if (imports.Take(DragAndDrop.paths[0], folder) is { } asset)
+                imports.CreateAsset(DragAndDrop.paths, folder, place);
+            else if (imports.CreateAsset(DragAndDrop.paths[0], folder) is { } asset)
                 place?.Show(new[] { asset });
         }
 
@@ -102,7 +102,7 @@ namespace FastPoints.Editor
         {
             var (paths, now) = (DragAndDrop.paths, DateTime.UtcNow);
             if (perform || now - s_dragged.Utc > s_forgetAfter || !paths.SequenceEqual(s_dragged.Paths))
-                s_dragged = (paths, CloudSources.Of(paths, imports.Paths, imports.MostCopiedBytes), now);
+                s_dragged = (paths, CloudSources.Of(paths, imports.Paths, imports.MaxCopiedBytes), now);
             s_dragged.Utc = now;
             return s_dragged.Kind;
         }

@@ -23,7 +23,7 @@ namespace FastPoints.Editor
         UnityEditor.Editor m_settingsEditor;
         uint m_frame;
 
-        static PointCloudSystemGroup Group => PointCloudSystemGroup.Shown;
+        static PointCloudSystemGroup Group => PointCloudSystemGroup.ObjectGroup;
 
         /// <summary>Repaints while frames come; at rest nothing is drawn again.</summary>
         public override bool RequiresConstantRepaint() => m_showsFrame && Group?.Stream != null && Group.Stats.Frame != m_frame;
@@ -170,7 +170,7 @@ namespace FastPoints.Editor
                 Pair("Graphics memory", "{0:0.0} of {1:0} MiB", stats.PoolBytes / 1048576.0, limitBytes / 1048576.0),
                 Pair("Hierarchy", "{0:0.0} MiB", stats.HierarchyBytes / 1048576.0),
                 Pair("Reads", stats.IsSettled ? "nothing is missing" : "{0} under way, {1:0.0} MiB in this frame",
-                    stats.ReadsUnderWay, stats.ReadBytes / 1048576.0),
+                    stats.ReadsInFlight, stats.ReadBytes / 1048576.0),
                 Pair("Main thread", "{0:0.00} ms", stats.TotalMs),
             };
         }

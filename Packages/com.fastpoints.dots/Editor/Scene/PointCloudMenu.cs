@@ -36,7 +36,7 @@ namespace FastPoints.Editor
         static void Take(string source)
         {
             if (!string.IsNullOrEmpty(source))
-                Selection.activeObject = PointCloudImports.Current.Take(source, "Assets");
+                Selection.activeObject = PointCloudImports.Current.CreateAsset(source, "Assets");
         }
     }
 }

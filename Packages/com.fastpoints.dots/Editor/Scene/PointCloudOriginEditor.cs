@@ -11,13 +11,13 @@ namespace FastPoints.Editor
         public override void OnInspectorGUI()
         {
             var origin = (PointCloudOrigin)target;
-            var before = origin.Place;
+            var before = origin.PositionGeo;
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script");
             // A place that was typed is one; a coordinate system alone is none.
-            if (serializedObject.ApplyModifiedProperties() && !origin.Place.Equals(before))
-                Change(origin, "Set origin", () => origin.Place = origin.Place);
-            if (!origin.HasPlace)
+            if (serializedObject.ApplyModifiedProperties() && !origin.PositionGeo.Equals(before))
+                Change(origin, "Set origin", () => origin.PositionGeo = origin.PositionGeo);
+            if (!origin.HasPosition)
                 EditorGUILayout.HelpBox("The first cloud beneath this GameObject will decide on the place.", MessageType.Info);
             var cloud = (PointCloud)EditorGUILayout.ObjectField("Align to", null, typeof(PointCloud), true);
             if (cloud != null)

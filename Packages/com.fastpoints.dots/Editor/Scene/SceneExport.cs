@@ -20,7 +20,7 @@ namespace FastPoints.Editor
         const string Menu = "GameObject/Point Cloud/Export Selection...";
 
         [MenuItem(Menu, false, 30)]
-        static void Ask()
+        static void Prompt()
         {
             string folder = EditorUtility.OpenFolderPanel("Export selected points into a folder", "", "");
             if (!string.IsNullOrEmpty(folder))
@@ -28,7 +28,7 @@ namespace FastPoints.Editor
         }
 
         [MenuItem(Menu, true, 30)]
-        static bool CanAsk() => Selected != null;
+        static bool CanExport() => Selected != null;
 
         static PointCloud Selected =>
             Selection.activeObject is GameObject selected ? selected.GetComponent<PointCloud>() : null;
@@ -46,14 +46,14 @@ namespace FastPoints.Editor
             {
                 var sources = SourcesOf(cloud, shown, imports);
                 var taken = new List<string>(Directory.GetFileSystemEntries(folder));
-                taken.AddRange(imports.Exports.Promised);
+                taken.AddRange(imports.Exports.ReservedPaths);
                 string path = new FreeNames(folder, ".laz", taken).Next(cloud.gameObject.name);
                 imports.Exports.Begin(sources, path, new ExportSettings
                 {
                     Clips = clips,
                     WorldOfGeo = WorldOfGeo(shown),
-                    Classes = ClassesBut(cloud.HiddenClasses),
-                    AheadMs = 50,
+                    Classes = ClassesExcept(cloud.HiddenClasses),
+                    InFlightMs = 50,
                 });
                 return path;
             }
@@ -68,7 +68,7 @@ namespace FastPoints.Editor
         static StreamedCloud Shown(PointCloud cloud, out ClipBox[] clips)
         {
             clips = null;
-            var group = PointCloudSystemGroup.Shown;
+            var group = PointCloudSystemGroup.ObjectGroup;
             if (group?.Stream == null || cloud.Entity == Entity.Null ||
                 !group.World.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity))
                 return null;
@@ -79,7 +79,7 @@ namespace FastPoints.Editor
         /// <summary>The converted cloud that is shown, or the files that it is made of.</summary>
         static IReadOnlyList<string> SourcesOf(PointCloud cloud, StreamedCloud shown, EditorImports imports)
         {
-            if (shown.Source is FolderSource stored && !stored.Folder.IsInTheMaking)
+            if (shown.Source is FolderSource stored && !stored.Folder.IsUnfinished)
                 return new[] { stored.Folder.FolderPath };
             if (cloud.Cloud == null)
                 return new[] { cloud.Path };
@@ -95,7 +95,7 @@ namespace FastPoints.Editor
         }
 
         /// <returns>Null for all.</returns>
-        static int[] ClassesBut(int[] hidden)
+        static int[] ClassesExcept(int[] hidden)
         {
             if (hidden.Length == 0)
                 return null;

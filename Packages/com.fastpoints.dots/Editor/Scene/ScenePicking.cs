@@ -31,7 +31,7 @@ namespace FastPoints.Editor
 
         /// <summary>Unity wants the answer at once: so long a click waits for files; then it hits what was found until
         /// then.</summary>
-        internal static double MostMs { get; set; } = 100;
+        internal static double MaxMs { get; set; } = 100;
 
         /// <param name="position">In pixels, from the lower left.</param>
         /// <param name="ignore">Null for none.</param>
@@ -44,7 +44,7 @@ namespace FastPoints.Editor
             if (Event.current != null && (Event.current.type == EventType.DragUpdated ||
                 Event.current.type == EventType.DragPerform))
                 return null;
-            var group = PointCloudSystemGroup.Shown;
+            var group = PointCloudSystemGroup.ObjectGroup;
             if (group?.Stream == null)
                 return null;
             bool CanBePicked(GameObject cloud) => cloud != null && (layers & ~Tools.lockedLayers & 1 << cloud.layer) != 0 &&
@@ -63,7 +63,7 @@ namespace FastPoints.Editor
             var ray = CameraViews.PickRayOf(camera, camera.ScreenPointToRay(position), Radius * EditorGUIUtility.pixelsPerPoint);
             s_picker.Begin(group.Stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
             var waited = Stopwatch.StartNew();
-            while (!s_picker.Update(MostMs) && waited.Elapsed.TotalMilliseconds < MostMs)
+            while (!s_picker.Update(MaxMs) && waited.Elapsed.TotalMilliseconds < MaxMs)
                 Thread.Yield();
             return s_picker.Pick.Point == null ? null : clouds[s_picker.Pick.Cloud].Object;
         }
@@ -83,10 +83,10 @@ namespace FastPoints.Editor
             var entities = group.World.EntityManager;
             foreach (var (entity, live) in group.Live)
             {
-                if (live.Succession == null || !entities.HasComponent<PointCloudFile>(entity) || !canBePicked(live.Object))
+                if (live.Versions == null || !entities.HasComponent<PointCloudFile>(entity) || !canBePicked(live.Object))
                     continue;
                 var hidden = entities.GetComponentData<PointCloudFile>(entity).HiddenClasses;
-                foreach (int number in new[] { live.Succession.Cloud, live.Succession.Beside, live.Succession.Next })
+                foreach (int number in new[] { live.Versions.Cloud, live.Versions.Preview, live.Versions.Next })
                     clouds[number] = (live.Object, hidden);
             }
             return clouds;

@@ -17,13 +17,13 @@ namespace FastPoints.Editor
                 return;
             CameraViews.SceneMaskOf = MaskOf;
             PointCloud.IsHiddenInSceneViews = cloud => SceneVisibilityManager.instance.IsHidden(cloud);
-            PointCloudOrigin.Decided = Keep;
+            PointCloudOrigin.Decided = RecordChanges;
             // Clouds look in their updates.
-            SceneVisibilityManager.visibilityChanged += EditModeFrames.Ask;
+            SceneVisibilityManager.visibilityChanged += EditModeFrames.RequestFrame;
         }
 
         /// <summary>Has what no user changed saved, in instances of prefabs too.</summary>
-        static void Keep(PointCloudOrigin origin)
+        static void RecordChanges(PointCloudOrigin origin)
         {
             if (EditorApplication.isPlaying)
                 return;

@@ -87,7 +87,7 @@ namespace FastPoints.Import
             }
             using (var source = FileSource.Open(path))
             {
-                byte[] head = source.ReadAtMost(0, HeadBytes).Bytes;
+                byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
                 if (SourceJson.Is(head))
                 {
                     var index = SourceJson.Read(source);

@@ -21,7 +21,7 @@ namespace FastPoints.Picture
 
         /// <summary>The largest sum of weights in a pixel: 255 times it fits 32 bits. Points after the first half a million are
         /// left out.</summary>
-        const uint MostWeights = (1u << 24) - 1024;
+        const uint MaxWeights = (1u << 24) - 1024;
 
         /// <summary>How far behind the nearest point others are still blended with it: a point's diameter, in world
         /// units.</summary>
@@ -37,7 +37,7 @@ namespace FastPoints.Picture
         /// <param name="pixel">Two words.</param>
         public static unsafe void Add(ulong* pixel, uint color, uint weight)
         {
-            if ((uint)(pixel[1] >> 32) > MostWeights)
+            if ((uint)(pixel[1] >> 32) > MaxWeights)
                 return;
             ulong red = color & 255, green = color >> 8 & 255, blue = color >> 16 & 255;
             Interlocked.Add(ref *(long*)pixel, (long)(green * weight << 32 | red * weight));

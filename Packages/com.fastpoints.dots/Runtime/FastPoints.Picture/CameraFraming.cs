@@ -13,16 +13,16 @@ namespace FastPoints.Picture
         const double Margin = 0.03;
 
         /// <summary>Points are never so large that the cloud gets less than half of the picture.</summary>
-        const double MostMargin = 0.25;
+        const double MaxMargin = 0.25;
 
         /// <summary>This share of the outline on each side may lie outside of a first picture ...</summary>
-        const double StrayShare = 0.005;
+        const double OutlierShare = 0.005;
 
         /// <summary>... and whatever would make it this many times as large stays outside in the end.</summary>
-        const double MostWider = 3;
+        const double MaxWidening = 3;
 
         /// <summary>Shifts towards the middle: each leaves half the error or less.</summary>
-        const int Rounds = 10, RoundsOfAll = 4;
+        const int Iterations = 10, IterationsOfAll = 4;
 
         /// <summary>Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one
         /// unit.</summary>
@@ -38,7 +38,7 @@ namespace FastPoints.Picture
             }, bounds, outline, null, new double3(1, 1, 1));
 
         /// <param name="rim">Positions at the cloud's surface, in the box or not, which are framed as well unless they are
-        /// strays; or null.</param>
+        /// outliers; or null.</param>
         /// <param name="lengthsPerUnit">Length of a CRS unit along each axis: for a cloud in degrees, the horizontal and
         /// vertical ones differ.</param>
         public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim,
@@ -66,7 +66,7 @@ namespace FastPoints.Picture
 
         static Camera FrameLengths(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim)
         {
-            var solid = Solid(bounds);
+            var solid = Thicken(bounds);
             bool isPoint = bounds.IsEmpty || math.cmax(solid.Size) > 2 * math.cmax(bounds.Size);
             bounds = solid;
             if (outline == null || outline.Length < 8 || isPoint)
@@ -95,10 +95,10 @@ namespace FastPoints.Picture
             var perTan = perTangent * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
                 1 / ShareOf(options.HeightPx, pointPx));
             var target = bounds.Center;
-            int strays = (int)(outline.Length * StrayShare);
-            double most = Fit(ref camera, ref target, bounds, outline, strays, perTan, Rounds);
-            var near = Near(camera, target, outline, rim, perTan, most * MostWider);
-            Fit(ref camera, ref target, bounds, near, 0, perTan, RoundsOfAll);
+            int outliers = (int)(outline.Length * OutlierShare);
+            double max = Fit(ref camera, ref target, bounds, outline, outliers, perTan, Iterations);
+            var near = Near(camera, target, outline, rim, perTan, max * MaxWidening);
+            Fit(ref camera, ref target, bounds, near, 0, perTan, IterationsOfAll);
             if (isFlat)
                 camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
             return camera;
@@ -106,7 +106,7 @@ namespace FastPoints.Picture
 
         /// <summary>What is left of an edge between the margins.</summary>
         static double ShareOf(int edgePx, double pointPx) =>
-            1 - 2 * math.min(MostMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
+            1 - 2 * math.min(MaxMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
 
         /// <summary>Those of both that a camera at this distance would show.</summary>
         static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 perTan, double distance)
@@ -128,10 +128,10 @@ namespace FastPoints.Picture
             return math.max(math.abs(view.x) * perTan.x, math.abs(view.y) * perTan.y) - (camera.IsOrthographic ? 0 : view.z);
         }
 
-        /// <summary>Moves a camera to the closest place on its line of sight from which the positions, except some strays, are in
-        /// the picture, and shifts the line until their extent is centred.</summary>
+        /// <summary>Moves a camera to the closest place on its line of sight from which the positions, except some outliers, are
+        /// in the picture, and shifts the line until their extent is centred.</summary>
         /// <returns>The distance to the target, or the height of an orthographic picture.</returns>
-        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int strays,
+        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int outliers,
             double2 perTan, int rounds)
         {
             var needed = new double[positions.Length];
@@ -140,22 +140,22 @@ namespace FastPoints.Picture
                 camera.EyeGeo = target;
                 for (int i = 0; i < positions.Length; i++)
                     needed[i] = NeededFor(camera, positions[i], perTan);
-                double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestBut(strays, needed, 1));
+                double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestExcept(outliers, needed, 1));
                 if (camera.IsOrthographic)
                     camera.HeightGeo = distance;
                 else
                     camera.EyeGeo = target - camera.Forward * distance;
                 if (round == rounds)
                     return distance;
-                Extent(camera, positions, strays, out var min, out var max);
+                Extent(camera, positions, outliers, out var min, out var max);
                 var shift = (min + max) / 2 * (camera.IsOrthographic ? 1 : distance);
                 target += camera.Right * shift.x + camera.Up * shift.y;
             }
         }
 
-        /// <summary>Extent of the outline in the picture, without the given number of strays on each side: in units, or, of a
+        /// <summary>Extent of the outline in the picture, without the given number of outliers on each side: in units, or, of a
         /// perspective camera, in tangents of the angle from the axis.</summary>
-        static void Extent(in Camera camera, double3[] outline, int strays, out double2 min, out double2 max)
+        static void Extent(in Camera camera, double3[] outline, int outliers, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
             var y = new double[outline.Length];
@@ -166,17 +166,17 @@ namespace FastPoints.Picture
                 x[i] = view.x / by;
                 y[i] = view.y / by;
             }
-            min = new double2(-LargestBut(strays, x, -1), -LargestBut(strays, y, -1));
-            max = new double2(LargestBut(strays, x, 1), LargestBut(strays, y, 1));
+            min = new double2(-LargestExcept(outliers, x, -1), -LargestExcept(outliers, y, -1));
+            max = new double2(LargestExcept(outliers, x, 1), LargestExcept(outliers, y, 1));
         }
 
         /// <summary>The largest value after leaving out the given number of larger ones. They are few, so not all values need
         /// sorting.</summary>
         /// <param name="sign">1, or -1 for the values' negatives.</param>
-        static double LargestBut(int strays, double[] values, double sign)
+        static double LargestExcept(int outliers, double[] values, double sign)
         {
             // Holds the largest values so far, in rising order.
-            var kept = new double[strays + 1];
+            var kept = new double[outliers + 1];
             for (int i = 0; i < kept.Length; i++)
                 kept[i] = double.NegativeInfinity;
             foreach (double unsigned in values)
@@ -207,15 +207,15 @@ namespace FastPoints.Picture
 
         /// <summary>Makes the box at least a millionth as thick in every direction as it is long; one place becomes a cube of
         /// a unit, or of what doubles can resolve there.</summary>
-        static BoundsGeo Solid(BoundsGeo bounds)
+        static BoundsGeo Thicken(BoundsGeo bounds)
         {
             if (bounds.IsEmpty || !bounds.IsFinite)
                 bounds = new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0));
             var center = bounds.Center;
             double length = math.cmax(bounds.Max * 0.5 - bounds.Min * 0.5);
-            double least = length > math.cmax(math.abs(center)) * 1e-12 ? length * 1e-6
+            double min = length > math.cmax(math.abs(center)) * 1e-12 ? length * 1e-6
                 : Math.Max(0.5, math.cmax(math.abs(center)) * 1e-9);
-            var half = math.max(bounds.Max * 0.5 - bounds.Min * 0.5, new double3(1, 1, 1) * least);
+            var half = math.max(bounds.Max * 0.5 - bounds.Min * 0.5, new double3(1, 1, 1) * min);
             return new BoundsGeo(center - half, center + half);
         }
     }

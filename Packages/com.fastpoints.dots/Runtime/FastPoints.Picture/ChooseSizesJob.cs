@@ -35,7 +35,7 @@ namespace FastPoints.Picture
                 pixelsDrawn += drawn[tile] = CountDrawn(tile % across, tile / across);
                 tilesByPixels[drawn[tile]]++;
             }
-            float typical = PointSizing.TypicalFor(PointSizing.DensityOf(MiddleOf(tilesByPixels)) * PointsPerPointDrawn,
+            float typical = PointSizing.TypicalFor(PointSizing.DensityOf(MedianOf(tilesByPixels)) * PointsPerPointDrawn,
                 pixelsDrawn / (float)Pixels.Length);
             Typical.Value = typical;
             for (int tile = 0; tile < drawn.Length; tile++)
@@ -58,7 +58,7 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Pixels drawn in the median tile among those with any; those of a full tile if there is none.</summary>
-        static int MiddleOf(NativeArray<int> tilesByPixels)
+        static int MedianOf(NativeArray<int> tilesByPixels)
         {
             int occupied = 0;
             for (int pixels = 1; pixels < tilesByPixels.Length; pixels++)

@@ -14,7 +14,7 @@ namespace FastPoints.Picture
         /// by trial on ca13_d and lion: larger values leave fewer pixels bare and blur more.</summary>
         const double ShareOfFace = 0.35;
 
-        [ReadOnly] public NativeArray<ThinCell> Cells;
+        [ReadOnly] public NativeArray<SparseCell> Cells;
 
         /// <summary>Projects georeferenced positions.</summary>
         public PointProjection Projection;
@@ -67,7 +67,7 @@ namespace FastPoints.Picture
     }
 
     /// <summary>A cell of a cloud, and how many points of it are drawn.</summary>
-    internal struct ThinCell
+    internal struct SparseCell
     {
         /// <summary>Centre, georeferenced.</summary>
         public double3 Center;

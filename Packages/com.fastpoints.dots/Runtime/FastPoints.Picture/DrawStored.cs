@@ -41,9 +41,9 @@ namespace FastPoints.Picture
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>select</c> and <c>draw</c>.</summary>
+        /// <summary>Coroutine, with the stages <c>select</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        public IEnumerator<Work> Run(StageProgress progress)
+        public IEnumerator<JobStep> Run(StageProgress progress)
         {
             progress?.Begin("select");
             var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
@@ -52,19 +52,19 @@ namespace FastPoints.Picture
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)
-                    yield return Work.Of(StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges));
+                    yield return JobStep.Of(StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
 
                 selection.Choose(Plan.Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx), m_budget);
                 int points = StoredRanges.CheckedCount(m_folder, selection.Points);
                 using var batch = new PointBatch(schema, points, Allocator.Persistent);
                 using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent);
-                yield return Work.Of(LoadNodes.Run(m_folder, selection, batch, progress));
+                yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;
                 PointsDrawn = batch.Count;
                 progress?.Begin("draw");
-                yield return Work.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
-                yield return Work.Of(SamplePicture.DrawAndResolve(canvas, batch, Plan, m_options.Background, progress));
+                yield return JobStep.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
+                yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, batch, Plan, m_options.Background, progress));
                 Image = canvas.ToImage();
             }
             progress?.End();

@@ -34,7 +34,7 @@ namespace FastPoints.Picture
 
         /// <summary>Whether a preview of a format that does not say what is up sets <see cref="UpAxis"/>: see
         /// <see cref="UpGuess"/>.</summary>
-        internal bool GuessesUp;
+        internal bool GuessesUpAxis;
 
         public ColorMode Color = ColorMode.Auto;
         public Gradient Gradient = Gradient.Auto;
@@ -101,7 +101,7 @@ namespace FastPoints.Picture
                 case "gradient":
                     return TryName(value, out Gradient, ref error);
                 case "up":
-                    GuessesUp = false;
+                    GuessesUpAxis = false;
                     if (TryName(value.StartsWith("-") ? "Negative" + value.Substring(1) : value, out UpAxis, ref error))
                         return true;
                     error = "wanted x, y, z, -x, -y or -z, got " + value;

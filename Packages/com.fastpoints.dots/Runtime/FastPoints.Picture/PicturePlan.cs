@@ -48,7 +48,7 @@ namespace FastPoints.Picture
         public float SizePx { get; set; }
 
         /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
-        public bool WantsAutoSize => m_options.IsAutoSize;
+        public bool UsesAutoSize => m_options.IsAutoSize;
 
         /// <summary>What was assumed for lack of better data: one line for people each.</summary>
         public List<string> Assumptions { get; }
@@ -74,13 +74,13 @@ namespace FastPoints.Picture
             };
         }
 
-        static double3[] Thinned(double3[] outline, int most)
+        static double3[] Thinned(double3[] outline, int max)
         {
-            if (outline.Length <= most)
+            if (outline.Length <= max)
                 return outline;
-            var thinned = new double3[most];
-            for (int i = 0; i < most; i++)
-                thinned[i] = outline[(int)((long)i * outline.Length / most)];
+            var thinned = new double3[max];
+            for (int i = 0; i < max; i++)
+                thinned[i] = outline[(int)((long)i * outline.Length / max)];
             return thinned;
         }
     }

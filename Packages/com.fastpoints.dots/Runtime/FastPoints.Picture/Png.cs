@@ -29,7 +29,7 @@ namespace FastPoints.Picture
             }
             catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException)
             {
-                FileChanges.DeleteRemains(partial, () => false);
+                FileChanges.TryDelete(partial, () => false);
                 var code = failure is UnauthorizedAccessException ? FailureCode.AccessDenied
                     : failure is DirectoryNotFoundException ? FailureCode.NotFound : FailureCode.WriteFailed;
                 throw new PointCloudException(code, path, -1, "the picture cannot be written: " + failure.Message, failure);

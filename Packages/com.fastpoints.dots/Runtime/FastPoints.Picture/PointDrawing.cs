@@ -87,12 +87,12 @@ namespace FastPoints.Picture
         {
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
-            double mostHalf = LargestPx * 0.5;
+            double maxHalf = LargestPx * 0.5;
             for (int i = 0; i < count; i++)
             {
                 if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
                     continue;
-                if (!(xPx >= -mostHalf && xPx < width + mostHalf && yPx >= -mostHalf && yPx < height + mostHalf))
+                if (!(xPx >= -maxHalf && xPx < width + maxHalf && yPx >= -maxHalf && yPx < height + maxHalf))
                     continue;
                 float size;
                 if (HasOwnSize)

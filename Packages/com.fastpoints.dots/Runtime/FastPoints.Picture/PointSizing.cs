@@ -20,9 +20,9 @@ namespace FastPoints.Picture
         /// <summary>How many points should cover a pixel on average: exp(-3.5) = 3 % of random pixels stay empty.</summary>
         const double PointsPerPixel = 3.5;
 
-        /// <summary>A tile's points grow to at most this many times those of the median tile: beyond that, strays would turn into
-        /// blocks.</summary>
-        const float MostOfTypical = 1.5f;
+        /// <summary>A tile's points grow to at most this many times those of the median tile: beyond that, outliers would turn
+        /// into blocks.</summary>
+        const float MaxTypicalFactor = 1.5f;
 
         public static int TilesAlong(int edgePx) => (edgePx + TileEdgePx - 1) / TileEdgePx;
 
@@ -45,6 +45,6 @@ namespace FastPoints.Picture
 
         /// <summary>A tile's size within its bounds.</summary>
         public static float Limit(float size, float typical) =>
-            math.clamp(size, MinPx, math.min(math.max(MaxPx / 2, typical), MostOfTypical * typical + 1));
+            math.clamp(size, MinPx, math.min(math.max(MaxPx / 2, typical), MaxTypicalFactor * typical + 1));
     }
 }

@@ -15,7 +15,7 @@ namespace FastPoints.Picture
     {
         /// <summary>From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they
         /// gain.</summary>
-        const float LeastThinPx = 2;
+        const float MinSparsePx = 2;
 
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
@@ -28,7 +28,7 @@ namespace FastPoints.Picture
             m_sampling = new PreviewSampling(reader, options);
         }
 
-        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it
+        /// <summary>Raised on the coroutine's thread when there is a sample to draw, coarse to fine. This object owns it, and it
         /// belongs to the wave only until the work's next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady
         {
@@ -53,13 +53,13 @@ namespace FastPoints.Picture
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="PreviewSampling.FindBlocksStage"/>,
+        /// <summary>Coroutine, with the stages <c>sample</c>, <see cref="PreviewSampling.FindBlocksStage"/>,
         /// <see cref="PreviewSampling.RefineStage"/> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<Work> Run(StageProgress progress)
+        public IEnumerator<JobStep> Run(StageProgress progress)
         {
-            yield return Work.Of(TakeSample(progress));
-            yield return Work.Of(PlanPicture());
+            yield return JobStep.Of(TakeSample(progress));
+            yield return JobStep.Of(PlanPicture());
 
             progress?.Begin("draw");
             // Here and below: each of these takes milliseconds.
@@ -67,55 +67,55 @@ namespace FastPoints.Picture
             using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
             {
                 yield return default;
-                yield return Work.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
+                yield return JobStep.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
                 // Degrees are not lengths of a cube's edge.
-                if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))
+                if (Plan.UsesAutoSize && Plan.SizePx >= MinSparsePx && math.all(Ranges.LengthsPerUnit == 1))
                 {
-                    yield return Work.Of(EstimateDensity());
+                    yield return JobStep.Of(EstimateDensity());
                     if (Density != null)
-                        yield return Work.Of(SamplePicture.CloseSurfaces(canvas, Density,
-                            (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan));
+                        yield return JobStep.Of(SamplePicture.CloseSurfaces(canvas, Density,
+                            (Sample.Count - Sample.Placeholders) / (double)Math.Max(1, Sample.PointsInSource), Plan));
                 }
-                yield return Work.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
+                yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
                     progress));
                 Image = canvas.ToImage();
             }
             progress?.End();
         }
 
-        /// <summary>Work for a pump: takes the sample alone.</summary>
-        public IEnumerator<Work> TakeSample(StageProgress progress) => m_sampling.Run(progress);
+        /// <summary>Coroutine: takes the sample alone.</summary>
+        public IEnumerator<JobStep> TakeSample(StageProgress progress) => m_sampling.Run(progress);
 
-        /// <summary>Work for a pump, with a sample: finds <see cref="Ranges"/> and <see cref="Plan"/>.</summary>
-        public IEnumerator<Work> PlanPicture()
+        /// <summary>Coroutine, with a sample: finds <see cref="Ranges"/> and <see cref="Plan"/>.</summary>
+        public IEnumerator<JobStep> PlanPicture()
         {
-            yield return Work.Of(MeasureSample());
-            string why = null;
-            if (m_options.Picture.GuessesUp && UpGuess.IsWanted(m_reader.Info.Format))
+            yield return JobStep.Of(MeasureSample());
+            string reason = null;
+            if (m_options.Picture.GuessesUpAxis && UpGuess.Applies(m_reader.Info.Format))
             {
-                m_options.Picture.UpAxis = UpGuess.Of(Ranges.Outline, out why);
-                Ranges = Ranges.Along(m_options.Picture.UpAxis);
+                m_options.Picture.UpAxis = UpGuess.Of(Ranges.Outline, out reason);
+                Ranges = Ranges.WithUp(m_options.Picture.UpAxis);
             }
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
-            if (why != null)
-                Plan.Assumptions.Add(why);
-            int most = PreviewSample.MaxPoints(Sample.Points.Schema);
-            if (m_options.Points > most && Sample.PointsInSource > most)
+            if (reason != null)
+                Plan.Assumptions.Add(reason);
+            int max = PreviewSample.MaxPoints(Sample.Points.Schema);
+            if (m_options.Points > max && Sample.PointsInSource > max)
                 Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " +
-                    most);
+                    max);
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
         }
 
-        /// <summary>Work for a pump, with a sample: fills <see cref="Density"/>.</summary>
-        public IEnumerator<Work> EstimateDensity()
+        /// <summary>Coroutine, with a sample: fills <see cref="Density"/>.</summary>
+        public IEnumerator<JobStep> EstimateDensity()
         {
             Density?.Dispose();
             Density = null;
             return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
         }
 
-        IEnumerator<Work> MeasureSample()
+        IEnumerator<JobStep> MeasureSample()
         {
             Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);

@@ -36,7 +36,7 @@ namespace FastPoints.Picture
 
         /// <summary>A hole has at least this many points among its eight neighbours: at the edge of a surface there are three to
         /// five.</summary>
-        public const int LeastAroundHole = 6;
+        public const int MinAroundHole = 6;
 
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
 
@@ -85,7 +85,7 @@ namespace FastPoints.Picture
                     color += new uint3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
                 }
             }
-            if (count < LeastAroundHole)
+            if (count < MinAroundHole)
                 return PointDrawing.EmptyPixel;
             color = (color + (uint)count / 2) / (uint)count;
             return PointDrawing.KeyOf(depth / count, 1, color.x | color.y << 8 | color.z << 16);

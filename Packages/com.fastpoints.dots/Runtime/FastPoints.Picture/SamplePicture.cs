@@ -14,16 +14,16 @@ namespace FastPoints.Picture
         /// <summary>Points of one slice: about 4 ms of managed code.</summary>
         const int PointsPerSlice = 1 << 17;
 
-        /// <summary>Work for a pump: draws the points on top of what the canvas has.</summary>
+        /// <summary>Coroutine: draws the points on top of what the canvas has.</summary>
         /// <param name="then">Schedules what comes behind it, if anything does.</param>
-        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
+        public static IEnumerator<JobStep> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
             Func<JobHandle, JobHandle> then = null)
         {
             var drawing = plan.DrawingOf(points, canvas);
             var all = default(JobHandle);
             try
             {
-                yield return Work.Of(Slices.Schedule(0, points.Count, PointsPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Schedule(0, points.Count, PointsPerSlice, (first, end, after) =>
                     canvas.ScheduleDraw(points, first, end - first, drawing, after), 1, default, drawn => all = drawn));
                 all = then == null ? all : then(all);
                 yield return all;
@@ -35,33 +35,34 @@ namespace FastPoints.Picture
             progress?.Report(1, points.Count, 0);
         }
 
-        /// <summary>Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single
+        /// <summary>Coroutine: chooses the point size if the options leave it open, from the sample drawn with single
         /// pixels. The canvas is empty before and after.</summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
-        public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan, long pointsToDraw)
+        public static IEnumerator<JobStep> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            long pointsToDraw)
         {
             canvas.UseSize(plan.SizePx);
-            if (!plan.WantsAutoSize || points.Count == 0)
+            if (!plan.UsesAutoSize || points.Count == 0)
                 yield break;
-            yield return Work.Of(Draw(canvas, points, plan, null,
+            yield return JobStep.Of(Draw(canvas, points, plan, null,
                 drawn => canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, drawn)));
             plan.SizePx = canvas.TypicalSizePx;
             canvas.Clear();
         }
 
-        /// <summary>Work for a pump, after <see cref="ChooseSize"/>: enlarges points that leave a surface open.</summary>
+        /// <summary>Coroutine, after <see cref="ChooseSize"/>: enlarges points that leave a surface open.</summary>
         /// <param name="density">The density of the cloud.</param>
         /// <param name="share">The drawn share of the cloud's points.</param>
-        public static IEnumerator<Work> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
+        public static IEnumerator<JobStep> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
             PicturePlan plan)
         {
-            var cells = new NativeList<ThinCell>(Allocator.Persistent);
+            var cells = new NativeList<SparseCell>(Allocator.Persistent);
             JobHandle closed = default;
             try
             {
                 foreach (var leaf in density.Leaves())
                     if (leaf.Cell.IsKnown)
-                        cells.Add(new ThinCell
+                        cells.Add(new SparseCell
                         {
                             Center = leaf.Min + leaf.Edge / 2,
                             Edge = leaf.Edge,
@@ -83,13 +84,13 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>Work for a pump: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>
-        public static IEnumerator<Work> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+        /// <summary>Coroutine: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>
+        public static IEnumerator<JobStep> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             uint background, StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
                 canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, drawn, plan.FillsHoles));
 
-        /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
-        public static IEnumerator<Work> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
+        /// <summary>Coroutine: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
+        public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
         {
             var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,
                 plan.FillsHoles);

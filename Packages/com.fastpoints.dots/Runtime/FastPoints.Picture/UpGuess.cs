@@ -13,14 +13,14 @@ namespace FastPoints.Picture
         const double Thickness = 1.0 / 32;
 
         /// <summary>So many times as many points lie in it as in the best plane across another axis.</summary>
-        const double Clearly = 1.5;
+        const double MinRatio = 1.5;
 
         /// <param name="format">All but PLY have Z up, by their standards or by custom.</param>
-        public static bool IsWanted(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
+        public static bool Applies(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
 
-        /// <param name="positions">A fair choice; strays apart.</param>
-        /// <param name="why">A line for people.</param>
-        public static UpAxis Of(double3[] positions, out string why)
+        /// <param name="positions">A fair choice; outliers apart.</param>
+        /// <param name="reason">A line for people.</param>
+        public static UpAxis Of(double3[] positions, out string reason)
         {
             var shares = new double3();
             double longest = 0;
@@ -37,28 +37,28 @@ namespace FastPoints.Picture
             int best = 2;
             for (int axis = 0; axis < 3; axis++)
             {
-                shares[axis] = MostWithin(values[axis], longest * Thickness) / (double)math.max(1, positions.Length);
+                shares[axis] = MaxPointsWithin(values[axis], longest * Thickness) / (double)math.max(1, positions.Length);
                 best = shares[axis] > shares[best] ? axis : best;
             }
             double other = math.max(shares[(best + 1) % 3], shares[(best + 2) % 3]);
-            bool isClear = shares[best] > Clearly * other;
+            bool isClear = shares[best] > MinRatio * other;
             string share = (100 * shares[best]).ToString("0", CultureInfo.InvariantCulture) + " %";
-            why = isClear ? (UpAxis)best + " is taken for up: " + share + " of the points lie in one plane across it"
+            reason = isClear ? (UpAxis)best + " is taken for up: " + share + " of the points lie in one plane across it"
                 : "Z is taken for up, as no plane across an axis has most points";
             return isClear ? (UpAxis)best : UpAxis.Z;
         }
 
         /// <summary>The most of some sorted values that lie within a length.</summary>
-        static int MostWithin(double[] sorted, double length)
+        static int MaxPointsWithin(double[] sorted, double length)
         {
-            int most = 0;
+            int max = 0;
             for (int first = 0, end = 0; first < sorted.Length; first++)
             {
                 while (end < sorted.Length && sorted[end] - sorted[first] <= length)
                     end++;
-                most = math.max(most, end - first);
+                max = math.max(max, end - first);
             }
-            return most;
+            return max;
         }
     }
 }

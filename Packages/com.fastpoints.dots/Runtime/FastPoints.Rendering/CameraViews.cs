@@ -37,7 +37,7 @@ namespace FastPoints.Rendering
             var clip = eye.Projection * RotationOf(eye.View);
             var view = new StreamView
             {
-                EyeWorld = eye.PlaceWorld,
+                EyeWorld = eye.PositionWorld,
                 IsOrthographic = IsOrthographic(eye.Projection),
                 ScalePx = ScalePxOf(eye.Projection, heightPx),
             };
@@ -92,7 +92,7 @@ namespace FastPoints.Rendering
             double scalePx = ScalePxOf(projection, camera.pixelHeight);
             if (IsOrthographic(projection))
                 return PickRay.Parallel(near, direction, scalePx, radiusPx);
-            var eye = EyeMatrices.Of(camera).PlaceWorld;
+            var eye = EyeMatrices.Of(camera).PositionWorld;
             var picked = PickRay.FromEye(eye, direction, scalePx, radiusPx);
             picked.From = math.max(0, math.dot(near - eye, picked.DirectionWorld));
             return picked;

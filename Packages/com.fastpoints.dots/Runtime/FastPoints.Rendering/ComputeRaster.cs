@@ -14,7 +14,7 @@ namespace FastPoints.Rendering
         const int BytesPerPixel = 8, ClearThreads = 64;
 
         /// <summary>The most groups along one axis of a dispatch.</summary>
-        const int MostGroups = 65535;
+        const int MaxGroups = 65535;
 
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;
@@ -83,7 +83,7 @@ namespace FastPoints.Rendering
 
         void Dispatch(CommandBuffer commands, int kernel, in BankDraw draw, GraphicsNodePool pool)
         {
-            int across = math.min(draw.InstanceCount, MostGroups);
+            int across = math.min(draw.InstanceCount, MaxGroups);
             commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Bank, pool.BufferOf(draw.Bank));
             commands.SetComputeIntParam(m_shader, ShaderNames.FirstInstance, draw.FirstInstance);
             commands.SetComputeIntParam(m_shader, ShaderNames.InstanceCount, draw.InstanceCount);

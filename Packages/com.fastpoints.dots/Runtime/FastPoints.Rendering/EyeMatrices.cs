@@ -9,7 +9,7 @@ namespace FastPoints.Rendering
         /// <summary>World to camera, which looks along its negative Z.</summary>
         public Matrix4x4 View;
         public Matrix4x4 Projection;
-        public double3 PlaceWorld;
+        public double3 PositionWorld;
 
         /// <summary>The eye that is being drawn: the camera itself, or, if a headset's eyes are drawn one after the other, that
         /// eye.</summary>
@@ -24,7 +24,7 @@ namespace FastPoints.Rendering
         {
             View = view,
             Projection = projection,
-            PlaceWorld = new double3(place.x, place.y, place.z),
+            PositionWorld = new double3(place.x, place.y, place.z),
         };
 
         public static EyeMatrices Of(Camera camera, Camera.StereoscopicEye eye) =>
@@ -34,11 +34,11 @@ namespace FastPoints.Rendering
         {
             View = view,
             Projection = projection,
-            PlaceWorld = PlaceOf(view),
+            PositionWorld = PositionOf(view),
         };
 
         /// <summary>The position for a matrix that translates, rotates and at most mirrors.</summary>
-        static double3 PlaceOf(in Matrix4x4 view)
+        static double3 PositionOf(in Matrix4x4 view)
         {
             double3 x = Row(view, 0), y = Row(view, 1), z = Row(view, 2);
             return -(x * view.m03 + y * view.m13 + z * view.m23);

@@ -32,7 +32,7 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>Why this device can neither keep nor draw points; null if it can.</summary>
-        public static string WhyNot =>
+        public static string UnsupportedReason =>
             !SystemInfo.supportsComputeShaders ? SystemInfo.graphicsDeviceType + " has no compute shaders here"
             : SystemInfo.maxComputeBufferInputsVertex < VertexBuffers
                 ? SystemInfo.graphicsDeviceType + " gives vertex shaders fewer than two storage buffers here" : null;

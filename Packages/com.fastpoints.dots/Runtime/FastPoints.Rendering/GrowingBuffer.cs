@@ -30,9 +30,9 @@ namespace FastPoints.Rendering
             if (Buffer != null && (long)Buffer.count * m_strideBytes >= bytes)
                 return false;
             Dispose();
-            long most = SystemInfo.maxGraphicsBufferSize / m_strideBytes;
+            long max = SystemInfo.maxGraphicsBufferSize / m_strideBytes;
             long count = (bytes + m_strideBytes - 1) / m_strideBytes;
-            Buffer = new GraphicsBuffer(m_target, (int)math.max(count, math.min(math.ceilpow2((int)count), most)), m_strideBytes);
+            Buffer = new GraphicsBuffer(m_target, (int)math.max(count, math.min(math.ceilpow2((int)count), max)), m_strideBytes);
             return true;
         }
 

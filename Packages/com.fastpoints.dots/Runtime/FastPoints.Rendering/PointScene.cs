@@ -17,18 +17,18 @@ namespace FastPoints.Rendering
         const int FramesToForget = 120;
 
         /// <summary>The most views of a camera that a frame selects for.</summary>
-        const int MostViews = 4;
+        const int MaxViews = 4;
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
         readonly SizeTree m_sizes = new SizeTree();
         readonly List<CloudLook> m_looks = new List<CloudLook>();
-        readonly List<SeenCamera> m_cameras = new List<SeenCamera>();
+        readonly List<SceneCamera> m_cameras = new List<SceneCamera>();
         NativeList<StreamView> m_nextViews;
         int m_frame;
 
         /// <summary>One camera's buffers.</summary>
-        sealed class SeenCamera
+        sealed class SceneCamera
         {
             public Camera Camera;
             public PointRenderer Renderer;
@@ -37,7 +37,7 @@ namespace FastPoints.Rendering
             /// <summary>What the next frame selects for: as it was last drawn at each size and with each mask, for an editor
             /// draws a camera once more into a small picture, and recorders do. None before, and after that frame.</summary>
             public readonly List<((int, int, ulong, uint) Drawn, StreamView View)> Views =
-                new List<((int, int, ulong, uint), StreamView)>(MostViews + 1);
+                new List<((int, int, ulong, uint), StreamView)>(MaxViews + 1);
         }
 
         /// <param name="points">The package's Points.shader.</param>
@@ -110,9 +110,9 @@ namespace FastPoints.Rendering
         /// <summary>Makes the next frame select for this camera, too, as it was last announced: for both eyes of a headset, even
         /// if they are drawn one after the other. A camera may be drawn any number of times before that frame comes, if it comes
         /// at all.</summary>
-        public void Announce(Camera camera)
+        public void AddView(Camera camera)
         {
-            var views = Seen(camera).Views;
+            var views = CameraOf(camera).Views;
             var view = camera.stereoEnabled ? EyeOf(camera, Camera.StereoscopicEye.Left) : CameraViews.StreamViewOf(camera);
             var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
             // The order stays: another one would be another frame's.
@@ -122,7 +122,7 @@ namespace FastPoints.Rendering
             while (at < views.Count && views[at].Drawn.Equals(drawn))
                 views.RemoveAt(at);
             // A window may be dragged to any number of sizes before the next frame.
-            for (; views.Count >= MostViews; at = views.Count)
+            for (; views.Count >= MaxViews; at = views.Count)
                 views.RemoveAt(0);
             views.Insert(at, (drawn, view));
             if (camera.stereoEnabled)
@@ -146,7 +146,7 @@ namespace FastPoints.Rendering
             }
             var right = CameraViews.RenderViewOf(target, target.RightEye);
             right.Style = Style;
-            var offset = target.RightEye.PlaceWorld - target.Eye.PlaceWorld;
+            var offset = target.RightEye.PositionWorld - target.Eye.PositionWorld;
             right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
             renderer.RecordBothEyes(commands, view, right, pipelineMultiplies);
         }
@@ -168,7 +168,7 @@ namespace FastPoints.Rendering
         PointRenderer Prepare(Camera camera, in CameraTarget target, out RenderView view)
         {
             RecordedPictures++;
-            var renderer = Seen(camera).Renderer;
+            var renderer = CameraOf(camera).Renderer;
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
             var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
@@ -195,7 +195,7 @@ namespace FastPoints.Rendering
             m_nextViews.Dispose();
         }
 
-        SeenCamera Seen(Camera camera)
+        SceneCamera CameraOf(Camera camera)
         {
             for (int i = 0; i < m_cameras.Count; i++)
             {
@@ -205,7 +205,7 @@ namespace FastPoints.Rendering
                 return m_cameras[i];
             }
             var renderer = new PointRenderer(m_materials, m_pool, m_sizes);
-            var seen = new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame };
+            var seen = new SceneCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame };
             m_cameras.Add(seen);
             return seen;
         }

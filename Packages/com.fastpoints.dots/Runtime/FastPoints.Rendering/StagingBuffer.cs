@@ -13,7 +13,7 @@ namespace FastPoints.Rendering
     internal sealed unsafe class StagingBuffer : IDisposable
     {
         /// <summary>The most groups of one dispatch on any GPU.</summary>
-        const int MostGroups = 65535;
+        const int MaxGroups = 65535;
         const int PageEntryBytes = 2 * sizeof(uint);
         const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
 
@@ -73,7 +73,7 @@ namespace FastPoints.Rendering
                 copyPages.SetBuffer(kernel, ShaderNames.BankOut, banks[bank]);
                 while (first < endOfBank[bank])
                 {
-                    int groups = math.min(endOfBank[bank] - first, MostGroups);
+                    int groups = math.min(endOfBank[bank] - first, MaxGroups);
                     copyPages.SetInt(ShaderNames.FirstPage, first);
                     copyPages.Dispatch(kernel, groups, 1, 1);
                     first += groups;

@@ -77,14 +77,14 @@ namespace FastPoints.Scenes
     /// <summary>The seeded scan as a LAS file: 36 bytes a point.</summary>
     public static class LasScan
     {
-        /// <summary>Writes the file as work for a pump. It exists, complete, when the work has ended, and not at all if the work
+        /// <summary>Writes the file as a coroutine. It exists, complete, when the work has ended, and not at all if the work
         /// was cancelled or failed.</summary>
-        public static IEnumerator<Work> Run(string path, long points, uint seed, ScanOrder order = ScanOrder.Strip,
+        public static IEnumerator<JobStep> Run(string path, long points, uint seed, ScanOrder order = ScanOrder.Strip,
             StageProgress progress = null)
         {
             using var las = new LasReturnSink(path);
-            yield return Work.Of(OrderedScan.Run(points, seed, order, las, progress));
-            yield return Work.Of(PoolWork.Run(path, () =>
+            yield return JobStep.Of(OrderedScan.Run(points, seed, order, las, progress));
+            yield return JobStep.Of(PoolTask.Run(path, () =>
             {
                 las.Complete();
                 return path;

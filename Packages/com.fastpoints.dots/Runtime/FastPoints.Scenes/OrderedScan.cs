@@ -13,23 +13,23 @@ namespace FastPoints.Scenes
     internal static class OrderedScan
     {
         /// <summary>The limit for orders other than as acquired, which keep 44 bytes for each point.</summary>
-        public const int MostPoints = 32_000_000;
+        public const int MaxPoints = 32_000_000;
 
         const int PlacesAtOnce = 65_536;
 
-        /// <summary>Runs the scan as work for a pump.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">There are more than <see cref="MostPoints"/> in an order other than as
+        /// <summary>Runs the scan as a coroutine.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There are more than <see cref="MaxPoints"/> in an order other than as
         /// acquired.</exception>
-        public static IEnumerator<Work> Run(long points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
+        public static IEnumerator<JobStep> Run(long points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
         {
             if (order == ScanOrder.Strip)
                 return TerrestrialScan.Run(points, seed, sink.Append, progress);
-            if (points > MostPoints)
+            if (points > MaxPoints)
                 throw new ArgumentOutOfRangeException(nameof(points), points, "does not fit in memory to be ordered");
             return RunInMemory((int)points, seed, order, sink, progress);
         }
 
-        static IEnumerator<Work> RunInMemory(int points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
+        static IEnumerator<JobStep> RunInMemory(int points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
         {
             var returns = new NativeArray<ScanReturn>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             var returnOfPlace = new NativeArray<int>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
@@ -42,7 +42,7 @@ namespace FastPoints.Scenes
                     NativeArray<ScanReturn>.Copy(batch, 0, returns, end, batch.Length);
                     end += batch.Length;
                 }
-                yield return Work.Of(TerrestrialScan.Run(points, seed, Keep, progress));
+                yield return JobStep.Of(TerrestrialScan.Run(points, seed, Keep, progress));
 
                 ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnOfPlace }
                     .Schedule();

@@ -25,7 +25,8 @@ namespace FastPoints.Scenes
             return (Mix(state) >> 8) * (1f / (1 << 24));
         }
 
-        /// <summary>A number of mean 0 and deviation 1: the sum of four uniform numbers, which never strays beyond 3.5.</summary>
+        /// <summary>A number of mean 0 and deviation 1: the sum of four uniform numbers, which never outliers beyond
+        /// 3.5.</summary>
         public static float NextNormal(ref uint state) =>
             (Next(ref state) + Next(ref state) + Next(ref state) + Next(ref state) - 2) * 1.7320508f;
 

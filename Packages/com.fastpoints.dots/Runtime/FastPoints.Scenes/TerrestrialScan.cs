@@ -29,9 +29,10 @@ namespace FastPoints.Scenes
             + "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1],AXIS[\"Easting\",EAST],"
             + "AXIS[\"Northing\",NORTH],AUTHORITY[\"EPSG\",\"32632\"]]";
 
-        /// <summary>Scans as work for a pump. <paramref name="take"/> gets the returns batch by batch in the order of the scan,
+        /// <summary>Scans as a coroutine. <paramref name="take"/> gets the returns batch by batch in the order of the scan,
         /// on the main thread; a batch is valid only during the call.</summary>
-        public static IEnumerator<Work> Run(long points, uint seed, Action<NativeArray<ScanReturn>> take, StageProgress progress)
+        public static IEnumerator<JobStep> Run(long points, uint seed, Action<NativeArray<ScanReturn>> take,
+            StageProgress progress)
         {
             if (points < 1)
                 throw new ArgumentOutOfRangeException(nameof(points), points, "a scan has at least one point");

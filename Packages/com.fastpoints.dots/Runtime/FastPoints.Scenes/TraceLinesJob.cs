@@ -37,7 +37,7 @@ namespace FastPoints.Scenes
             // A second turn scans between the lines of the first.
             float turn = (line + line / LinesPerTurn * 0.5f) / LinesPerTurn;
             float azimuth = 2 * math.PI * turn;
-            var ahead = new float2(math.cos(azimuth), math.sin(azimuth));
+            var limit = new float2(math.cos(azimuth), math.sin(azimuth));
             var origin = Station;
             origin.z += SceneGround.Height(Station.xy);
 
@@ -48,7 +48,7 @@ namespace FastPoints.Scenes
                 var o = Objects[i];
                 var to = o.Center.xy - origin.xy;
                 float reach = o.Reach + 0.1f;
-                if (math.abs(to.x * ahead.y - to.y * ahead.x) < reach && math.dot(to, ahead) > -reach)
+                if (math.abs(to.x * limit.y - to.y * limit.x) < reach && math.dot(to, limit) > -reach)
                     near[nearCount++] = i;
             }
 

@@ -20,7 +20,7 @@ namespace FastPoints.Samples.EntitiesOnly
 
         void OnEnable()
         {
-            m_world = PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld;
+            m_world = PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld;
             var entities = m_world.EntityManager;
 
             m_cloud = entities.CreateEntity();

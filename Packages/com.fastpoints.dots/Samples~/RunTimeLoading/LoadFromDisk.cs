@@ -27,7 +27,7 @@ namespace FastPoints.Samples.RunTimeLoading
         public float FrameMs = 4;
 
         readonly StageProgress m_progress = new StageProgress();
-        WorkPump m_pump;
+        JobCoroutine m_coroutine;
         string m_target;
 
         /// <summary>One line for the user.</summary>
@@ -38,24 +38,24 @@ namespace FastPoints.Samples.RunTimeLoading
         void OnEnable()
         {
             IsDone = false;
-            m_pump = new WorkPump(Load());
+            m_coroutine = new JobCoroutine(Load());
         }
 
-        void OnDisable() => m_pump.Cancel();
+        void OnDisable() => m_coroutine.Cancel();
 
         void Update()
         {
-            if (m_pump.IsDone)
+            if (m_coroutine.IsDone)
                 return;
             try
             {
-                IsDone = m_pump.Tick(FrameMs);
+                IsDone = m_coroutine.Tick(FrameMs);
             }
             catch (PointCloudException e)
             {
                 // The file is at fault: the message has its name, the byte, what was expected and what was found.
                 Status = e.Message;
-                Debug.LogError(e.Story);
+                Debug.LogError(e.FullMessage);
                 return;
             }
             var cloud = GetComponent<PointCloud>();
@@ -71,14 +71,14 @@ namespace FastPoints.Samples.RunTimeLoading
 
         void OnGUI() => GUILayout.Label(Status);
 
-        IEnumerator<Work> Load()
+        IEnumerator<JobStep> Load()
         {
             string source = Source;
             if (string.IsNullOrEmpty(source))
             {
                 source = Path.Combine(Application.temporaryCachePath, "street.las");
                 m_progress.Begin("scan");
-                yield return Work.Of(LasScan.Run(source, 200_000, 1, progress: m_progress));
+                yield return JobStep.Of(LasScan.Run(source, 200_000, 1, progress: m_progress));
                 m_progress.End();
             }
             m_target = Path.Combine(Application.persistentDataPath, CloudName.Of(source) + StoreFormat.FolderExtension);
@@ -86,12 +86,12 @@ namespace FastPoints.Samples.RunTimeLoading
             if (Directory.Exists(m_target))
                 yield break;
             // Opening on another thread keeps a slow disk from stopping frames.
-            using var opening = PoolWork.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread());
+            using var opening = PoolTask.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread());
             while (!opening.IsDone)
                 yield return default;
             using var reader = opening.Take();
             var settings = new ConvertSettings { KeepUnfinished = true };
-            yield return Work.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress));
+            yield return JobStep.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress));
         }
     }
 }

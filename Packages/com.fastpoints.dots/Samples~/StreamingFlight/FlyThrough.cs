@@ -39,8 +39,8 @@ namespace FastPoints.Samples.StreamingFlight
             var toWorld = Cloud.transform.localToWorldMatrix;
             var place = toWorld.MultiplyPoint3x4(middle + On(across, angle));
             var down = new Vector3(0, Height / 2, 0);
-            var ahead = toWorld.MultiplyPoint3x4(middle - down + On(across, angle + 0.6f));
-            transform.SetPositionAndRotation(place, Quaternion.LookRotation(ahead - place));
+            var limit = toWorld.MultiplyPoint3x4(middle - down + On(across, angle + 0.6f));
+            transform.SetPositionAndRotation(place, Quaternion.LookRotation(limit - place));
         }
 
         static Vector3 On(Vector3 across, float angle) =>

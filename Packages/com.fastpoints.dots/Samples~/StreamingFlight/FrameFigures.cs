@@ -19,7 +19,7 @@ namespace FastPoints.Samples.StreamingFlight
         /// <summary>False until the world streams.</summary>
         public static bool TryGetFigures(out FrameStats stats)
         {
-            var world = PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld;
+            var world = PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld;
             var group = world?.GetExistingSystemManaged<PointCloudSystemGroup>();
             bool isStreaming = group?.Stream != null;
             stats = isStreaming ? group.Stats : default;
@@ -30,6 +30,6 @@ namespace FastPoints.Samples.StreamingFlight
             "{0:N0} points in {1} nodes drawn, {2:N0} selected\n{3:0.0} MB in graphics memory, {4:0.0} KB " +
                 "copied, {5} reads under way\n" +
             "{6:0.00} ms of the main thread (select {7:0.00})", stats.DrawnPoints, stats.DrawnNodes, stats.SelectedPoints,
-            stats.PoolBytes / 1e6, stats.UploadedBytes / 1e3, stats.ReadsUnderWay, stats.TotalMs, stats.SelectMs);
+            stats.PoolBytes / 1e6, stats.UploadedBytes / 1e3, stats.ReadsInFlight, stats.TotalMs, stats.SelectMs);
     }
 }

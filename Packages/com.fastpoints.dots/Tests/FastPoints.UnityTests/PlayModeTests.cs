@@ -19,8 +19,8 @@ namespace FastPoints.UnityTests
         [UnityTest]
         public IEnumerator PlayMode_CloudInTheScene_IsStreamedForTheCamera()
         {
-            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null || GraphicsNodePool.WhyNot != null)
-                Assert.Ignore(GraphicsNodePool.WhyNot ?? "without a graphics device no camera draws");
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null || GraphicsNodePool.UnsupportedReason != null)
+                Assert.Ignore(GraphicsNodePool.UnsupportedReason ?? "without a graphics device no camera draws");
             // The usual camera looks along Z from ten metres before the cloud.
             var scene = EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
             PointCloudDrops.Show(TestProject.TakeScan(), Vector3.zero, null).gameObject.name = CloudName;

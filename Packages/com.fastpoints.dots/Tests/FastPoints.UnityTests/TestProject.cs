@@ -85,7 +85,7 @@ namespace FastPoints.UnityTests
         /// <summary>A handle in the tests' folder for a scan outside; its conversion begins.</summary>
         public static PointCloudAsset TakeScan(int points = 20_000)
         {
-            var asset = Imports.Take(MakeScan(points), Folder);
+            var asset = Imports.CreateAsset(MakeScan(points), Folder);
             Assert.That(asset, Is.Not.Null, "the Console says why");
             return asset;
         }
@@ -100,7 +100,7 @@ namespace FastPoints.UnityTests
             settings.PointFiles = PointFiles.Import;
             try
             {
-                new PointFileClaims(settings).Offer(new List<string> { asset });
+                new PointFileClaims(settings).Add(new List<string> { asset });
             }
             finally
             {
@@ -125,7 +125,7 @@ namespace FastPoints.UnityTests
             Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
 
         /// <summary>Nodes that the world's clouds have in the list of what to draw.</summary>
-        public static int DrawnNodes() => (PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld)
+        public static int DrawnNodes() => (PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld)
             ?.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stats.DrawnNodes ?? 0;
 
         /// <summary>Entities that are converted clouds on disk.</summary>
@@ -137,7 +137,7 @@ namespace FastPoints.UnityTests
 
         static int Count(params ComponentType[] types)
         {
-            var world = PointCloudSystemGroup.ShownWorld ?? World.DefaultGameObjectInjectionWorld;
+            var world = PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld;
             if (world == null || !world.IsCreated)
                 return 0;
             using var query = world.EntityManager.CreateEntityQuery(types);

@@ -7,8 +7,8 @@ namespace StandIns.Collections;
 /// <summary>A list's elements. The struct itself is allocated, so that copies of a list share it.</summary>
 unsafe struct ListData<T> where T : unmanaged
 {
-    const int LeastBytes = 64;
-    const int MostElements = 1 << 30;
+    const int MinBytes = 64;
+    const int MaxElements = 1 << 30;
 
     AllocatorManager.AllocatorHandle m_allocator;
 
@@ -39,7 +39,7 @@ unsafe struct ListData<T> where T : unmanaged
         if (capacity < Length)
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity,
                 $"The capacity is out of range in a container of '{Length}' Length.");
-        int rounded = (int)RoundedUp.ToPowerOfTwo(Math.Max(capacity, LeastBytes / sizeof(T)));
+        int rounded = (int)RoundedUp.ToPowerOfTwo(Math.Max(capacity, MinBytes / sizeof(T)));
         if (rounded == Capacity)
             return;
         T* items = AllocatorManager.Allocate<T>(m_allocator, rounded);
@@ -115,7 +115,7 @@ unsafe struct ListData<T> where T : unmanaged
     // Beyond, Unity's first release for 6000.0 loses what was in the list: it rounds and multiplies in int.
     static void CheckBytes(long count)
     {
-        if (count < 0 || count > MostElements || count * sizeof(T) > int.MaxValue)
+        if (count < 0 || count > MaxElements || count * sizeof(T) > int.MaxValue)
             throw new ArgumentOutOfRangeException(nameof(count), count,
                 $"A list takes at most 2^30 elements and 2^31 - 1 bytes ({sizeof(T)} each).");
     }

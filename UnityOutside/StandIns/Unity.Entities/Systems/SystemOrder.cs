@@ -58,11 +58,11 @@ static class SystemOrder
                 continue;
             foreach (var other in after.Concat(before))
             {
-                string why = other == type ? "a system cannot be updated or created after or before itself."
+                string reason = other == type ? "a system cannot be updated or created after or before itself."
                     : !IsThere(other) ? "they are not members of the same ComponentSystemGroup instance, " + group
                     : PartsAhead(other) != 0 ? "OrderFirst/OrderLast has higher precedence." : null;
-                if (why != null)
-                    UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: {why}");
+                if (reason != null)
+                    UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: {reason}");
             }
         }
     }

@@ -7,7 +7,7 @@ namespace StandIns.Io;
 /// such a name again reads the file that lay there then.</summary>
 static class NamedFiles
 {
-    const int MostOpen = 10;
+    const int MaxOpen = 10;
 
     static readonly bool s_keeps = !RuntimeInformation.IsOSPlatform(OSPlatform.Windows);
 
@@ -30,7 +30,7 @@ static class NamedFiles
                 file.Close();
                 return file;
             }
-            if (s_open.Count == MostOpen)
+            if (s_open.Count == MaxOpen)
             {
                 s_open[0].File.Close();
                 s_open.RemoveAt(0);

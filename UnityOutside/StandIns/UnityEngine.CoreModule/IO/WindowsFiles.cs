@@ -216,10 +216,10 @@ static class WindowsFiles
     static IOException Refusal(string path, int code)
     {
         Interlocked.Increment(ref Refused);
-        string why = code == SharingViolation ? "because it is being used by another process"
+        string reason = code == SharingViolation ? "because it is being used by another process"
             : code == NotEmpty ? "because the directory is not empty" : code == Exists ? "because the name exists already"
             : "because the filename, directory name, or volume label syntax is incorrect";
-        return new IOException("The process cannot access the file '" + path + "' " + why + ".", code);
+        return new IOException("The process cannot access the file '" + path + "' " + reason + ".", code);
     }
 
     static UnauthorizedAccessException Denied(string path)

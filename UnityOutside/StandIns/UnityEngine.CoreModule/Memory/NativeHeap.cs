@@ -7,13 +7,13 @@ static unsafe class NativeHeap
 {
     // Unity's allocators give at least 16; vectors of 32 bytes then need no care either.
     const int MinAlignment = 32;
-    const int MostSpoiled = 1 << 20;
+    const int MaxSpoiled = 1 << 20;
 
 #if NET
     // By itself the C library takes ever larger blocks from its heap, where what is freed stays with the process: a build in
     // 160 MiB kept up to 70 MB so.
     const int MmapThreshold = -3;
-    const int LeastBytesFromTheSystem = 4 << 20;
+    const int MinBytesFromTheSystem = 4 << 20;
 
     static NativeHeap()
     {
@@ -21,7 +21,7 @@ static unsafe class NativeHeap
             return;
         try
         {
-            SetMallocOption(MmapThreshold, LeastBytesFromTheSystem);
+            SetMallocOption(MmapThreshold, MinBytesFromTheSystem);
         }
         catch (Exception e) when (e is EntryPointNotFoundException || e is DllNotFoundException)
         {
@@ -56,7 +56,7 @@ static unsafe class NativeHeap
     // What nobody cleared is not zero, as it often is by chance; of large blocks, whose pages should not all be touched, the
     // beginning does.
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
-    static void Spoil(void* memory, long size) => new Span<byte>(memory, (int)Math.Min(size, MostSpoiled)).Fill(0xCD);
+    static void Spoil(void* memory, long size) => new Span<byte>(memory, (int)Math.Min(size, MaxSpoiled)).Fill(0xCD);
 
     internal static void Free(void* memory)
     {

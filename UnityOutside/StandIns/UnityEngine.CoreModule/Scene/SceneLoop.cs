@@ -24,15 +24,15 @@ static class SceneLoop
             behaviour.IsStarted = true;
             Send(behaviour, "Update");
         }
-        foreach (var leaving in s_leaving.ToArray())
-            Object.DestroyImmediate(leaving);
+        foreach (var removing in s_leaving.ToArray())
+            Object.DestroyImmediate(removing);
         s_leaving.Clear();
     }
 
     /// <summary>As if somebody had moved it.</summary>
     public static void Place(Transform transform, Matrix4x4 localToWorld) => transform.localToWorldMatrix = localToWorld;
 
-    internal static void DestroyLater(Object leaving) => s_leaving.Add(leaving);
+    internal static void DestroyLater(Object removing) => s_leaving.Add(removing);
 
     /// <summary>Of components, those that are disabled and inactive, too.</summary>
     internal static T[] Find<T>() where T : Object => Objects.OfType<T>()

@@ -37,16 +37,16 @@ public sealed class ObjectTests
     [Test]
     public void Destroyed_Object_IsNullAndIsNotToBeUsed()
     {
-        var told = m_object.AddComponent<AlwaysTold>();
-        told.Kept = 3;
+        var reported = m_object.AddComponent<AlwaysTold>();
+        reported.Kept = 3;
         Object.DestroyImmediate(m_object);
-        Assert.That(m_object == null && told == null && !told, Is.True);
-        Assert.That(ReferenceEquals(told, null), Is.False);
-        Assert.That(told.Kept, Is.EqualTo(3), "its own");
+        Assert.That(m_object == null && reported == null && !reported, Is.True);
+        Assert.That(ReferenceEquals(reported, null), Is.False);
+        Assert.That(reported.Kept, Is.EqualTo(3), "its own");
         Assert.That(() => m_object.name, Throws.TypeOf<MissingReferenceException>());
-        Assert.That(() => told.gameObject, Throws.TypeOf<MissingReferenceException>());
-        Assert.That(() => told.enabled, Throws.TypeOf<MissingReferenceException>());
-        Assert.That(() => told.transform, Throws.TypeOf<MissingReferenceException>());
+        Assert.That(() => reported.gameObject, Throws.TypeOf<MissingReferenceException>());
+        Assert.That(() => reported.enabled, Throws.TypeOf<MissingReferenceException>());
+        Assert.That(() => reported.transform, Throws.TypeOf<MissingReferenceException>());
     }
 
     [Test]
@@ -94,10 +94,10 @@ public sealed class ObjectTests
         var parent = new GameObject("parent");
         parent.SetActive(false);
         m_object.transform.SetParent(parent.transform, false);
-        var told = m_object.AddComponent<Told>();
+        var reported = m_object.AddComponent<Told>();
         SceneLoop.Update();
         Assert.That(s_told, Is.Empty);
-        Assert.That((told.enabled, told.isActiveAndEnabled), Is.EqualTo((true, false)));
+        Assert.That((reported.enabled, reported.isActiveAndEnabled), Is.EqualTo((true, false)));
         parent.SetActive(true);
         Assert.That(s_told, Is.EqualTo(new[] { "Awake", "OnEnable" }));
         parent.SetActive(false);
@@ -106,7 +106,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Destroyed_BehaviourThatNeverWoke_IsToldNothing()
+    public void Destroyed_BehaviourThatNeverWoke_GetsNoCallback()
     {
         SceneLoop.IsPlaying = true;
         m_object.SetActive(false);

@@ -88,7 +88,7 @@ namespace FastPoints.Benchmarks
         /// <summary>Runs before the first timed one: a run-time compiler compiles its last tier in the background after 30 calls
         /// and a pause in which nothing new is called. Long runs call enough within themselves.</summary>
         public int WarmUpRuns = 40;
-        public int FewestWarmUpRuns = 3;
+        public int MinWarmUpRuns = 3;
         public double WarmUpMs = 400;
         public double LongWarmUpMs = 1500;
 
@@ -96,6 +96,6 @@ namespace FastPoints.Benchmarks
         public double ShortestSampleMs = 5;
 
         public bool IsWarm(int runs, double ms) =>
-            (runs >= WarmUpRuns && ms >= WarmUpMs) || (runs >= FewestWarmUpRuns && ms >= LongWarmUpMs);
+            (runs >= WarmUpRuns && ms >= WarmUpMs) || (runs >= MinWarmUpRuns && ms >= LongWarmUpMs);
     }
 }

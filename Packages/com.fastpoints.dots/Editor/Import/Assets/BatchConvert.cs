@@ -15,7 +15,7 @@ namespace FastPoints.Editor
         public static void All()
         {
             var imports = PointCloudImports.Current;
-            imports.Claims.Look();
+            imports.Claims.AddExisting();
             Convert(imports, new List<string>(imports.Assets.All.Keys));
         }
 
@@ -35,13 +35,13 @@ namespace FastPoints.Editor
                     requests.Add(request);
             }
             imports.Queue.Add(requests);
-            for (var stopped = Stopwatch.StartNew(); imports.Queue.IsAtWork || imports.HasRefused;)
+            for (var stopped = Stopwatch.StartNew(); imports.Queue.IsAtWork || imports.HasPendingWrites;)
             {
                 imports.Update(DateTime.UtcNow);
                 if (imports.Queue.Session != null || imports.Queue.Problem == null)
                     stopped.Restart();
                 // What is refused for a moment, as by a virus scanner, is tried again.
-                else if (stopped.ElapsedMilliseconds > FileChanges.PatienceMs)
+                else if (stopped.ElapsedMilliseconds > FileChanges.RetryTimeoutMs)
                     throw new InvalidOperationException("FastPoints: " + imports.Queue.Problem);
                 // Workers need the core more than this loop does.
                 Thread.Sleep(1);

@@ -54,9 +54,9 @@ namespace FastPoints.Editor
             foreach (string asset in movedFrom)
                 Forget(asset);
             foreach (string asset in movedTo)
-                Look(asset);
+                Refresh(asset);
             foreach (string asset in imported)
-                Look(asset);
+                Refresh(asset);
         }
 
         void Collect()
@@ -65,10 +65,10 @@ namespace FastPoints.Editor
                 return;
             m_isCollected = true;
             foreach (string guid in AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)))
-                Look(AssetDatabase.GUIDToAssetPath(guid));
+                Refresh(AssetDatabase.GUIDToAssetPath(guid));
         }
 
-        void Look(string asset)
+        void Refresh(string asset)
         {
             Forget(asset);
             if (AssetDatabase.GetMainAssetTypeAtPath(asset) != typeof(PointCloudAsset))

@@ -18,10 +18,10 @@ namespace FastPoints.Editor
         sealed class Export
         {
             public string Path;
-            public PoolWork<PointReader> Opening;
+            public PoolTask<PointReader> Opening;
             public ExportSettings Settings;
             public PointReader Reader;
-            public WorkPump Pump;
+            public JobCoroutine Coroutine;
             public ExportResult Result;
             public readonly StageProgress Stages = new StageProgress();
             public int Progress;
@@ -32,14 +32,14 @@ namespace FastPoints.Editor
         public bool IsExporting => m_exports.Count > 0;
 
         /// <summary>Paths that are being written.</summary>
-        public IEnumerable<string> Promised => m_exports.ConvertAll(export => export.Path);
+        public IEnumerable<string> ReservedPaths => m_exports.ConvertAll(export => export.Path);
 
         /// <param name="sources">A converted cloud, or files that make one cloud.</param>
         /// <param name="path">Ends in .las, .laz or .ply.</param>
         public void Begin(IReadOnlyList<string> sources, string path, ExportSettings settings)
         {
             var export = new Export { Path = path, Settings = settings };
-            export.Opening = PoolWork.Begin(path, () => Open(sources), reader => reader.DisposeUnread());
+            export.Opening = PoolTask.Begin(path, () => Open(sources), reader => reader.DisposeUnread());
             export.Progress = Progress.Start("Export " + Path.GetFileName(path), path, Progress.Options.Managed);
             Progress.RegisterCancelCallback(export.Progress, () =>
             {
@@ -87,15 +87,16 @@ namespace FastPoints.Editor
         /// <returns>Whether the file is there.</returns>
         static bool Step(Export export, double budgetMs)
         {
-            if (export.Pump == null)
+            if (export.Coroutine == null)
             {
                 if (!export.Opening.IsDone)
                     return false;
                 export.Reader = export.Opening.Take();
-                export.Pump = new WorkPump(ExportCloud.Run(export.Reader, export.Path, export.Settings, r => export.Result = r,
+                export.Coroutine =
+                    new JobCoroutine(ExportCloud.Run(export.Reader, export.Path, export.Settings, r => export.Result = r,
                     export.Stages));
             }
-            return export.Pump.Tick(budgetMs);
+            return export.Coroutine.Tick(budgetMs);
         }
 
         static string Describe(Export export)
@@ -118,7 +119,7 @@ namespace FastPoints.Editor
 
         static void Free(Export export)
         {
-            export.Pump?.Cancel();
+            export.Coroutine?.Cancel();
             export.Opening.Dispose();
             export.Reader?.Dispose();
         }

@@ -28,7 +28,7 @@ namespace FastPoints.Editor
         public override void OnEnable()
         {
             base.OnEnable();
-            Look();
+            Refresh();
         }
 
         /// <summary>Repaints while its cloud is converted or verified.</summary>
@@ -44,7 +44,7 @@ namespace FastPoints.Editor
             }
             var request = imports.RequestOf(Asset);
             if (m_wasInQueue && request == null)
-                Look();
+                Refresh();
             m_wasInQueue = request != null;
             if (m_handle != null)
             {
@@ -78,7 +78,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Collects what is drawn, but not at every repaint.</summary>
-        void Look()
+        void Refresh()
         {
             m_handle = null;
             (m_message, m_missing) = (null, null);
@@ -138,8 +138,8 @@ namespace FastPoints.Editor
             EditorGUILayout.HelpBox("Not there: " + m_missing, MessageType.Warning);
             if (!GUILayout.Button("Locate source..."))
                 return;
-            CloudRelocation.Ask(imports, Asset, m_missing);
-            Look();
+            CloudRelocation.Prompt(imports, Asset, m_missing);
+            Refresh();
             // Other windows were drawn while the panel was open: what this one has laid out is gone.
             GUIUtility.ExitGUI();
         }
@@ -175,17 +175,17 @@ namespace FastPoints.Editor
 
         void DrawConverted(EditorImports imports)
         {
-            bool isThere = m_match == CatalogMatch.InPlace, hasSource = m_handle.Sources.Count > 0;
+            bool exists = m_match == CatalogMatch.InPlace, hasSource = m_handle.Sources.Count > 0;
             if (m_match == CatalogMatch.Moved)
                 EditorGUILayout.HelpBox("The converted cloud is in " + imports.Paths.Stored(m_cloud.Path) +
                     ": give the folder its name, " + m_handle.CloudPath + ", again.", MessageType.Warning);
             if (m_match == CatalogMatch.Another)
                 EditorGUILayout.HelpBox(m_cloud.Problem ?? "There is another cloud in this folder.", MessageType.Warning);
-            if (hasSource && GUILayout.Button(isThere ? "Convert again" : "Convert"))
+            if (hasSource && GUILayout.Button(exists ? "Convert again" : "Convert"))
                 imports.Convert(Asset);
             if (m_handle.Stamp != null && GUILayout.Button("Look whether the source has changed"))
                 ShowMessage(m_handle.Stamp.Compare(m_handle.Sources.ConvertAll(imports.Paths.Absolute)));
-            if (!isThere)
+            if (!exists)
                 return;
             var check = imports.Checks.Check;
             if (check != null && check.Path == m_cloud.Path)
@@ -208,8 +208,8 @@ namespace FastPoints.Editor
             try
             {
                 CloudCatalog.Delete(m_cloud.Path);
-                imports.Decline(m_cloud.Path);
-                Look();
+                imports.DisableAutoConvert(m_cloud.Path);
+                Refresh();
                 EditorImports.Refresh(Asset);
             }
             catch (PointCloudException e)

@@ -37,7 +37,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Called once an update of the editor: not while Unity imports.</summary>
-        public void Ask()
+        public void Prompt()
         {
             if (m_left.Count == 0)
                 return;

@@ -50,30 +50,30 @@ namespace FastPoints.Editor
         public List<Row> Lost { get; private set; }
 
         /// <summary>Collects what there is now, on a thread of the pool.</summary>
-        public static PoolWork<CloudList> Begin(EditorImports imports, bool measures = true,
+        public static PoolTask<CloudList> Begin(EditorImports imports, bool measures = true,
             CancellationToken cancelled = default)
         {
-            var (paths, promised) = (imports.Paths, new List<string>(imports.Queue.Promised));
+            var (paths, reserved) = (imports.Paths, new List<string>(imports.Queue.ReservedPaths));
             var assets = new Dictionary<string, string>();
             foreach (var pair in imports.Assets.All)
                 assets.Add(pair.Key, pair.Value);
             bool convertsOctrees = FastPointsSettings.instance.ConvertOctrees;
-            return PoolWork.Begin(paths.Clouds, () => Collect(paths, assets, promised, convertsOctrees, measures,
+            return PoolTask.Begin(paths.Clouds, () => Collect(paths, assets, reserved, convertsOctrees, measures,
                 cancelled));
         }
 
         /// <summary>Any thread.</summary>
         /// <param name="assets">Paths, each with the absolute path of its cloud.</param>
-        /// <param name="promised">Folders that are being made, or will be.</param>
+        /// <param name="reserved">Folders that are being made, or will be.</param>
         /// <param name="measures">Whether the sizes are wanted: they take a look at each file of each cloud.</param>
         public static CloudList Collect(ProjectPaths paths, IReadOnlyDictionary<string, string> assets,
-            ICollection<string> promised, bool convertsOctrees = false, bool measures = true,
+            ICollection<string> reserved, bool convertsOctrees = false, bool measures = true,
             CancellationToken cancelled = default)
         {
             var list = new CloudList();
             var catalog = new CloudCatalog(paths);
             catalog.Refresh();
-            var used = new HashSet<string>(promised, StringComparer.OrdinalIgnoreCase);
+            var used = new HashSet<string>(reserved, StringComparer.OrdinalIgnoreCase);
             foreach (var pair in assets)
             {
                 cancelled.ThrowIfCancellationRequested();
@@ -100,7 +100,7 @@ namespace FastPoints.Editor
         static Row Describe(string asset, string folder, CloudCatalog catalog, ProjectPaths paths, bool convertsOctrees)
         {
             var handle = new CloudHandle { CloudPath = paths.Stored(folder), Sources = { asset } };
-            handle.IsOctree = CloudSources.BringsOctree(paths.Absolute(asset));
+            handle.IsOctree = CloudSources.HasOctree(paths.Absolute(asset));
             var row = new Row { Asset = asset, Cloud = folder, Points = -1 };
             try
             {

@@ -17,7 +17,7 @@ namespace FastPoints.Editor
 
         /// <summary>Asks the user where a source is, and whether those of other assets that moved along are meant, too.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
-        public static void Ask(EditorImports imports, string asset, string missing)
+        public static void Prompt(EditorImports imports, string asset, string missing)
         {
             string name = Path.GetFileName(missing);
             string found = imports.HandleOf(asset).IsFolder || !Path.HasExtension(name)

@@ -14,9 +14,9 @@ namespace FastPoints.Editor
     internal sealed class CloudsWindow : EditorWindow
     {
         /// <summary>More would make each repaint slow.</summary>
-        const int RowsPerPage = 200, MostQueued = 50;
+        const int RowsPerPage = 200, MaxQueued = 50;
 
-        PoolWork<CloudList> m_collecting;
+        PoolTask<CloudList> m_collecting;
         CloudList m_list;
         Vector2 m_scroll;
         string m_shown;
@@ -32,7 +32,7 @@ namespace FastPoints.Editor
 
         void OnEnable() => m_shown = null;
 
-        void OnDisable() => m_collecting?.TakeIfSound();
+        void OnDisable() => m_collecting?.TakeOrDefault();
 
         void OnInspectorUpdate() => Repaint();
 
@@ -40,7 +40,7 @@ namespace FastPoints.Editor
         {
             // What is drawn stays the same until the next layout.
             if (Event.current.type == EventType.Layout)
-                Look();
+                Refresh();
             DrawQueue(PointCloudImports.Current);
             if (GUILayout.Button("Look again"))
                 m_shown = null;
@@ -58,7 +58,7 @@ namespace FastPoints.Editor
             EditorGUILayout.EndScrollView();
         }
 
-        void Look()
+        void Refresh()
         {
             var imports = PointCloudImports.Current;
             string now = imports.Assets.All.Count + " " + imports.Queue.Requests.Count;
@@ -88,9 +88,9 @@ namespace FastPoints.Editor
             // Buttons change the queue.
             foreach (var request in new List<ImportRequest>(imports.Queue.Requests))
             {
-                if (number == MostQueued)
+                if (number == MaxQueued)
                 {
-                    GUILayout.Label((imports.Queue.Requests.Count - MostQueued) + " more wait");
+                    GUILayout.Label((imports.Queue.Requests.Count - MaxQueued) + " more wait");
                     break;
                 }
                 EditorGUILayout.LabelField(++number + ". " + AssetDatabase.GUIDToAssetPath(request.Asset),
@@ -121,7 +121,7 @@ namespace FastPoints.Editor
             if (row.Missing != null && GUILayout.Button("Locate source..."))
             {
                 m_shown = null;
-                CloudRelocation.Ask(PointCloudImports.Current, row.Asset, row.Missing);
+                CloudRelocation.Prompt(PointCloudImports.Current, row.Asset, row.Missing);
                 // Other windows were drawn while the panel was open: what this one has laid out is gone.
                 GUIUtility.ExitGUI();
             }

@@ -26,7 +26,7 @@ namespace FastPoints.Editor
         readonly List<string> m_drawn = new List<string>();
 
         /// <summary>Assets whose files could not be written, to be tried again.</summary>
-        readonly List<Action> m_refused = new List<Action>();
+        readonly List<Action> m_pendingWrites = new List<Action>();
         bool m_isShowing;
         string m_problem;
 
@@ -35,7 +35,7 @@ namespace FastPoints.Editor
             Paths = paths;
             m_settings = settings;
             // A reload of scripts, or quitting, ends deletions.
-            FileChanges.BeginDeleteGone(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
+            FileChanges.BeginDeleteLeftovers(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
             Queue = new ImportQueue(paths, settings.ForConversion);
             Queue.Ended += End;
             Thumbnails.Drawn += m_drawn.Add;
@@ -76,10 +76,10 @@ namespace FastPoints.Editor
         internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
 
         /// <summary>The largest file in bytes that may be copied into the project.</summary>
-        public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
+        public long MaxCopiedBytes => (long)m_settings.CopiedMiB << 20;
 
         /// <summary>Whether handles wait to be written that the system refused.</summary>
-        internal bool HasRefused => m_refused.Count > 0;
+        internal bool HasPendingWrites => m_pendingWrites.Count > 0;
 
         /// <summary>Called once an update of the editor.</summary>
         public void Update(DateTime nowUtc)
@@ -88,12 +88,12 @@ namespace FastPoints.Editor
             bool isPlaying = EditorApplication.isPlaying;
             Queue.IsHeld = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
             Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
-                m_pace.AheadMs);
+                m_pace.InFlightMs);
             Queue.Tick(budgetMs, nowUtc);
             Checks.Update(budgetMs);
             Transfers.Update();
             Exports.Update(budgetMs);
-            Leftovers.Ask();
+            Leftovers.Prompt();
             Claims.Update();
             Missing.Update();
             Thumbnails.Update(budgetMs);
@@ -105,8 +105,8 @@ namespace FastPoints.Editor
             if (nowUtc < m_nextReport)
                 return;
             m_nextReport = nowUtc + s_reportAfter;
-            var refused = m_refused.ToArray();
-            m_refused.Clear();
+            var refused = m_pendingWrites.ToArray();
+            m_pendingWrites.Clear();
             foreach (var again in refused)
                 again();
             if (Queue.Problem != m_problem && Queue.Problem != null)
@@ -120,7 +120,7 @@ namespace FastPoints.Editor
         /// <param name="source">One cloud.</param>
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         /// <returns>The asset; null if it could not be made, which is logged.</returns>
-        public PointCloudAsset Take(string source, string folder)
+        public PointCloudAsset CreateAsset(string source, string folder)
         {
             try
             {
@@ -143,14 +143,14 @@ namespace FastPoints.Editor
         /// <summary>Does the same with several, as one cloud or as separate ones, which the user is asked once; in the next
         /// updates.</summary>
         /// <param name="place">Where they are shown; null for nowhere.</param>
-        internal void Take(IReadOnlyList<string> sources, string folder, DropPlace place) =>
+        internal void CreateAsset(IReadOnlyList<string> sources, string folder, DropTarget place) =>
             m_drops.Add(new CloudDrop(this, sources, folder, place));
 
         /// <summary>Whether dropped files are still being imported.</summary>
-        internal bool IsTaking => m_drops.Count > 0;
+        internal bool IsCreating => m_drops.Count > 0;
 
         /// <summary>Handles the import of point cloud files in <c>Assets</c>.</summary>
-        internal void TakePointFiles(IReadOnlyList<string> assets)
+        internal void CreatePointFileHandles(IReadOnlyList<string> assets)
         {
             // An asset is also reimported to show its picture: a cancelled conversion stays cancelled.
             if (m_isShowing || assets.Count == 0)
@@ -161,20 +161,21 @@ namespace FastPoints.Editor
                 if (request.State != ImportState.Failed)
                     known.Add(request.Asset);
             foreach (string asset in assets)
-                if (TakePointFile(asset) is { } request && !known.Contains(request.Asset))
+                if (CreatePointFileHandle(asset) is { } request && !known.Contains(request.Asset))
                     requests.Add(request);
             Queue.Add(requests);
         }
 
         /// <returns>A request to convert it, if it is to be converted at once.</returns>
-        ImportRequest TakePointFile(string asset)
+        ImportRequest CreatePointFileHandle(string asset)
         {
             var handle = OfPointFile(asset);
             if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
             {
                 if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
                     AddThumbnail(handle);
-                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request && !IsDeclined(request.Cloud)
+                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request &&
+                    !IsAutoConvertDisabled(request.Cloud)
                     ? request : null;
             }
             if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
@@ -199,9 +200,9 @@ namespace FastPoints.Editor
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {
-            MakePlace(Paths.Clouds);
+            CreateFolder(Paths.Clouds);
             if (CloudSources.IsConverted(cloud))
-                Transfers.Import(cloud, Paths, copy => Selection.activeObject = Take(copy, folder));
+                Transfers.Import(cloud, Paths, copy => Selection.activeObject = CreateAsset(copy, folder));
             else
                 Debug.LogError("FastPoints: " + cloud + ": wanted a converted cloud, a folder with " + StoreFormat.ManifestName);
         }
@@ -217,7 +218,7 @@ namespace FastPoints.Editor
                 try
                 {
                     var request = RequestFor(asset, HandleOf(asset));
-                    FileChanges.DeleteRemains(DeclinedPath(request.Cloud), () => false);
+                    FileChanges.TryDelete(AutoConvertMarkPath(request.Cloud), () => false);
                     requests.Add(request);
                 }
                 catch (PointCloudException e)
@@ -231,18 +232,18 @@ namespace FastPoints.Editor
         internal void Cancel(ImportRequest request)
         {
             Queue.Cancel(request);
-            Decline(request.Cloud);
+            DisableAutoConvert(request.Cloud);
         }
 
         /// <summary>Has a cloud not converted by itself any more, nor asked about, however often Unity imports its
         /// asset.</summary>
         /// <param name="cloud">Its folder, stored or absolute.</param>
-        internal void Decline(string cloud)
+        internal void DisableAutoConvert(string cloud)
         {
-            MakePlace(Paths.Clouds);
+            CreateFolder(Paths.Clouds);
             try
             {
-                TextFile.Write(DeclinedPath(cloud), "", false);
+                TextFile.Write(AutoConvertMarkPath(cloud), "", false);
             }
             catch (PointCloudException e)
             {
@@ -250,9 +251,9 @@ namespace FastPoints.Editor
             }
         }
 
-        internal bool IsDeclined(string cloud) => File.Exists(DeclinedPath(cloud));
+        internal bool IsAutoConvertDisabled(string cloud) => File.Exists(AutoConvertMarkPath(cloud));
 
-        string DeclinedPath(string cloud) => Path.ChangeExtension(Paths.Absolute(cloud), ".cancelled");
+        string AutoConvertMarkPath(string cloud) => Path.ChangeExtension(Paths.Absolute(cloud), ".cancelled");
 
         /// <summary>What an asset says of its cloud.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
@@ -269,7 +270,7 @@ namespace FastPoints.Editor
         /// files.</summary>
         internal void AddThumbnail(CloudHandle handle)
         {
-            MakePlace(Paths.Clouds);
+            CreateFolder(Paths.Clouds);
             string cloud = Paths.Absolute(handle.CloudPath);
             if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))
                 Thumbnails.Add(cloud);
@@ -298,7 +299,7 @@ namespace FastPoints.Editor
 
         internal ImportRequest RequestFor(string asset, CloudHandle handle)
         {
-            MakePlace(Paths.Clouds);
+            CreateFolder(Paths.Clouds);
             return new ImportRequest
             {
                 Asset = AssetDatabase.AssetPathToGUID(asset),
@@ -309,7 +310,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
-        internal void MakePlace(string place)
+        internal void CreateFolder(string place)
         {
             if (Directory.Exists(place) || !PointCloudImports.IsMainEditor)
                 return;
@@ -335,16 +336,16 @@ namespace FastPoints.Editor
         /// <summary>Names for new clouds, none of which another asset or request is waiting for.</summary>
         internal FreeNames NewTargets()
         {
-            var promised = new List<string>(Assets.Clouds);
-            promised.AddRange(Queue.Promised);
-            return Catalog.NewTargets(promised);
+            var reserved = new List<string>(Assets.Clouds);
+            reserved.AddRange(Queue.ReservedPaths);
+            return Catalog.NewTargets(reserved);
         }
 
         CloudHandle OfPointFile(string asset)
         {
             var handle = new CloudHandle { CloudPath = Paths.Stored(ProjectPaths.OfAsset(AssetDatabase.AssetPathToGUID(asset))) };
             handle.Sources.Add(asset);
-            handle.IsOctree = CloudSources.BringsOctree(asset);
+            handle.IsOctree = CloudSources.HasOctree(asset);
             try
             {
                 handle.Stamp = StampFile.Read(Paths.Absolute(handle.CloudPath));
@@ -404,7 +405,7 @@ namespace FastPoints.Editor
             }
             m_reported = null;
             if (session.Failure is PointCloudException known)
-                Debug.LogError("FastPoints: " + known.Story);
+                Debug.LogError("FastPoints: " + known.FullMessage);
             else if (session.Failure != null)
                 Debug.LogException(session.Failure);
             if (session.State != BuildState.Done)
@@ -415,7 +416,7 @@ namespace FastPoints.Editor
             // A copy of an asset has the same cloud.
             foreach (string user in new List<string>(Assets.Of(cloud)))
             {
-                Update(user, cloud, session, DateTime.UtcNow.AddMilliseconds(FileChanges.PatienceMs));
+                Update(user, cloud, session, DateTime.UtcNow.AddMilliseconds(FileChanges.RetryTimeoutMs));
                 Refresh(user);
             }
             Thumbnails.Add(cloud);
@@ -437,8 +438,8 @@ namespace FastPoints.Editor
             }
             catch (PointCloudException e)
             {
-                if (e.InnerException != null && FileChanges.MayPass(e.InnerException) && DateTime.UtcNow < untilUtc)
-                    m_refused.Add(() => Update(asset, cloud, session, untilUtc));
+                if (e.InnerException != null && FileChanges.IsTransient(e.InnerException) && DateTime.UtcNow < untilUtc)
+                    m_pendingWrites.Add(() => Update(asset, cloud, session, untilUtc));
                 else
                     Debug.LogError("FastPoints: " + e.Message);
             }
@@ -475,7 +476,7 @@ namespace FastPoints.Editor
             // Those of subscenes have no component.
             var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             if (shown != null)
-                PointCloudSystemGroup.Shown?.IsShown(shown.Paths.FullPath, true);
+                PointCloudSystemGroup.ObjectGroup?.IsShown(shown.Paths.FullPath, true);
             EditorApplication.QueuePlayerLoopUpdate();
         }
 

@@ -16,7 +16,7 @@ namespace FastPoints.Editor
         public static string Root =>
             Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } root ? root : instance.SourceRoot;
 
-        public void Keep(string root)
+        public void SetRoot(string root)
         {
             SourceRoot = root;
             Save(true);

@@ -12,27 +12,27 @@ namespace FastPoints.Editor
     /// those that are declined.</summary>
     internal sealed class MissingClouds : IDisposable
     {
-        const string Looked = "FastPoints.MissingClouds";
+        const string CheckedKey = "FastPoints.MissingClouds";
 
         /// <summary>More names would hide the rest of the Console.</summary>
-        const int MostNamed = 10;
+        const int MaxListed = 10;
 
         readonly EditorImports m_imports;
-        PoolWork<CloudList> m_looking;
+        PoolTask<CloudList> m_looking;
         CancellationTokenSource m_cancel;
         bool m_hasWarned;
 
         public MissingClouds(EditorImports imports) => m_imports = imports;
 
         /// <summary>Whether it may still ask.</summary>
-        internal bool IsLooking => m_looking != null || SessionState.GetString(Looked, "") == "";
+        internal bool IsSearching => m_looking != null || SessionState.GetString(CheckedKey, "") == "";
 
         /// <summary>Assets were imported: perhaps by a pull.</summary>
         public void Take(string[] imported)
         {
             if (Array.Exists(imported, asset => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase) &&
                 m_imports.Assets.All.ContainsKey(asset) && HasOtherData(asset)))
-                SessionState.EraseString(Looked);
+                SessionState.EraseString(CheckedKey);
         }
 
         /// <summary>Whether the data that a handle says are not in their place, as far as is known.</summary>
@@ -58,9 +58,9 @@ namespace FastPoints.Editor
                 return;
             if (m_looking == null)
             {
-                if (!IsLooking || m_imports.IsTaking || Application.isBatchMode)
+                if (!IsSearching || m_imports.IsCreating || Application.isBatchMode)
                     return;
-                SessionState.SetString(Looked, "yes");
+                SessionState.SetString(CheckedKey, "yes");
                 m_cancel = new CancellationTokenSource();
                 m_looking = CloudList.Begin(m_imports, false, m_cancel.Token);
             }
@@ -70,7 +70,7 @@ namespace FastPoints.Editor
                 m_looking = null;
                 try
                 {
-                    Ask(looked.Take());
+                    Prompt(looked.Take());
                 }
                 catch (PointCloudException e)
                 {
@@ -86,15 +86,15 @@ namespace FastPoints.Editor
                 return;
             m_cancel.Cancel();
             m_looking = null;
-            SessionState.EraseString(Looked);
+            SessionState.EraseString(CheckedKey);
         }
 
-        void Ask(CloudList list)
+        void Prompt(CloudList list)
         {
             // Who has the user decide on each conversion does not ask either.
             if (!FastPointsSettings.instance.ConvertAtOnce)
                 return;
-            var wanted = list.Wanted.FindAll(r => !m_imports.IsDeclined(r.Cloud));
+            var wanted = list.Wanted.FindAll(r => !m_imports.IsAutoConvertDisabled(r.Cloud));
             if (wanted.Count == 0)
             {
                 Warn(list.Lost);
@@ -109,7 +109,7 @@ namespace FastPoints.Editor
                 m_imports.Convert(wanted.ConvertAll(r => r.Asset));
             else
                 foreach (var row in wanted)
-                    m_imports.Decline(row.Cloud);
+                    m_imports.DisableAutoConvert(row.Cloud);
         }
 
         void Warn(List<CloudList.Row> lost)
@@ -117,9 +117,9 @@ namespace FastPoints.Editor
             if (lost.Count == 0 || m_hasWarned)
                 return;
             m_hasWarned = true;
-            var named = lost.GetRange(0, Math.Min(lost.Count, MostNamed)).ConvertAll(r => "\n" + r.Asset + ": " + r.Missing);
+            var named = lost.GetRange(0, Math.Min(lost.Count, MaxListed)).ConvertAll(r => "\n" + r.Asset + ": " + r.Missing);
             Debug.LogWarning("FastPoints: " + lost.Count + " point clouds have neither converted data nor their sources here. " +
-                "FastPoints > Clouds locates sources." + string.Concat(named) + (lost.Count > MostNamed ? "\n..." : ""));
+                "FastPoints > Clouds locates sources." + string.Concat(named) + (lost.Count > MaxListed ? "\n..." : ""));
         }
     }
 }

@@ -74,7 +74,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
-        internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.Keep(root));
+        internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.SetRoot(root));
 
         static void Update() => Current.Update(DateTime.UtcNow);
 

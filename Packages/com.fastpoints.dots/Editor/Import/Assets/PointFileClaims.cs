@@ -14,8 +14,8 @@ namespace FastPoints.Editor
     /// which the user is asked once: whether they came before the package or after it.</summary>
     internal sealed class PointFileClaims
     {
-        const string Looked = "FastPoints.PointFileClaims";
-        const int MostHeaderBytes = 64 << 10;
+        const string CheckedKey = "FastPoints.PointFileClaims";
+        const int MaxHeaderBytes = 64 << 10;
 
         readonly FastPointsSettings m_settings;
         readonly List<string> m_offered = new List<string>();
@@ -24,7 +24,7 @@ namespace FastPoints.Editor
         public PointFileClaims(FastPointsSettings settings) => (m_settings, m_before) = (settings, settings.PointFiles);
 
         /// <summary>Assets that were imported by another importer than ours.</summary>
-        public void Offer(List<string> assets)
+        public void Add(List<string> assets)
         {
             if (m_settings.PointFiles == PointFiles.Leave)
                 return;
@@ -37,11 +37,11 @@ namespace FastPoints.Editor
         /// changes.</summary>
         public void Update()
         {
-            if (m_before != m_settings.PointFiles || SessionState.GetString(Looked, "") == "")
+            if (m_before != m_settings.PointFiles || SessionState.GetString(CheckedKey, "") == "")
             {
-                SessionState.SetString(Looked, "yes");
+                SessionState.SetString(CheckedKey, "yes");
                 m_before = m_settings.PointFiles;
-                Look();
+                AddExisting();
             }
             if (m_offered.Count == 0 || m_settings.PointFiles != PointFiles.Ask || Application.isBatchMode)
                 return;
@@ -56,7 +56,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Offers the files that were there before.</summary>
-        public void Look() => Offer(new List<string>(AssetDatabase.GetAllAssetPaths()));
+        public void AddExisting() => Add(new List<string>(AssetDatabase.GetAllAssetPaths()));
 
         public static bool IsPointFile(string path) =>
             path.StartsWith("Assets/", StringComparison.Ordinal) && CloudSources.HasImportedExtension(path);
@@ -65,11 +65,11 @@ namespace FastPoints.Editor
         static bool IsUnclaimed(string path) => IsPointFile(path) &&
             !path.StartsWith("Assets/StreamingAssets/", StringComparison.OrdinalIgnoreCase) &&
             !path.StartsWith("Assets/Editor Default Resources/", StringComparison.OrdinalIgnoreCase) &&
-            AssetDatabase.GetImporterOverride(path) == null && !IsOthers(path, PointCloudImports.Paths.Absolute(path));
+            AssetDatabase.GetImporterOverride(path) == null && !IsForeign(path, PointCloudImports.Paths.Absolute(path));
 
         /// <summary>Whether another package's importer is responsible for a file, or it is a mesh.</summary>
         /// <param name="asset">Its path in the project, or what that would be.</param>
-        public static bool IsOthers(string asset, string file) =>
+        public static bool IsForeign(string asset, string file) =>
             typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(asset)) || HasFaces(file);
 
         /// <summary>Whether a PLY file is a mesh, by its header.</summary>
@@ -81,7 +81,7 @@ namespace FastPoints.Editor
             {
                 using var source = FileSource.Open(file);
                 // A file without a line end is not read to its own.
-                foreach (string line in Encoding.ASCII.GetString(source.ReadAtMost(0, MostHeaderBytes).Bytes).Split('\n', '\r'))
+                foreach (string line in Encoding.ASCII.GetString(source.ReadUpTo(0, MaxHeaderBytes).Bytes).Split('\n', '\r'))
                 {
                     if (line == "end_header")
                         return false;

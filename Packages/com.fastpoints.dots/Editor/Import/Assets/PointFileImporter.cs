@@ -44,8 +44,8 @@ namespace FastPoints.Editor
                     ours.Add(path);
                 else
                     unclaimed.Add(path);
-            PointCloudImports.Current.TakePointFiles(ours);
-            PointCloudImports.Current.Claims.Offer(unclaimed);
+            PointCloudImports.Current.CreatePointFileHandles(ours);
+            PointCloudImports.Current.Claims.Add(unclaimed);
         }
     }
 }

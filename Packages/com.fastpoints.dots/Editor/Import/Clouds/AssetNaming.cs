@@ -10,7 +10,7 @@ namespace FastPoints.Editor
     internal static class AssetNaming
     {
         /// <summary>Limit in UTF-8, without extension, that keeps paths in a project short.</summary>
-        public const int MostBytes = 100;
+        public const int MaxBytes = 100;
 
         const string Empty = "cloud";
         const string NotAllowed = "<>:\"/\\|?*";
@@ -23,7 +23,7 @@ namespace FastPoints.Editor
         };
 
         /// <summary>The nearest safe name: composed characters, none that a system forbids, no point, blank or tilde at an end,
-        /// not the name of a device, at most <see cref="MostBytes"/>.</summary>
+        /// not the name of a device, at most <see cref="MaxBytes"/>.</summary>
         public static string Safe(string name)
         {
             var text = new StringBuilder(name.Length);
@@ -58,7 +58,7 @@ namespace FastPoints.Editor
             {
                 int units = char.IsHighSurrogate(name[i]) ? 2 : 1;
                 bytes += units == 2 ? 4 : name[i] < 0x80 ? 1 : name[i] < 0x800 ? 2 : 3;
-                if (bytes > MostBytes)
+                if (bytes > MaxBytes)
                     return name.Substring(0, i);
                 i += units - 1;
             }

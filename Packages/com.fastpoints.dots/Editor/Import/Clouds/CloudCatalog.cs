@@ -41,7 +41,7 @@ namespace FastPoints.Editor
                 // While a cloud is rebuilt, the old one still exists.
                 if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     !(isPart && Directory.Exists(path)))
-                    m_clouds.Add(Look(path, folder, seen));
+                    m_clouds.Add(ReadFolder(path, folder, seen));
             }
             m_seen = seen;
             m_clouds.Sort((a, b) => string.CompareOrdinal(a.Path, b.Path));
@@ -54,7 +54,7 @@ namespace FastPoints.Editor
             string path = m_paths.Absolute(handle.CloudPath);
             cloud = m_clouds.Find(c => string.Equals(c.Path, path, StringComparison.OrdinalIgnoreCase));
             if (cloud == null && CloudFolder.IsCloud(path))
-                cloud = Look(path, CloudFolder.Find(path), new Dictionary<string, Seen>());
+                cloud = ReadFolder(path, CloudFolder.Find(path), new Dictionary<string, Seen>());
             if (cloud != null && cloud.IsBuilding)
                 return CatalogMatch.Building;
             if (cloud?.Manifest != null && (handle.CloudId == 0 || cloud.Manifest.CloudId == handle.CloudId))
@@ -69,10 +69,10 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Names for new clouds: none that a cloud or a build has already.</summary>
-        /// <param name="promised">Folders that belong to other clouds, even if they do not exist yet.</param>
-        public FreeNames NewTargets(IEnumerable<string> promised)
+        /// <param name="reserved">Folders that belong to other clouds, even if they do not exist yet.</param>
+        public FreeNames NewTargets(IEnumerable<string> reserved)
         {
-            var taken = new List<string>(promised);
+            var taken = new List<string>(reserved);
             foreach (string folder in FolderNames(m_paths.Clouds))
                 taken.Add(StoreFormat.FinishedPath(folder));
             return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
@@ -85,18 +85,18 @@ namespace FastPoints.Editor
             CloudFolderWriter.DeleteUnfinished(path);
             if (!Directory.Exists(path))
                 return;
-            StreamFiles.Leave(path);
+            StreamFiles.Release(path);
             FileChanges.BeginDelete(path, failure =>
             {
-                StreamFiles.Return(path);
+                StreamFiles.Reacquire(path);
                 if (failure != null)
                     Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
             });
-            FileChanges.DeleteRemains(StampFile.PathOf(path), () => false);
-            FileChanges.DeleteRemains(CloudThumbnails.PathOf(path), () => false);
+            FileChanges.TryDelete(StampFile.PathOf(path), () => false);
+            FileChanges.TryDelete(CloudThumbnails.PathOf(path), () => false);
         }
 
-        CatalogCloud Look(string path, string folder, Dictionary<string, Seen> seen)
+        CatalogCloud ReadFolder(string path, string folder, Dictionary<string, Seen> seen)
         {
             string manifest = Path.Combine(folder, StoreFormat.ManifestName);
             long written = File.GetLastWriteTimeUtc(manifest).Ticks;

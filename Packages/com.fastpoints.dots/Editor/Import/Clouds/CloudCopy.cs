@@ -77,11 +77,11 @@ namespace FastPoints.Editor
                 var buffer = new byte[PieceBytes];
                 foreach (string file in files)
                     CopyFile(file, Path.Combine(temporary, Path.GetRelativePath(m_from, file)), buffer);
-                FileChanges.Insist(() => FileChanges.MoveFolder(temporary, m_to), () => !m_cancellation.IsCancellationRequested);
+                FileChanges.Retry(() => FileChanges.MoveFolder(temporary, m_to), () => !m_cancellation.IsCancellationRequested);
             }
             catch (Exception e)
             {
-                FileChanges.DeleteRemains(temporary, () => !m_cancellation.IsCancellationRequested);
+                FileChanges.TryDelete(temporary, () => !m_cancellation.IsCancellationRequested);
                 if (FileFailures.IsFileFailure(e))
                     throw FileFailures.Writing(m_to, e);
                 throw;

@@ -16,7 +16,7 @@ namespace FastPoints.Editor
     {
         public const string Extension = ".pointcloud";
         const int Version = 1;
-        public const int MostWarnings = 20;
+        public const int MaxWarnings = 20;
         const string FormatName = "fastpoints-handle";
 
         /// <summary>The converted cloud's own id, which follows from its content; 0 until there is one.</summary>
@@ -45,7 +45,7 @@ namespace FastPoints.Editor
         public SourceStamp Stamp;
 
         /// <summary>What was wrong with the sources when they were converted, one line each; at most
-        /// <see cref="MostWarnings"/>.</summary>
+        /// <see cref="MaxWarnings"/>.</summary>
         public List<string> Warnings = new List<string>();
 
         /// <summary>The name of the format: "LAS", "PLY", ...</summary>
@@ -82,9 +82,9 @@ namespace FastPoints.Editor
         {
             Format = format;
             Warnings.Clear();
-            for (int i = 0; i < warnings.Count && i < MostWarnings; i++)
+            for (int i = 0; i < warnings.Count && i < MaxWarnings; i++)
                 // Leaves out the folder, which differs on the next machine.
-                Warnings.Add(i == MostWarnings - 1 && warnings.Count > MostWarnings ? warnings.Count - i + " more"
+                Warnings.Add(i == MaxWarnings - 1 && warnings.Count > MaxWarnings ? warnings.Count - i + " more"
                     : new CloudWarning(Path.GetFileName(warnings[i].Path), warnings[i].ByteOffset, warnings[i].Text).ToString());
         }
 
@@ -138,7 +138,7 @@ namespace FastPoints.Editor
             var json = JsonMembers.Parse(text, path);
             if (json.Text("format") != FormatName)
                 throw json.Wrong("format", "wanted \"" + FormatName + "\", got \"" + json.Text("format") + "\"");
-            json.NeedVersion(Version);
+            json.RequireVersion(Version);
             var bounds = json.ObjectOrNull("bounds");
             var stamp = json.ObjectOrNull("stamp");
             var handle = new CloudHandle

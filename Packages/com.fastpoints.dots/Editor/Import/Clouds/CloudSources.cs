@@ -19,8 +19,8 @@ namespace FastPoints.Editor
 
         /// <summary>Decides what to do with files that are dropped into a project's assets.</summary>
         /// <param name="paths">Absolute paths of files and folders.</param>
-        /// <param name="mostBytes">Of all files together, if they are to be copied.</param>
-        public static DropKind Of(IReadOnlyList<string> paths, ProjectPaths project, long mostBytes)
+        /// <param name="maxBytes">Of all files together, if they are to be copied.</param>
+        public static DropKind Of(IReadOnlyList<string> paths, ProjectPaths project, long maxBytes)
         {
             if (paths.Count == 0)
                 return DropKind.NotOurs;
@@ -31,11 +31,11 @@ namespace FastPoints.Editor
                 string stored = project.Stored(path);
                 if (stored.StartsWith("Assets/", StringComparison.Ordinal) ||
                     stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path) ||
-                    PointFileClaims.IsOthers("Assets/" + Path.GetFileName(path), path))
+                    PointFileClaims.IsForeign("Assets/" + Path.GetFileName(path), path))
                     return DropKind.NotOurs;
                 bool isImported = IsImported(path);
                 bytes += isImported ? new FileInfo(path).Length : 0;
-                if (!isImported || bytes > mostBytes)
+                if (!isImported || bytes > maxBytes)
                     kind = DropKind.Handle;
             }
             return kind;
@@ -52,7 +52,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Whether files contain an octree, by their names: COPC, Potree, EPT.</summary>
-        public static bool BringsOctree(string path) => File.Exists(path)
+        public static bool HasOctree(string path) => File.Exists(path)
             ? path.EndsWith(CopcExtension, StringComparison.OrdinalIgnoreCase)
             : SourceFolder.FindIndex(path) != null && IsCloud(path);
 

@@ -54,7 +54,7 @@ namespace FastPoints.Editor
                 foreach (string source in sources)
                     handle.Sources.Add(paths.Stored(source));
                 handle.IsFolder = sources.Count == 1 && Directory.Exists(sources[0]);
-                handle.IsOctree = sources.Count == 1 && CloudSources.BringsOctree(sources[0]);
+                handle.IsOctree = sources.Count == 1 && CloudSources.HasOctree(sources[0]);
                 if (opens)
                     Describe(handle, sources);
             }

@@ -15,7 +15,7 @@ namespace FastPoints.Editor
         readonly string m_sourceRoot;
 
         /// <summary>Unity scans these folders at every refresh, or deletes what is in them.</summary>
-        static readonly string[] s_unitysOwn =
+        static readonly string[] s_ownedByUnity =
         {
             "Assets", "Packages", "Library", "Temp", "Logs", "ProjectSettings", "UserSettings",
         };
@@ -47,7 +47,7 @@ namespace FastPoints.Editor
             }
             if (Inside(project).StartsWith(full, StringComparison.OrdinalIgnoreCase))
                 return "wanted a folder of its own, got one with the project in it: " + place;
-            foreach (string taken in s_unitysOwn)
+            foreach (string taken in s_ownedByUnity)
                 if (full.StartsWith(Inside(Path.Combine(project, taken)), StringComparison.OrdinalIgnoreCase))
                     return taken + " is Unity's own: " + place;
             return null;
@@ -71,8 +71,8 @@ namespace FastPoints.Editor
         public string StoredPlace(string path)
         {
             string full = Absolute(path), parent = Path.GetDirectoryName(Project);
-            string beside = parent == null || Path.GetDirectoryName(parent) == null ? null : Below(parent, full);
-            return (Below(Project, full) ?? (beside == null ? full : "../" + beside)).Replace(Path.DirectorySeparatorChar, '/');
+            string sibling = parent == null || Path.GetDirectoryName(parent) == null ? null : Below(parent, full);
+            return (Below(Project, full) ?? (sibling == null ? full : "../" + sibling)).Replace(Path.DirectorySeparatorChar, '/');
         }
 
         /// <returns>Null for a path that is not below the folder.</returns>

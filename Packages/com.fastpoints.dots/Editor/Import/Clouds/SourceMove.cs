@@ -22,14 +22,14 @@ namespace FastPoints.Editor
         /// <summary>Where a source is that has moved along; null for one that is where it was, or not there either.</summary>
         public string Find(string source)
         {
-            if (IsThere(source))
+            if (Exists(source))
                 return null;
             string to = source == m_from ? m_to : source.StartsWith(m_from + Path.DirectorySeparatorChar,
                 System.StringComparison.Ordinal)
                 ? m_to + source.Substring(m_from.Length) : null;
-            return to != null && IsThere(to) ? to : null;
+            return to != null && Exists(to) ? to : null;
         }
 
-        static bool IsThere(string path) => File.Exists(path) || Directory.Exists(path);
+        static bool Exists(string path) => File.Exists(path) || Directory.Exists(path);
     }
 }

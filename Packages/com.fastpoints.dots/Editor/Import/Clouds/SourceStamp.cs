@@ -123,7 +123,7 @@ namespace FastPoints.Editor
             if (file.Length == 0)
                 return Hash(Array.Empty<byte>());
             using var source = FileSource.Open(file.FullName);
-            return Hash(source.ReadAtMost(offset, EdgeBytes).Bytes);
+            return Hash(source.ReadUpTo(offset, EdgeBytes).Bytes);
         }
 
         static ulong Hash(byte[] bytes)

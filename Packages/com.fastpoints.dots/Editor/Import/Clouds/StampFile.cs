@@ -21,7 +21,7 @@ namespace FastPoints.Editor
             if (!File.Exists(path))
                 return null;
             var json = JsonMembers.Parse(StoreFile.ReadText(path), path);
-            json.NeedVersion(Version);
+            json.RequireVersion(Version);
             return SourceStamp.Read(json.ObjectOrNull("stamp") ?? throw json.Wrong("stamp", "missing"));
         }
 

@@ -18,9 +18,9 @@ namespace FastPoints.Editor
         readonly string m_target;
         readonly ConvertSettings m_settings;
         readonly Stopwatch m_watch = new Stopwatch();
-        PoolWork<PointReader> m_opening;
+        PoolTask<PointReader> m_opening;
         PointReader m_reader;
-        WorkPump m_pump;
+        JobCoroutine m_coroutine;
 
         /// <param name="sources">Files and folders that make one cloud.</param>
         /// <param name="target">The folder to make.</param>
@@ -30,7 +30,7 @@ namespace FastPoints.Editor
             m_target = target;
             m_settings = settings;
             m_settings.KeepUnfinished = true;
-            m_opening = PoolWork.Begin(target, () => Open(sources));
+            m_opening = PoolTask.Begin(target, () => Open(sources));
         }
 
         public BuildState State { get; private set; } = BuildState.Opening;
@@ -66,13 +66,13 @@ namespace FastPoints.Editor
 
         /// <summary>Follows what the editor does meanwhile.</summary>
         /// <param name="workers">See <see cref="ConvertSettings.Workers"/>.</param>
-        /// <param name="aheadMs">See <see cref="ConvertSettings.AheadMs"/>.</param>
-        public void Adapt(int workers, double aheadMs)
+        /// <param name="inFlightMs">See <see cref="ConvertSettings.InFlightMs"/>.</param>
+        public void Adapt(int workers, double inFlightMs)
         {
             m_settings.Workers = workers;
-            m_settings.AheadMs = aheadMs;
+            m_settings.InFlightMs = inFlightMs;
             if (m_reader != null)
-                m_reader.MostJobs = workers;
+                m_reader.MaxJobs = workers;
         }
 
         /// <summary>Works for about this long; call it once an update.</summary>
@@ -83,7 +83,7 @@ namespace FastPoints.Editor
             {
                 if (State == BuildState.Opening && m_opening.IsDone)
                     Begin();
-                if (State == BuildState.Building && m_pump.Tick(budgetMs))
+                if (State == BuildState.Building && m_coroutine.Tick(budgetMs))
                     End(BuildState.Done);
             }
             catch (Exception e)
@@ -141,7 +141,7 @@ namespace FastPoints.Editor
             m_opening = null;
             m_reader = opened.Take();
             Source = m_reader.Info;
-            m_pump = new WorkPump(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
+            m_coroutine = new JobCoroutine(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
             State = BuildState.Building;
             m_watch.Start();
         }
@@ -158,8 +158,8 @@ namespace FastPoints.Editor
         {
             State = state;
             m_watch.Stop();
-            m_pump?.Cancel();
-            m_reader ??= m_opening?.TakeIfSound();
+            m_coroutine?.Cancel();
+            m_reader ??= m_opening?.TakeOrDefault();
             m_opening = null;
             m_reader?.Dispose();
             m_reader = null;

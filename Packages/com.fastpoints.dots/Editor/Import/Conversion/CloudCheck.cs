@@ -10,14 +10,14 @@ namespace FastPoints.Editor
     /// thread.</summary>
     internal sealed class CloudCheck : IDisposable
     {
-        readonly WorkPump m_work;
+        readonly JobCoroutine m_work;
         readonly StageProgress m_progress = new StageProgress();
 
         /// <param name="path">Path of the folder.</param>
         public CloudCheck(string path)
         {
             Path = path;
-            m_work = new WorkPump(VerifyCloud.Run(path, Array.Empty<PointReader>(), Result, m_progress));
+            m_work = new JobCoroutine(VerifyCloud.Run(path, Array.Empty<PointReader>(), Result, m_progress));
         }
 
         public string Path { get; }

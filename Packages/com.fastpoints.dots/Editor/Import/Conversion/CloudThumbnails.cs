@@ -17,9 +17,9 @@ namespace FastPoints.Editor
 
         readonly Queue<string> m_order = new Queue<string>();
         readonly Dictionary<string, string[]> m_waiting = new Dictionary<string, string[]>();
-        PoolWork<ThumbnailDrawing> m_opening;
+        PoolTask<ThumbnailDrawing> m_opening;
         ThumbnailDrawing m_drawing;
-        PoolWork<string> m_writing;
+        PoolTask<string> m_writing;
         string m_current;
 
         /// <summary>Raised with a cloud's folder when its picture was written.</summary>
@@ -52,7 +52,7 @@ namespace FastPoints.Editor
                     EndWriting();
                 else if (m_opening != null)
                     EndOpening();
-                else if (m_drawing.Pump.Tick(budgetMs))
+                else if (m_drawing.Coroutine.Tick(budgetMs))
                     BeginWriting();
             }
             catch (Exception e)
@@ -61,7 +61,7 @@ namespace FastPoints.Editor
                 var failure = PointCloudException.Of(cloud, e);
                 End();
                 if (failure.Code == FailureCode.Unexpected)
-                    Debug.LogError("FastPoints: no picture of " + failure.Story);
+                    Debug.LogError("FastPoints: no picture of " + failure.FullMessage);
             }
         }
 
@@ -70,8 +70,8 @@ namespace FastPoints.Editor
         {
             m_waiting.Clear();
             m_order.Clear();
-            m_drawing ??= m_opening?.TakeIfSound();
-            m_writing?.TakeIfSound();
+            m_drawing ??= m_opening?.TakeOrDefault();
+            m_writing?.TakeOrDefault();
             End();
         }
 
@@ -88,7 +88,7 @@ namespace FastPoints.Editor
             string cloud = m_current = m_order.Dequeue();
             var sources = m_waiting[cloud];
             m_waiting.Remove(cloud);
-            m_opening = PoolWork.Begin(cloud,
+            m_opening = PoolTask.Begin(cloud,
                 () => sources == null ? ThumbnailDrawing.OfCloud(cloud) : ThumbnailDrawing.OfFiles(sources));
         }
 
@@ -105,7 +105,7 @@ namespace FastPoints.Editor
         {
             var image = m_drawing.Image;
             string path = PathOf(m_current);
-            m_writing = PoolWork.Begin(path, () => Write(path, image));
+            m_writing = PoolTask.Begin(path, () => Write(path, image));
         }
 
         void EndWriting()
@@ -133,7 +133,7 @@ namespace FastPoints.Editor
             {
                 Directory.CreateDirectory(Path.GetDirectoryName(path));
                 Png.Write(temporary, image);
-                FileChanges.Insist(() => FileChanges.Replace(temporary, path));
+                FileChanges.Retry(() => FileChanges.Replace(temporary, path));
                 return path;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))

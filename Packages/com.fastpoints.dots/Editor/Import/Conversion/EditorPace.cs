@@ -10,15 +10,15 @@ namespace FastPoints.Editor
 
         /// <summary>A slice is part of the interval that the next one is measured by: with less than one it cannot run
         /// away.</summary>
-        const double MostShare = 0.5;
-        const double MostMs = 250;
-        const double LeastAheadMs = 250;
-        const double MostAheadMs = 1000;
+        const double MaxShare = 0.5;
+        const double MaxMs = 250;
+        const double MinInFlightMs = 250;
+        const double MaxInFlightMs = 1000;
 
         DateTime m_before;
 
         /// <summary>How far apart updates may be: jobs are scheduled for so long.</summary>
-        public double AheadMs { get; private set; } = LeastAheadMs;
+        public double InFlightMs { get; private set; } = MinInFlightMs;
 
         /// <summary>Call it once an update.</summary>
         /// <param name="updateMs">What an update gets while the editor has the focus.</param>
@@ -27,9 +27,9 @@ namespace FastPoints.Editor
         {
             double intervalMs = m_before == default ? 0 : Math.Max(0, (nowUtc - m_before).TotalMilliseconds);
             m_before = nowUtc;
-            AheadMs = Math.Max(LeastAheadMs, Math.Min(MostAheadMs, 2 * intervalMs));
+            InFlightMs = Math.Max(MinInFlightMs, Math.Min(MaxInFlightMs, 2 * intervalMs));
             return isFocused ? updateMs
-                : Math.Max(updateMs, Math.Min(MostMs, intervalMs * Math.Min(MostShare, updateMs / FocusedMs)));
+                : Math.Max(updateMs, Math.Min(MaxMs, intervalMs * Math.Min(MaxShare, updateMs / FocusedMs)));
         }
     }
 }

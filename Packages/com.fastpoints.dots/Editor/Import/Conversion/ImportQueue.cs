@@ -18,7 +18,7 @@ namespace FastPoints.Editor
         public const string LockName = "imports.lock";
 
         /// <summary>An import that has ended the editor this often is not restarted automatically.</summary>
-        public const int MostAttempts = 3;
+        public const int MaxAttempts = 3;
 
         const int Version = 1;
         static readonly TimeSpan s_lookAgain = TimeSpan.FromSeconds(2);
@@ -28,7 +28,7 @@ namespace FastPoints.Editor
         readonly List<ImportRequest> m_requests = new List<ImportRequest>();
         FolderLock m_lock;
         ImportRequest m_running;
-        DateTime m_nextLook;
+        DateTime m_nextRefresh;
         bool m_isUnsaved;
 
         /// <param name="paths">The queue is kept beside the converted clouds.</param>
@@ -65,7 +65,7 @@ namespace FastPoints.Editor
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
 
         /// <summary>How often the file was written or deleted.</summary>
-        internal int Saves { get; private set; }
+        internal int SaveCount { get; private set; }
 
         /// <summary>Adds a request at the end and removes a waiting one of the same folder. A folder that is being made stays
         /// with its request.</summary>
@@ -76,7 +76,7 @@ namespace FastPoints.Editor
         {
             if (requests.Count == 0)
                 return;
-            m_nextLook = default;
+            m_nextRefresh = default;
             Append(requests);
             Save();
         }
@@ -85,7 +85,7 @@ namespace FastPoints.Editor
         internal IReadOnlyList<ImportRequest> Unsaved => m_lock == null && m_requests.Count > 0 ? m_requests : null;
 
         /// <summary>Folders that are targets of requests, even if they do not exist.</summary>
-        public IEnumerable<string> Promised
+        public IEnumerable<string> ReservedPaths
         {
             get
             {
@@ -107,9 +107,9 @@ namespace FastPoints.Editor
         {
             if (!HasLock(nowUtc))
                 return;
-            if (m_isUnsaved && nowUtc >= m_nextLook)
+            if (m_isUnsaved && nowUtc >= m_nextRefresh)
             {
-                m_nextLook = nowUtc + s_lookAgain;
+                m_nextRefresh = nowUtc + s_lookAgain;
                 Save();
             }
             if (IsHeld)
@@ -119,7 +119,7 @@ namespace FastPoints.Editor
             else if (Session.Tick(budgetMs))
                 End();
             if (m_requests.Count == 0 && !m_isUnsaved)
-                GiveBack();
+                ReleaseLock();
         }
 
         public void Pause(ImportRequest request)
@@ -170,7 +170,7 @@ namespace FastPoints.Editor
                 Save();
             }
             if (m_requests.Count == 0 && !m_isUnsaved)
-                GiveBack();
+                ReleaseLock();
         }
 
         /// <summary>Ends the running conversion before scripts are reloaded or the editor quits; the next queue of this folder
@@ -186,7 +186,7 @@ namespace FastPoints.Editor
                 m_running = null;
                 Save();
             }
-            GiveBack();
+            ReleaseLock();
         }
 
         public void Dispose() => Suspend();
@@ -204,9 +204,9 @@ namespace FastPoints.Editor
                 m_running = null;
                 m_requests.Clear();
             }
-            if (nowUtc < m_nextLook)
+            if (nowUtc < m_nextRefresh)
                 return false;
-            m_nextLook = nowUtc + s_lookAgain;
+            m_nextRefresh = nowUtc + s_lookAgain;
             if (m_requests.Count == 0 && !File.Exists(FilePath))
             {
                 Problem = null;
@@ -221,7 +221,7 @@ namespace FastPoints.Editor
             }
             catch (PointCloudException e)
             {
-                GiveBack();
+                ReleaseLock();
                 Problem = e.Message;
             }
             return m_lock != null;
@@ -270,7 +270,7 @@ namespace FastPoints.Editor
             {
                 if (request.State != ImportState.Running)
                     continue;
-                bool isHopeless = request.Attempts >= MostAttempts;
+                bool isHopeless = request.Attempts >= MaxAttempts;
                 request.State = isHopeless ? ImportState.Failed : ImportState.Waiting;
                 request.Failure = isHopeless ? "the editor ended " + request.Attempts + " times while this was imported" : null;
             }
@@ -298,7 +298,7 @@ namespace FastPoints.Editor
             try
             {
                 var json = JsonMembers.Parse(StoreFile.ReadText(FilePath), FilePath);
-                json.NeedVersion(Version);
+                json.RequireVersion(Version);
                 return json.Objects("requests").ConvertAll(ImportRequest.Read);
             }
             catch (PointCloudException e) when (e.Code == FailureCode.BadInput)
@@ -315,7 +315,7 @@ namespace FastPoints.Editor
         {
             if (m_lock == null)
                 return;
-            Saves++;
+            SaveCount++;
             try
             {
                 if (m_requests.Count == 0)
@@ -341,7 +341,7 @@ namespace FastPoints.Editor
             return json.EndArray().EndObject().ToString();
         }
 
-        void GiveBack()
+        void ReleaseLock()
         {
             m_lock?.Dispose();
             m_lock = null;

@@ -23,14 +23,14 @@ namespace FastPoints.Editor
         readonly IDisposable[] m_owned;
         readonly Func<RgbaImage> m_image;
 
-        ThumbnailDrawing(IEnumerator<Work> work, Func<RgbaImage> image, params IDisposable[] owned)
+        ThumbnailDrawing(IEnumerator<JobStep> work, Func<RgbaImage> image, params IDisposable[] owned)
         {
             m_image = image;
             m_owned = owned;
-            Pump = new WorkPump(work);
+            Coroutine = new JobCoroutine(work);
         }
 
-        public WorkPump Pump { get; }
+        public JobCoroutine Coroutine { get; }
 
         /// <summary>The picture, when the work is done.</summary>
         public RgbaImage Image => m_image();
@@ -60,7 +60,7 @@ namespace FastPoints.Editor
 
         public void Dispose()
         {
-            Pump.Cancel();
+            Coroutine.Cancel();
             foreach (var owned in m_owned)
                 owned.Dispose();
         }

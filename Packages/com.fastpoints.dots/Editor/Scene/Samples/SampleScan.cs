@@ -24,7 +24,7 @@ namespace FastPoints.Editor
 
         static readonly List<Action<PointCloudAsset>> s_waiting = new List<Action<PointCloudAsset>>();
         static readonly StageProgress s_stage = new StageProgress();
-        static WorkPump s_pump;
+        static JobCoroutine s_coroutine;
         static int s_progress;
 
         [MenuItem("Assets/Import sample point cloud", false, 21)]
@@ -44,7 +44,7 @@ namespace FastPoints.Editor
                 return;
             }
             s_waiting.Add(done);
-            if (s_pump == null)
+            if (s_coroutine == null)
                 Begin();
         }
 
@@ -55,16 +55,16 @@ namespace FastPoints.Editor
             string path = SourcePath;
             try
             {
-                PointCloudImports.Current.MakePlace(Path.GetDirectoryName(path));
+                PointCloudImports.Current.CreateFolder(Path.GetDirectoryName(path));
                 Directory.CreateDirectory(Path.GetDirectoryName(path));
             }
             catch (Exception e)
             {
-                Tell(e);
+                LogError(e);
                 s_waiting.Clear();
                 return;
             }
-            s_pump = new WorkPump(File.Exists(path) ? Nothing() : LasScan.Run(path, Points, Seed, progress: s_stage));
+            s_coroutine = new JobCoroutine(File.Exists(path) ? Nothing() : LasScan.Run(path, Points, Seed, progress: s_stage));
             s_progress = Progress.Start("Scan a street", null, Progress.Options.Managed);
             Progress.RegisterCancelCallback(s_progress, () =>
             {
@@ -76,24 +76,24 @@ namespace FastPoints.Editor
             EditorApplication.quitting += Cancel;
         }
 
-        static IEnumerator<Work> Nothing()
+        static IEnumerator<JobStep> Nothing()
         {
             yield break;
         }
 
-        static void Tell(Exception e) => Debug.LogError("FastPoints: " + PointCloudException.Of(SourcePath, e).Story);
+        static void LogError(Exception e) => Debug.LogError("FastPoints: " + PointCloudException.Of(SourcePath, e).FullMessage);
 
         static void Update()
         {
             bool isDone;
             try
             {
-                isDone = s_pump.Tick(UpdateMs);
+                isDone = s_coroutine.Tick(UpdateMs);
             }
             catch (Exception e)
             {
                 // Whatever it is: the next update would throw it again, and the next request would wait for ever.
-                Tell(e);
+                LogError(e);
                 Progress.Finish(s_progress, Progress.Status.Failed);
                 End();
                 return;
@@ -108,7 +108,7 @@ namespace FastPoints.Editor
             if (asset != null)
                 PointCloudImports.Current.Convert(AssetPath);
             else
-                asset = PointCloudImports.Current.Take(SourcePath, Path.GetDirectoryName(AssetPath));
+                asset = PointCloudImports.Current.CreateAsset(SourcePath, Path.GetDirectoryName(AssetPath));
             if (asset != null)
                 foreach (var done in waiting)
                     done(asset);
@@ -126,8 +126,8 @@ namespace FastPoints.Editor
             EditorApplication.update -= Update;
             AssemblyReloadEvents.beforeAssemblyReload -= Cancel;
             EditorApplication.quitting -= Cancel;
-            s_pump.Cancel();
-            s_pump = null;
+            s_coroutine.Cancel();
+            s_coroutine = null;
             s_waiting.Clear();
         }
     }

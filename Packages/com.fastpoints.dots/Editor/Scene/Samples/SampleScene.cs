@@ -18,14 +18,14 @@ namespace FastPoints.Editor
 
         /// <summary>Makes the scene and closes those that are open, which the user may save first.</summary>
         /// <param name="fill">Adds the content of the sample.</param>
-        public static void Make(Action<PointCloudAsset> fill)
+        public static void Create(Action<PointCloudAsset> fill)
         {
             // The scan takes a while, and the user may have started play mode by then.
             if (IsEditing())
                 SampleScan.Get(asset =>
                 {
                     if (IsEditing() && EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
-                        Make(asset, fill);
+                        Create(asset, fill);
                 });
         }
 
@@ -37,7 +37,7 @@ namespace FastPoints.Editor
             return !EditorApplication.isPlaying;
         }
 
-        static void Make(PointCloudAsset asset, Action<PointCloudAsset> fill)
+        static void Create(PointCloudAsset asset, Action<PointCloudAsset> fill)
         {
             EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
             Camera.main.transform.SetPositionAndRotation(s_eye, Quaternion.LookRotation(s_forward));

@@ -17,7 +17,7 @@ namespace FastPoints.Entities
         {
             // In edit mode, the world may not have been made yet.
             DefaultWorldInitialization.DefaultLazyEditModeInitialize();
-            m_world = PointCloudSystemGroup.Shown?.World ?? World.DefaultGameObjectInjectionWorld;
+            m_world = PointCloudSystemGroup.ObjectGroup?.World ?? World.DefaultGameObjectInjectionWorld;
             Value = Entity.Null;
             if (m_world == null)
             {
@@ -32,9 +32,9 @@ namespace FastPoints.Entities
         /// <returns>Whether the entity and its world still exist.</returns>
         public readonly bool TryGet(out EntityManager entities)
         {
-            bool isThere = Value != Entity.Null && m_world.IsCreated && m_world.EntityManager.Exists(Value);
-            entities = isThere ? m_world.EntityManager : default;
-            return isThere;
+            bool exists = Value != Entity.Null && m_world.IsCreated && m_world.EntityManager.Exists(Value);
+            entities = exists ? m_world.EntityManager : default;
+            return exists;
         }
 
         public void Destroy()

@@ -115,9 +115,9 @@ namespace FastPoints.Entities
         /// <summary>The space in which the cloud is shown and that the transform moves.</summary>
         public bool TryGetSpace(out UnitySpace space)
         {
-            bool isThere = m_entity.TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
-            space = isThere ? entities.GetComponentData<PointCloudSpace>(Entity).Value : default;
-            return isThere;
+            bool exists = m_entity.TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
+            space = exists ? entities.GetComponentData<PointCloudSpace>(Entity).Value : default;
+            return exists;
         }
 
         /// <summary>Looks for newer data on disk. What is shown stays until that is ready.</summary>
@@ -129,7 +129,7 @@ namespace FastPoints.Entities
                 return;
             }
             var file = entities.GetComponentData<PointCloudFile>(Entity);
-            file.LooksAgain = true;
+            file.NeedsRefresh = true;
             entities.SetComponentData(Entity, file);
         }
 
@@ -172,13 +172,13 @@ namespace FastPoints.Entities
         void Update()
         {
             // Undo, prefabs and animations change fields and parents without notice; others may end the entity or its world.
-            if (FindOrigin() || !IsAsOpened || HasCloud && !m_entity.TryGet(out _))
+            if (FindOrigin() || !IsUnchanged || HasCloud && !m_entity.TryGet(out _))
                 Reopen();
             if (Origin != null && m_cloud != null && !ReferenceEquals(m_comparedCrs, m_cloud.Crs))
                 Origin.Compare(this, m_comparedCrs = m_cloud.Crs);
             if (!m_entity.TryGet(out var entities))
                 return;
-            TellWhoseItIs(entities);
+            AssignOwner(entities);
             TransformMatrix.Set(entities, Entity, transform, ref m_placed);
             var layer = Layer;
             if (layer.IsSame(m_layer))
@@ -191,7 +191,7 @@ namespace FastPoints.Entities
             entities.World.GetExistingSystemManaged<PointCloudSystemGroup>();
 
         /// <summary>Not by a component: a copy of the entity is nobody's.</summary>
-        void TellWhoseItIs(EntityManager entities)
+        void AssignOwner(EntityManager entities)
         {
             var group = GroupOf(entities);
             if (group != null)
@@ -225,10 +225,10 @@ namespace FastPoints.Entities
 
         void Place(ref PointCloudFile file)
         {
-            if (Origin == null || !Origin.HasPlace)
+            if (Origin == null || !Origin.HasPosition)
                 return;
             file.HasOrigin = true;
-            file.OriginGeo = Origin.Place;
+            file.OriginGeo = Origin.PositionGeo;
         }
 
         /// <returns>Whether it is another than before.</returns>
@@ -253,7 +253,7 @@ namespace FastPoints.Entities
             return true;
         }
 
-        bool IsAsOpened => m_openedCloud == m_cloud && m_openedPath == (m_path ?? "") &&
+        bool IsUnchanged => m_openedCloud == m_cloud && m_openedPath == (m_path ?? "") &&
             m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses)) &&
             (m_cloud == null || m_openedUp == m_cloud.Up && m_openedUnitMetres == m_cloud.UnitMetres);
 
@@ -285,7 +285,7 @@ namespace FastPoints.Entities
             Place(ref file);
             entities.AddComponentData(Entity, file);
             paths.WriteTo(entities.AddBuffer<PointCloudPath>(Entity));
-            TellWhoseItIs(entities);
+            AssignOwner(entities);
         }
     }
 

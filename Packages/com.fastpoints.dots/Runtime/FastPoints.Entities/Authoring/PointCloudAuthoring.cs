@@ -42,7 +42,7 @@ namespace FastPoints.Entities
             file.Color = authoring.Color;
             file.Gradient = authoring.Gradient;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
-            if (TryGetPlace(out var place))
+            if (TryGetPosition(out var place))
                 (file.HasOrigin, file.OriginGeo) = (true, place);
             AddComponent(entity, file);
             paths.WriteTo(AddBuffer<PointCloudPath>(entity));
@@ -50,13 +50,13 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The place of an origin above. Until it has one, the first cloud beneath it decides, as in scenes.</summary>
-        bool TryGetPlace(out double3 place)
+        bool TryGetPosition(out double3 place)
         {
             var origin = GetComponentInParent<PointCloudOrigin>();
-            bool isThere = origin != null && origin.enabled;
-            place = isThere ? origin.Place : default;
-            if (!isThere || origin.HasPlace)
-                return isThere;
+            bool exists = origin != null && origin.enabled;
+            place = exists ? origin.PositionGeo : default;
+            if (!exists || origin.HasPosition)
+                return exists;
             foreach (var other in GetComponentsInChildren<PointCloudAuthoring>(origin))
                 if (other.Cloud != null && DependsOn(other.Cloud).TryGetSpace(out _, out var space))
                 {

@@ -45,10 +45,10 @@ namespace FastPoints.Entities
         internal static Action<PointCloudOrigin> Decided { get; set; }
 
         /// <summary>Whether there is a place; otherwise the clouds stay at their own origins.</summary>
-        public bool HasPlace => m_hasPlace;
+        public bool HasPosition => m_hasPlace;
 
         /// <summary>The place, georeferenced, in CRS units. Setting it moves all clouds at once.</summary>
-        public double3 Place
+        public double3 PositionGeo
         {
             get => m_place;
             set
@@ -78,14 +78,15 @@ namespace FastPoints.Entities
         /// <summary>Makes what lies at a position of the world now lie at this GameObject: all clouds move the other way, in
         /// double. With a floating origin, move everything else by the same, in the same frame.</summary>
         /// <param name="by">From this GameObject to that position, in the world's axes.</param>
-        public void Shift(double3 by) => Place = Space.ToGeo(math.mul(math.inverse(Linear(transform.localToWorldMatrix)), by));
+        public void Shift(double3 by) =>
+            PositionGeo = Space.ToGeo(math.mul(math.inverse(Linear(transform.localToWorldMatrix)), by));
 
         /// <summary>Does the same with all clouds of a world that have no GameObject, whatever their origins, and with those that
         /// come later, as of subscenes: they lie among the others.</summary>
         /// <param name="world">Null for the world that is shown.</param>
         public static void ShiftEntities(double3 by, World world = null)
         {
-            var group = world == null ? PointCloudSystemGroup.Shown
+            var group = world == null ? PointCloudSystemGroup.ObjectGroup
                 : world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
             if (group != null)
                 group.Shift += by;
@@ -121,14 +122,14 @@ namespace FastPoints.Entities
         void Update()
         {
             if (!m_hasPlace)
-                TakeFirst();
+                UseFirst();
             // Undo, prefabs and animations change fields without notice.
             else if (!m_shown.Equals(m_place))
                 Apply();
         }
 
         /// <summary>The first in the hierarchy decides, not the one that is opened first.</summary>
-        void TakeFirst()
+        void UseFirst()
         {
             foreach (var cloud in GetComponentsInChildren<PointCloud>(false))
                 if (AlignTo(cloud) || cloud.Error == null)
@@ -140,7 +141,7 @@ namespace FastPoints.Entities
         void Set(double3 place, UnitySpace space, string crs)
         {
             (m_scale, m_up, m_crs) = (space.Scale, space.Up, crs);
-            Place = place;
+            PositionGeo = place;
             Decided?.Invoke(this);
         }
 

@@ -43,7 +43,7 @@ namespace FastPoints.Entities
         {
             bool wasSearching = IsSearching, isDone = m_picker.Update(budgetMs);
             if (wasSearching && isDone && Pick.Point != null)
-                TakeSettings(EntityOf(Pick.Cloud));
+                ReadSettings(EntityOf(Pick.Cloud));
             return isDone;
         }
 
@@ -53,21 +53,21 @@ namespace FastPoints.Entities
         /// <summary>Where a picked point is now: its cloud may have been moved or reopened since.</summary>
         /// <param name="cloud">The cloud's entity when it was picked: see <see cref="EntityOf"/>.</param>
         /// <returns>The position in the world; if the cloud is no longer shown, where the point was picked.</returns>
-        public double3 PlaceOf(StreamPick pick, Entity cloud)
+        public double3 PositionOf(StreamPick pick, Entity cloud)
         {
             var shown = Group?.Stream == null ? null
                 : NumberOf(cloud) is int number ? Group.Stream.Clouds[number] : Shown(pick.Path);
-            return shown == null ? pick.Point.PlaceWorld : shown.Placement.OriginWorld + math.mul(shown.Placement.Linear,
-                pick.Point.PlaceGeo - shown.Source.Grid.ToGeo(shown.Source.Root.Corner));
+            return shown == null ? pick.Point.PositionWorld : shown.Placement.OriginWorld + math.mul(shown.Placement.Linear,
+                pick.Point.PositionGeo - shown.Source.Grid.ToGeo(shown.Source.Root.Corner));
         }
 
         public void Dispose() => m_picker.Dispose();
 
-        PointCloudSystemGroup Group => m_world == null ? PointCloudSystemGroup.Shown
+        PointCloudSystemGroup Group => m_world == null ? PointCloudSystemGroup.ObjectGroup
             : m_world.IsCreated ? m_world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
 
         /// <summary>Takes the unit and up axis that are set for a cloud.</summary>
-        void TakeSettings(Entity cloud)
+        void ReadSettings(Entity cloud)
         {
             if (cloud == Entity.Null)
                 return;
@@ -93,7 +93,7 @@ namespace FastPoints.Entities
         StreamedCloud Shown(string path)
         {
             foreach (var cloud in Group.Stream.Clouds)
-                if (cloud != null && !cloud.IsLeaving && StoreFormat.FinishedPath(cloud.Source.Path) == path)
+                if (cloud != null && !cloud.IsRemoving && StoreFormat.FinishedPath(cloud.Source.Path) == path)
                     return cloud;
             return null;
         }

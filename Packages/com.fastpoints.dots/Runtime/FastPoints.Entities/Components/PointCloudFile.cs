@@ -32,7 +32,7 @@ namespace FastPoints.Entities
 
         /// <summary>Set it if there may be newer data on disk: this is looked for, and what is shown stays until it is ready. It
         /// resets to false.</summary>
-        public bool LooksAgain;
+        public bool NeedsRefresh;
 
         /// <summary>The cloud's axis that points up: Z, if it is not set.</summary>
         public UpAxis Up
@@ -42,7 +42,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Whether a cloud opened as this says is as another says, but for its place.</summary>
-        internal readonly bool OpensLike(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&
+        internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&
             HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up && UnitMetres.Equals(other.UnitMetres) &&
             (other.HasOrigin || !HasOrigin);
     }

@@ -16,7 +16,7 @@ namespace FastPoints.Entities
         public int Page;
         public int Node;
 
-        /// <summary>The node's own points and those of its guests.</summary>
+        /// <summary>The node's own points and those of its inlined leaves.</summary>
         public int PointCount;
 
         /// <summary>Its slot in the stream's <see cref="Streaming.NodeCache"/>, and the slot's version.</summary>

@@ -11,7 +11,7 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     internal partial class AddCloudsSystem : StreamSystem
     {
-        readonly List<Entity> m_gone = new List<Entity>();
+        readonly List<Entity> m_removed = new List<Entity>();
         EntityQuery m_streamed;
 
         protected override void OnCreate()
@@ -26,51 +26,51 @@ namespace FastPoints.Entities
             int streamed = 0;
             foreach (var (entity, live) in Group.Live)
             {
-                bool isThere = EntityManager.HasComponent<PointCloudPlacement>(entity) &&
+                bool exists = EntityManager.HasComponent<PointCloudPlacement>(entity) &&
                     !EntityManager.HasComponent<Prefab>(entity);
-                if (live.Succession != null && !(isThere && EntityManager.HasComponent<StreamedPointCloud>(entity)))
+                if (live.Versions != null && !(exists && EntityManager.HasComponent<StreamedPointCloud>(entity)))
                     Remove(entity, live);
-                else if (live.Source != null && isThere && live.Succession == null &&
+                else if (live.Source != null && exists && live.Versions == null &&
                     !EntityManager.HasComponent<Disabled>(entity))
                     Add(entity, live);
-                if (live.Succession != null)
+                if (live.Versions != null)
                     Follow(entity, live);
                 else if (!EntityManager.Exists(entity))
-                    m_gone.Add(entity);
-                streamed += live.Succession != null ? 1 : 0;
+                    m_removed.Add(entity);
+                streamed += live.Versions != null ? 1 : 0;
             }
-            foreach (var entity in m_gone)
+            foreach (var entity in m_removed)
                 Group.Live.Remove(entity);
-            m_gone.Clear();
+            m_removed.Clear();
             if (m_streamed.CalculateEntityCount() != streamed)
-                Disown();
+                ClearOwners();
         }
 
         void Add(Entity entity, LiveCloud live)
         {
-            live.Succession = new CloudSuccession(Group.Stream);
-            live.Succession.Add(live.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value, live.Stage);
+            live.Versions = new CloudVersions(Group.Stream);
+            live.Versions.Add(live.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value, live.Stage);
             live.Source = null;
-            EntityManager.AddComponentData(entity, StreamedOf(live.Succession));
+            EntityManager.AddComponentData(entity, StreamedOf(live.Versions));
             SetLook(entity, live.Look);
         }
 
         void Follow(Entity entity, LiveCloud live)
         {
-            var succession = live.Succession;
+            var versions = live.Versions;
             int shown = EntityManager.GetComponentData<StreamedPointCloud>(entity).Number;
             if (live.Source != null)
                 TakeNext(entity, live);
-            succession.Update();
-            if (succession.Cloud != shown)
+            versions.Update();
+            if (versions.Cloud != shown)
                 Show(entity, live, shown);
             var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
-            placement.SeenBy = SeenBy(entity);
-            succession.Place(placement);
-            EntityManager.SetComponentData(entity, StreamedOf(succession));
+            placement.Visibility = VisibilityOf(entity);
+            versions.Place(placement);
+            EntityManager.SetComponentData(entity, StreamedOf(versions));
         }
 
-        CloudVisibility SeenBy(Entity entity)
+        CloudVisibility VisibilityOf(Entity entity)
         {
             var seen = new CloudVisibility { IsHidden = EntityManager.HasComponent<Disabled>(entity) };
             if (!EntityManager.HasComponent<PointCloudLayer>(entity))
@@ -84,19 +84,19 @@ namespace FastPoints.Entities
 
         void TakeNext(Entity entity, LiveCloud live)
         {
-            live.Succession.Add(live.Source, null, live.Stage);
+            live.Versions.Add(live.Source, null, live.Stage);
             live.Source = null;
             if (live.Look.HasValue)
-                live.Looks[live.Succession.Next] = live.Look.Value;
+                live.Looks[live.Versions.Next] = live.Look.Value;
             else if (EntityManager.HasComponent<PointCloudLook>(entity))
-                live.Looks[live.Succession.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
+                live.Looks[live.Versions.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
         }
 
         /// <summary>Shows another state from now on.</summary>
         /// <param name="before">The state shown so far, which may stay beside the new one.</param>
         void Show(Entity entity, LiveCloud live, int before)
         {
-            int shown = live.Succession.Cloud;
+            int shown = live.Versions.Cloud;
             if (live.Looks.TryGetValue(shown, out var look))
             {
                 live.Looks.Remove(shown);
@@ -113,17 +113,17 @@ namespace FastPoints.Entities
                 EntityManager.AddComponentData(entity, look.Value);
         }
 
-        static StreamedPointCloud StreamedOf(CloudSuccession states) => new StreamedPointCloud
+        static StreamedPointCloud StreamedOf(CloudVersions states) => new StreamedPointCloud
         {
             Number = states.Cloud,
-            Beside = states.Beside,
+            Preview = states.Preview,
             Next = states.Next,
         };
 
         void Remove(Entity entity, LiveCloud live)
         {
-            live.Succession.Remove();
-            live.Succession = null;
+            live.Versions.Remove();
+            live.Versions = null;
             live.Looks.Clear();
             // It may be gone without a trace, to another world.
             if (EntityManager.HasComponent<StreamedPointCloud>(entity))
@@ -131,11 +131,11 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Entities that came from another world or from a file do not stream what they streamed there.</summary>
-        void Disown()
+        void ClearOwners()
         {
             using var entities = m_streamed.ToEntityArray(Allocator.Temp);
             foreach (var entity in entities)
-                if (Group.Live.Find(entity)?.Succession == null)
+                if (Group.Live.Find(entity)?.Versions == null)
                     EntityManager.RemoveComponent<StreamedPointCloud>(entity);
         }
     }

@@ -18,7 +18,7 @@ namespace FastPoints.Entities
             if (scene.NextViews.Length > 0)
                 Group.Views.AddRange(scene.NextViews);
             else
-                Group.KeepViews();
+                Group.ReuseViews();
             scene.BeginFrame();
         }
     }

@@ -14,7 +14,7 @@ namespace FastPoints.Entities
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
         /// <summary>The most entities to make, to destroy, and to update; the rest waits for the next frame.</summary>
-        public int MostChanges;
+        public int MaxChanges;
 
         /// <summary>The slot to begin with, so that each has its turn.</summary>
         public NativeReference<int> First;
@@ -24,18 +24,18 @@ namespace FastPoints.Entities
         public NativeList<bool> IsDrawn;
 
         /// <summary>Entities of nodes that are gone.</summary>
-        public NativeList<Entity> Gone;
+        public NativeList<Entity> Removed;
 
         /// <summary>Slots whose nodes have no entity.</summary>
-        public NativeList<int> Come;
+        public NativeList<int> Added;
 
         /// <summary>Slots whose entities have a new state, which is in <see cref="Tracked"/> already.</summary>
         public NativeList<int> Changed;
 
         public void Execute()
         {
-            Gone.Clear();
-            Come.Clear();
+            Removed.Clear();
+            Added.Clear();
             Changed.Clear();
             if (Tracked.Length < Slots.Length)
                 Tracked.Resize(Slots.Length, NativeArrayOptions.ClearMemory);
@@ -59,24 +59,24 @@ namespace FastPoints.Entities
         {
             var cached = slot < Slots.Length ? Slots[slot] : default;
             ref var tracked = ref Tracked.ElementAt(slot);
-            bool isThere = cached.Phase != CachePhase.Free;
-            bool isSame = isThere && tracked.Version == cached.Version;
+            bool exists = cached.Phase != CachePhase.Free;
+            bool isSame = exists && tracked.Version == cached.Version;
             if (tracked.Entity != Entity.Null && !isSame)
             {
-                if (Gone.Length == MostChanges)
+                if (Removed.Length == MaxChanges)
                     return false;
-                Gone.Add(tracked.Entity);
+                Removed.Add(tracked.Entity);
                 tracked.Entity = Entity.Null;
             }
-            if (!isThere)
+            if (!exists)
                 return true;
             byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedNode.IsResident : 0) |
                 (IsDrawn[slot] ? TrackedNode.IsDrawn : 0));
             if (tracked.Entity == Entity.Null)
             {
-                if (Come.Length == MostChanges)
+                if (Added.Length == MaxChanges)
                     return false;
-                Come.Add(slot);
+                Added.Add(slot);
                 tracked.Version = cached.Version;
                 tracked.State = state;
                 // As a copy of the prefab is.
@@ -84,7 +84,7 @@ namespace FastPoints.Entities
             }
             else if (tracked.State != state)
             {
-                if (Changed.Length == MostChanges)
+                if (Changed.Length == MaxChanges)
                     return false;
                 tracked.Changes = (byte)(tracked.State ^ state);
                 tracked.State = state;

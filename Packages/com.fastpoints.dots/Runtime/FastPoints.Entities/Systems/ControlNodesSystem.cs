@@ -31,7 +31,7 @@ namespace FastPoints.Entities
             var cache = Group.Stream.Cache;
             foreach (var node in m_set)
             {
-                if (!cache.IsAlive(node.Slot, node.SlotVersion))
+                if (!cache.IsValid(node.Slot, node.SlotVersion))
                     continue;
                 cache.SetHidden(node.Slot, false);
                 cache.SetPinned(node.Slot, false);
@@ -80,7 +80,7 @@ namespace FastPoints.Entities
         /// <returns>Whether the node still exists.</returns>
         bool TrySet(NodeCache cache, PointCloudNode node)
         {
-            if (!cache.IsAlive(node.Slot, node.SlotVersion))
+            if (!cache.IsValid(node.Slot, node.SlotVersion))
                 return false;
             m_set.Add(node);
             return true;

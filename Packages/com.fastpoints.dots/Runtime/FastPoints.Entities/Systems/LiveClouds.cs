@@ -30,14 +30,14 @@ namespace FastPoints.Entities
         public CloudStage Stage;
 
         /// <summary>The states in the stream; null if there are none.</summary>
-        public CloudSuccession Succession;
+        public CloudVersions Versions;
 
-        /// <summary>How states that are not <see cref="CloudSuccession.Cloud"/> are coloured, by their number in the stream. The
+        /// <summary>How states that are not <see cref="CloudVersions.Cloud"/> are coloured, by their number in the stream. The
         /// entity's own look is that of the shown state.</summary>
         public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
 
         /// <summary>Gives a source, in place of one that the stream has not taken.</summary>
-        public void Give(NodeSource source, PointCloudLook? look, CloudStage stage)
+        public void SetSource(NodeSource source, PointCloudLook? look, CloudStage stage)
         {
             DropSource();
             (Source, Look, Stage) = (source, look, stage);
@@ -79,7 +79,7 @@ namespace FastPoints.Entities
         public Entity Showing(int number)
         {
             foreach (var (entity, live) in m_all)
-                if (live.Succession != null && live.Succession.Cloud == number)
+                if (live.Versions != null && live.Versions.Cloud == number)
                     return entity;
             return Entity.Null;
         }

@@ -21,7 +21,7 @@ namespace FastPoints.Entities
         /// <summary>Main-thread time in each frame for all previews together.</summary>
         const double BudgetMs = 2;
 
-        readonly List<OpenedCloud> m_leaving = new List<OpenedCloud>();
+        readonly List<OpenedCloud> m_removing = new List<OpenedCloud>();
         EntityQuery m_files;
 
         protected override void OnCreate()
@@ -36,20 +36,20 @@ namespace FastPoints.Entities
             if (!m_files.IsEmpty)
                 Begin();
             UpdateOpened();
-            for (int i = m_leaving.Count - 1; i >= 0; i--)
+            for (int i = m_removing.Count - 1; i >= 0; i--)
             {
-                if (!m_leaving[i].IsOpen)
+                if (!m_removing[i].IsOpen)
                     continue;
-                m_leaving[i].Dispose();
-                m_leaving.RemoveAt(i);
+                m_removing[i].Dispose();
+                m_removing.RemoveAt(i);
             }
         }
 
         protected override void OnDestroy()
         {
-            foreach (var leaving in m_leaving)
-                leaving.Dispose();
-            m_leaving.Clear();
+            foreach (var removing in m_removing)
+                removing.Dispose();
+            m_removing.Clear();
             base.OnDestroy();
         }
 
@@ -61,8 +61,8 @@ namespace FastPoints.Entities
                 var file = EntityManager.GetComponentData<PointCloudFile>(entity);
                 var paths = PointCloudPaths.BytesOf(EntityManager.GetBuffer<PointCloudPath>(entity, true));
                 var live = Group.Live.Of(entity);
-                bool isOpened = live.Opened != null, isSame = isOpened && live.Opened.IsLike(file, paths);
-                if (isSame && (live.Error == null || !file.LooksAgain))
+                bool isOpened = live.Opened != null, isSame = isOpened && live.Opened.Matches(file, paths);
+                if (isSame && (live.Error == null || !file.NeedsRefresh))
                 {
                     Move(entity, file, live.Opened);
                     continue;
@@ -75,14 +75,14 @@ namespace FastPoints.Entities
                     live.Error = null;
                     continue;
                 }
-                bool isNew = live.Error == null && live.Source == null && live.Succession == null;
-                if (paths.Length == 0 || paths[0] == 0 || !isOpened && !isNew && !file.LooksAgain)
+                bool isNew = live.Error == null && live.Source == null && live.Versions == null;
+                if (paths.Length == 0 || paths[0] == 0 || !isOpened && !isNew && !file.NeedsRefresh)
                     continue;
                 live.Error = null;
                 if (!TryOpen(live, file, paths))
                     continue;
-                if (file.LooksAgain)
-                    Looked(entity, file);
+                if (file.NeedsRefresh)
+                    ClearRefresh(entity, file);
                 Move(entity, file, live.Opened);
             }
         }
@@ -107,7 +107,7 @@ namespace FastPoints.Entities
         /// <param name="hides">Whether what is shown of it goes.</param>
         void End(Entity entity, LiveCloud live, bool hides)
         {
-            m_leaving.Add(live.Opened);
+            m_removing.Add(live.Opened);
             live.Opened = null;
             if (!hides)
                 return;
@@ -118,9 +118,9 @@ namespace FastPoints.Entities
             EntityManager.RemoveComponent<PointCloudLook>(entity);
         }
 
-        void Looked(Entity entity, PointCloudFile file)
+        void ClearRefresh(Entity entity, PointCloudFile file)
         {
-            file.LooksAgain = false;
+            file.NeedsRefresh = false;
             EntityManager.SetComponentData(entity, file);
         }
 
@@ -171,10 +171,10 @@ namespace FastPoints.Entities
             var opened = live.Opened;
             try
             {
-                if (file.LooksAgain)
+                if (file.NeedsRefresh)
                 {
                     opened.Refresh();
-                    Looked(entity, file);
+                    ClearRefresh(entity, file);
                 }
                 opened.Update(budgetMs);
                 if (opened.Newest != null)
@@ -182,9 +182,9 @@ namespace FastPoints.Entities
                     Group.Wake();
                     Take(entity, live, file);
                 }
-                if (opened.IsBuildGone)
-                    live.Succession?.Withdraw();
-                Group.IsOpening |= !opened.IsAtRest;
+                if (opened.IsBuildAborted)
+                    live.Versions?.DropBuild();
+                Group.IsOpening |= !opened.IsIdle;
                 Group.IsFollowing |= opened.IsFollowed;
             }
             catch (Exception e)
@@ -192,7 +192,7 @@ namespace FastPoints.Entities
                 // Any exception ends this cloud, but not the update of the others.
                 var failure = PointCloudException.Of(opened.Path, e);
                 live.Error = failure.Message;
-                Group.Stream.Report(new StreamFailure(opened.Path, -1, "cannot be opened: " + failure.Story));
+                Group.Stream.Report(new StreamFailure(opened.Path, -1, "cannot be opened: " + failure.FullMessage));
                 opened.Dispose();
             }
         }
@@ -200,12 +200,12 @@ namespace FastPoints.Entities
         /// <summary>Takes one state after the other: the next one only when the one before is shown.</summary>
         void Take(Entity entity, LiveCloud live, in PointCloudFile file)
         {
-            if (live.Source != null || live.Succession != null && !live.Succession.IsCurrent)
+            if (live.Source != null || live.Versions != null && !live.Versions.IsCurrent)
                 return;
             var facts = live.Opened.Newest;
             var taken = live.Opened.Take(file);
-            live.Give(taken.Source, taken.Look, taken.Stage);
-            if (live.Succession == null)
+            live.SetSource(taken.Source, taken.Look, taken.Stage);
+            if (live.Versions == null)
                 Place(entity, facts, file, live.Opened.Shift);
         }
 

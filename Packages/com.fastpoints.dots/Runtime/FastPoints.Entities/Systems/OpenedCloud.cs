@@ -11,9 +11,9 @@ namespace FastPoints.Entities
     /// then stepped on the main thread.</summary>
     sealed class OpenedCloud : IDisposable
     {
-        PoolWork<CloudFeed> m_opening;
+        PoolTask<CloudFeed> m_opening;
         CloudFeed m_feed;
-        DisplayRanges m_rangesWithoutStrays;
+        DisplayRanges m_rangesWithoutOutliers;
         readonly byte[] m_paths;
 
         /// <param name="paths">What the entity's <see cref="PointCloudPath"/> has.</param>
@@ -24,7 +24,7 @@ namespace FastPoints.Entities
             var parsed = PointCloudPaths.Of(paths);
             string path = Path = parsed.FullPath;
             string[] sources = parsed.FullSources();
-            m_opening = PoolWork.Begin(path, () => CloudFeeds.Open(path, sources));
+            m_opening = PoolTask.Begin(path, () => CloudFeeds.Open(path, sources));
         }
 
         /// <summary>The component's values that are applied: users and live baking change them.</summary>
@@ -42,12 +42,12 @@ namespace FastPoints.Entities
         public bool IsOpen => m_opening == null || m_opening.IsDone;
 
         /// <summary>Whether updates change nothing until somebody asks, or a second is over.</summary>
-        public bool IsAtRest => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsAtRest);
+        public bool IsIdle => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsIdle);
 
         /// <summary>Whether newer states are expected.</summary>
         public bool IsFollowed => m_feed != null && !m_feed.IsEnded;
 
-        public bool IsBuildGone => m_feed != null && m_feed.IsBuildGone;
+        public bool IsBuildAborted => m_feed != null && m_feed.IsBuildAborted;
 
         /// <summary>The state that can be taken; null for none.</summary>
         public CloudFacts Newest => m_feed?.Newest;
@@ -65,8 +65,8 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Whether it was opened as this says, but for its place.</summary>
-        public bool IsLike(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
-            As.OpensLike(file) && paths.SequenceEqual(m_paths);
+        public bool Matches(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
+            As.OpensSameAs(file) && paths.SequenceEqual(m_paths);
 
         public void Refresh() => m_feed?.Refresh();
 
@@ -77,7 +77,7 @@ namespace FastPoints.Entities
             var facts = m_feed.Newest;
             var mode = facts.Ranges.Resolve(file.Color);
             var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
-            var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).Along(file.Up),
+            var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).WithUp(file.Up),
                 taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
             var look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
             return (taken, look, facts.Stage);
@@ -86,7 +86,7 @@ namespace FastPoints.Entities
         /// <summary>Waits for headers being read and for slices that are running.</summary>
         public void Dispose()
         {
-            m_feed ??= m_opening?.TakeIfSound();
+            m_feed ??= m_opening?.TakeOrDefault();
             m_opening = null;
             m_feed?.Dispose();
             m_feed = null;
@@ -95,10 +95,10 @@ namespace FastPoints.Entities
         /// <summary>States after a preview keep its colour ranges, so that colours do not change.</summary>
         DisplayRanges RangesFor(CloudFacts facts, ColorMode wanted, ColorMode mode)
         {
-            if (!facts.RangesHaveStrays)
-                m_rangesWithoutStrays = facts.Ranges;
-            bool isKnownBetter = m_rangesWithoutStrays != null && m_rangesWithoutStrays.Resolve(wanted) == mode;
-            return isKnownBetter ? m_rangesWithoutStrays : facts.Ranges;
+            if (!facts.RangesHaveOutliers)
+                m_rangesWithoutOutliers = facts.Ranges;
+            bool isKnownBetter = m_rangesWithoutOutliers != null && m_rangesWithoutOutliers.Resolve(wanted) == mode;
+            return isKnownBetter ? m_rangesWithoutOutliers : facts.Ranges;
         }
     }
 }

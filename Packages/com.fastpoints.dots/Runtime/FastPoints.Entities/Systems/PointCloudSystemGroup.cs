@@ -37,7 +37,7 @@ namespace FastPoints.Entities
     {
         /// <summary>The group rests after this many frames without reads and uploads: a dropped node is requested again within
         /// them.</summary>
-        const int FramesToRest = 40;
+        const int FramesToIdle = 40;
 
         /// <summary>Bytes of graphics memory without a <see cref="PointCloudBudget"/>; changes apply from the next frame on. An
         /// editor sets it from the project's settings.</summary>
@@ -48,11 +48,11 @@ namespace FastPoints.Entities
         /// <summary>The world whose clouds are streamed and drawn, those of GameObjects too. Null for the first that has clouds;
         /// GameObjects prefer the default world, unless it draws nothing, as a server's. Other worlds' clouds wait until it ends.
         /// Set it before clouds are shown.</summary>
-        public static World ShownWorld { get; set; }
+        public static World ObjectWorld { get; set; }
 
         NativeList<StreamView> m_views;
         NativeList<StreamView> m_lastViews;
-        int m_quietFrames;
+        int m_idleFrames;
         EntityQuery m_files;
         bool m_cannotDraw;
         FrameStats m_stats;
@@ -62,11 +62,11 @@ namespace FastPoints.Entities
         public StreamContext Stream { get; private set; }
 
         /// <summary>The group of the world that GameObjects' clouds are in; null if no world has one.</summary>
-        internal static PointCloudSystemGroup Shown
+        internal static PointCloudSystemGroup ObjectGroup
         {
             get
             {
-                var chosen = ShownWorld != null && ShownWorld.IsCreated ? ShownWorld : null;
+                var chosen = ObjectWorld != null && ObjectWorld.IsCreated ? ObjectWorld : null;
                 PointCloudSystemGroup found = null;
                 foreach (var group in s_all)
                     if (chosen != null ? group.World == chosen : group.Scene != null)
@@ -100,14 +100,14 @@ namespace FastPoints.Entities
 
         /// <summary>Whether another frame would change something: clouds are being opened, nodes are in flight, or a camera has
         /// moved. In edit mode, frames only come on request.</summary>
-        public bool WantsFrame
+        public bool NeedsFrame
         {
             get
             {
                 if (Stream == null)
-                    return MayBegin;
+                    return CanBegin;
                 // A look at a folder needs frames until it ends, and no more after it.
-                return m_quietFrames < FramesToRest || IsOpening || Scene != null && HasMoved(Scene.NextViews);
+                return m_idleFrames < FramesToIdle || IsOpening || Scene != null && HasMoved(Scene.NextViews);
             }
         }
 
@@ -129,7 +129,7 @@ namespace FastPoints.Entities
         /// <param name="look">What becomes the entity's <see cref="PointCloudLook"/> when the source is shown; null keeps the
         /// current one.</param>
         public void SetSource(Entity cloud, NodeSource source, PointCloudLook? look = null,
-            CloudStage stage = CloudStage.Whole) => Live.Of(cloud).Give(source, look, stage);
+            CloudStage stage = CloudStage.Whole) => Live.Of(cloud).SetSource(source, look, stage);
 
         protected override void OnCreate()
         {
@@ -149,16 +149,16 @@ namespace FastPoints.Entities
             m_lastViews.Clear();
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
-            bool isBusy = m_stats.ReadsUnderWay > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
-                Stream.Uploads.IsUnderWay || Stream.HasLeaving || Stream.IsReadingHierarchy;
-            m_quietFrames = isBusy ? 0 : m_quietFrames + 1;
+            bool isBusy = m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
+                Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy;
+            m_idleFrames = isBusy ? 0 : m_idleFrames + 1;
         }
 
         protected override void OnDestroy()
         {
             s_all.Remove(this);
-            if (ShownWorld == World)
-                ShownWorld = null;
+            if (ObjectWorld == World)
+                ObjectWorld = null;
             Live.Dispose();
             Scene?.Dispose();
             Scene = null;
@@ -173,7 +173,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Has frames go on, as something changes that they do not see.</summary>
-        internal void Wake() => m_quietFrames = 0;
+        internal void Wake() => m_idleFrames = 0;
 
         /// <summary>Whether a cloud that is a file is to be found in this folder.</summary>
         /// <param name="looks">Whether all such look for newer data on disk, with the next frame.</param>
@@ -188,39 +188,39 @@ namespace FastPoints.Entities
                 if (!looks)
                     continue;
                 var file = EntityManager.GetComponentData<PointCloudFile>(entity);
-                file.LooksAgain = true;
+                file.NeedsRefresh = true;
                 EntityManager.SetComponentData(entity, file);
             }
             return isShown;
         }
 
         /// <summary>Takes the cameras of the last frame again.</summary>
-        internal void KeepViews() => m_views.AddRange(m_lastViews.AsArray());
+        internal void ReuseViews() => m_views.AddRange(m_lastViews.AsArray());
 
         unsafe bool HasMoved(NativeArray<StreamView> next) => next.Length > 0 && (next.Length != m_lastViews.Length ||
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
                 (long)next.Length * sizeof(StreamView)) != 0);
 
         /// <summary>Two worlds of clients may have the same clouds: one of them shows them.</summary>
-        bool MayBegin => !m_cannotDraw && !m_files.IsEmpty && PointScene.Current == null &&
-            (ShownWorld == null || !ShownWorld.IsCreated || ShownWorld == World);
+        bool CanBegin => !m_cannotDraw && !m_files.IsEmpty && PointScene.Current == null &&
+            (ObjectWorld == null || !ObjectWorld.IsCreated || ObjectWorld == World);
 
         /// <summary>Begins with the first cloud: a world without clouds takes no memory.</summary>
         bool TryBegin()
         {
-            if (!MayBegin)
+            if (!CanBegin)
                 return false;
             // A server, or an editor without graphics.
             m_cannotDraw = SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null;
             if (m_cannotDraw)
                 return false;
             var resources = PointCloudResources.Load();
-            string whyNot = resources == null ? "the package's " + PointCloudResources.Path + " is not there"
-                : GraphicsNodePool.WhyNot;
-            if (whyNot != null)
+            string reason = resources == null ? "the package's " + PointCloudResources.Path + " is not there"
+                : GraphicsNodePool.UnsupportedReason;
+            if (reason != null)
             {
                 m_cannotDraw = true;
-                Debug.LogWarning("Point clouds are not drawn: " + whyNot);
+                Debug.LogWarning("Point clouds are not drawn: " + reason);
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));

@@ -41,11 +41,11 @@ namespace FastPoints.Entities
         /// <summary>Shows other states of a cloud that are drawn with it.</summary>
         void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud)
         {
-            if (cloud.Beside == CloudSuccession.None && cloud.Next == CloudSuccession.None)
+            if (cloud.Preview == CloudVersions.None && cloud.Next == CloudVersions.None)
                 return;
             var looks = Group.Live.Of(entity).Looks;
-            if (looks.TryGetValue(cloud.Beside, out var beside))
-                scene.SetLook(cloud.Beside, beside.Value);
+            if (looks.TryGetValue(cloud.Preview, out var preview))
+                scene.SetLook(cloud.Preview, preview.Value);
             if (looks.TryGetValue(cloud.Next, out var next))
                 scene.SetLook(cloud.Next, next.Value);
         }

@@ -12,7 +12,7 @@ namespace FastPoints.Entities
     internal unsafe partial class TrackNodesSystem : StreamSystem
     {
         /// <summary>The most entities that one frame makes, destroys, and updates.</summary>
-        internal const int MostChanges = 512;
+        internal const int MaxChanges = 512;
 
         /// <summary>A node that was just requested: copies need little more than its place.</summary>
         Entity m_prefab;
@@ -21,8 +21,8 @@ namespace FastPoints.Entities
         NativeReference<int> m_first;
         NativeList<TrackedNode> m_tracked;
         NativeList<bool> m_isDrawn;
-        NativeList<Entity> m_gone;
-        NativeList<int> m_come;
+        NativeList<Entity> m_removed;
+        NativeList<int> m_added;
         NativeList<int> m_changed;
         NativeList<Entity> m_made;
         NativeList<Entity> m_entityOfCloud;
@@ -34,10 +34,10 @@ namespace FastPoints.Entities
             m_first = new NativeReference<int>(Allocator.Persistent);
             m_tracked = new NativeList<TrackedNode>(1024, Allocator.Persistent);
             m_isDrawn = new NativeList<bool>(1024, Allocator.Persistent);
-            m_gone = new NativeList<Entity>(MostChanges, Allocator.Persistent);
-            m_come = new NativeList<int>(MostChanges, Allocator.Persistent);
+            m_removed = new NativeList<Entity>(MaxChanges, Allocator.Persistent);
+            m_added = new NativeList<int>(MaxChanges, Allocator.Persistent);
             m_changed = new NativeList<int>(1024, Allocator.Persistent);
-            m_made = new NativeList<Entity>(MostChanges, Allocator.Persistent);
+            m_made = new NativeList<Entity>(MaxChanges, Allocator.Persistent);
             m_entityOfCloud = new NativeList<Entity>(Allocator.Persistent);
         }
 
@@ -52,19 +52,19 @@ namespace FastPoints.Entities
             {
                 Slots = isWanted ? slots : slots.GetSubArray(0, 0),
                 Drawn = isWanted ? drawn : drawn.GetSubArray(0, 0),
-                MostChanges = MostChanges,
+                MaxChanges = MaxChanges,
                 First = m_first,
                 Tracked = m_tracked,
                 IsDrawn = m_isDrawn,
-                Gone = m_gone,
-                Come = m_come,
+                Removed = m_removed,
+                Added = m_added,
                 Changed = m_changed,
             }.Run();
-            if (m_gone.Length > 0)
-                EntityManager.DestroyEntity(m_gone.AsArray());
-            if (m_come.Length > 0)
-                Make();
-            m_count += m_come.Length - m_gone.Length;
+            if (m_removed.Length > 0)
+                EntityManager.DestroyEntity(m_removed.AsArray());
+            if (m_added.Length > 0)
+                CreateEntities();
+            m_count += m_added.Length - m_removed.Length;
             for (int i = 0; i < m_changed.Length; i++)
                 UpdateEntity(m_tracked[m_changed[i]]);
         }
@@ -74,24 +74,24 @@ namespace FastPoints.Entities
             m_tracked.Dispose();
             m_first.Dispose();
             m_isDrawn.Dispose();
-            m_gone.Dispose();
-            m_come.Dispose();
+            m_removed.Dispose();
+            m_added.Dispose();
             m_changed.Dispose();
             m_made.Dispose();
             m_entityOfCloud.Dispose();
             base.OnDestroy();
         }
 
-        void Make()
+        void CreateEntities()
         {
             FindClouds();
             if (!EntityManager.Exists(m_prefab))
                 MakePrefab();
-            m_made.ResizeUninitialized(m_come.Length);
+            m_made.ResizeUninitialized(m_added.Length);
             EntityManager.Instantiate(m_prefab, m_made.AsArray());
-            for (int i = 0; i < m_come.Length; i++)
+            for (int i = 0; i < m_added.Length; i++)
             {
-                int slot = m_come[i];
+                int slot = m_added[i];
                 var entity = m_made[i];
                 ref var tracked = ref m_tracked.ElementAt(slot);
                 tracked.Entity = entity;
@@ -151,13 +151,13 @@ namespace FastPoints.Entities
                 m_entityOfCloud.Add(Entity.Null);
             foreach (var (entity, live) in Group.Live)
             {
-                if (live.Succession == null)
+                if (live.Versions == null)
                     continue;
-                m_entityOfCloud[live.Succession.Cloud] = entity;
-                if (live.Succession.Beside != CloudSuccession.None)
-                    m_entityOfCloud[live.Succession.Beside] = entity;
-                if (live.Succession.Next != CloudSuccession.None)
-                    m_entityOfCloud[live.Succession.Next] = entity;
+                m_entityOfCloud[live.Versions.Cloud] = entity;
+                if (live.Versions.Preview != CloudVersions.None)
+                    m_entityOfCloud[live.Versions.Preview] = entity;
+                if (live.Versions.Next != CloudVersions.None)
+                    m_entityOfCloud[live.Versions.Next] = entity;
             }
         }
     }

@@ -55,7 +55,7 @@ namespace FastPoints.Build
                     : journal.Statistics.Count == build.Readers.Count);
             if (isSame)
                 build.UseFiles();
-            if (isSame && (journal.At == BuildJournal.Stage.Done || build.Files.TakeOver(journal)))
+            if (isSame && (journal.At == BuildJournal.Stage.Done || build.Files.TryResume(journal)))
             {
                 checkpoints.Journal = journal;
                 scatter.Resume(journal);
@@ -75,36 +75,36 @@ namespace FastPoints.Build
             return checkpoints;
         }
 
-        /// <summary>Work for a pump: queues the journal behind everything that it refers to, so that this reaches the disk before
+        /// <summary>Coroutine: queues the journal behind everything that it refers to, so that this reaches the disk before
         /// the journal does. Does nothing if points are in memory.</summary>
-        public IEnumerator<Work> Begin()
+        public IEnumerator<JobStep> Begin()
         {
             if (m_build.Files == null)
                 yield break;
-            yield return Work.Of(End());
+            yield return JobStep.Of(End());
             m_build.Files.Sync();
             m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe()), Allocator.Persistent);
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
-        /// <summary>Work for a pump: waits until the last journal is on disk.</summary>
-        public IEnumerator<Work> End()
+        /// <summary>Coroutine: waits until the last journal is on disk.</summary>
+        public IEnumerator<JobStep> End()
         {
             while (m_ticket != null && !m_ticket.IsDone(1))
                 yield return default;
             Dispose();
         }
 
-        /// <summary>Work for a pump: writes the journal and waits until it is on disk.</summary>
-        public IEnumerator<Work> Write()
+        /// <summary>Coroutine: writes the journal and waits until it is on disk.</summary>
+        public IEnumerator<JobStep> Write()
         {
-            yield return Work.Of(Begin());
-            yield return Work.Of(End());
+            yield return JobStep.Of(Begin());
+            yield return JobStep.Of(End());
         }
 
-        /// <summary>Work for a pump: writes the last journal when all files of the cloud are complete, also where points were in
+        /// <summary>Coroutine: writes the last journal when all files of the cloud are complete, also where points were in
         /// memory: if the folder cannot be renamed, the next build has only that left to do.</summary>
-        public IEnumerator<Work> Finish(int levelCount, long[] bytesOfPlane)
+        public IEnumerator<JobStep> Finish(int levelCount, long[] bytesOfPlane)
         {
             Journal.LevelCount = levelCount;
             Journal.BytesOfPlane = bytesOfPlane;

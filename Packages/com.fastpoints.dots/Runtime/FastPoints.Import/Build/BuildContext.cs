@@ -73,11 +73,11 @@ namespace FastPoints.Build
         /// <summary>The sampler's name in the manifest.</summary>
         public string SamplerName => Settings.Sampler.ToString().ToLowerInvariant();
 
-        /// <summary>See <see cref="ConvertSettings.AheadMs"/>.</summary>
-        public double AheadMs() => Settings.AheadMs;
+        /// <summary>See <see cref="ConvertSettings.InFlightMs"/>.</summary>
+        public double InFlightMs() => Settings.InFlightMs;
 
         /// <summary>Slots that may be at work at once, of so many that would be of use.</summary>
-        public int MostSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
+        public int MaxSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
 
         /// <summary>Chooses the grid, and plans memory and files. The readers' blocks are known.</summary>
         /// <param name="samples">By source.</param>
@@ -124,7 +124,7 @@ namespace FastPoints.Build
         public ChunkIndexer CreateIndexer(NativeStoreLayout store, CloudManifest manifest) =>
             new ChunkIndexer(Records, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
 
-        public IndexLane CreateLane(NativeStoreLayout store) => new IndexLane(Records, store);
+        public IndexWorkspace CreateWorkspace(NativeStoreLayout store) => new IndexWorkspace(Records, store);
 
         public void Dispose()
         {

@@ -15,17 +15,17 @@ namespace FastPoints.Build
     internal sealed class BuildGenerations : IDisposable
     {
         /// <summary>Tops in work or ahead, which are small.</summary>
-        const int TopsAtOnce = 8;
+        const int MaxTopsInFlight = 8;
 
         readonly BuildContext m_build;
-        readonly ProvisionalSample m_sample;
+        readonly PlaceholderSample m_sample;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
         long m_generation;
 
         public BuildGenerations(BuildContext build)
         {
             m_build = build;
-            m_sample = new ProvisionalSample(build);
+            m_sample = new PlaceholderSample(build);
             // Readers know a newer state by a larger number, also one of a build that was continued.
             string text = build.Folder.ReadText(StoreFormat.ManifestName);
             if (text != null)
@@ -36,28 +36,28 @@ namespace FastPoints.Build
         /// before has no use for it.</summary>
         public bool IsFirstDue => m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
 
-        /// <summary>Work for a pump: makes the sample a cloud.</summary>
-        public IEnumerator<Work> WriteFirst()
+        /// <summary>Coroutine: makes the sample a cloud.</summary>
+        public IEnumerator<JobStep> WriteFirst()
         {
             if (!m_sample.IsRead)
-                yield return Work.Of(m_sample.Read());
+                yield return JobStep.Of(m_sample.Read());
             var manifest = CloudDescription.OfSample(m_build, m_sample);
             var cubes = m_build.Map.Chunks;
             using var store = new NativeStoreLayout(manifest.CreateLayout());
-            yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Length],
+            yield return JobStep.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Length],
                 new NativeArray<byte>[cubes.Length]));
         }
 
-        /// <summary>Work for a pump: the next generation.</summary>
+        /// <summary>Coroutine: the next generation.</summary>
         /// <param name="whole">Of the cloud when it is whole: nothing of it is changed.</param>
         /// <param name="cubes">By chunk, in Morton order.</param>
         /// <param name="finished">By chunk: what lies on disk of it; null where it is not finished.</param>
         /// <param name="topRecords">By chunk: as in <see cref="UpperMerge.Run"/>.</param>
-        public IEnumerator<Work> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
+        public IEnumerator<JobStep> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             IReadOnlyList<ChunkResult> finished, NativeArray<byte>[] topRecords)
         {
             if (!m_sample.IsRead)
-                yield return Work.Of(m_sample.Read());
+                yield return JobStep.Of(m_sample.Read());
             var manifest = CloudManifest.FromJson(whole.ToJson(), m_build.Folder.PathOf(StoreFormat.ManifestName));
             manifest.IsBuilding = true;
             manifest.Generation = ++m_generation;
@@ -68,7 +68,7 @@ namespace FastPoints.Build
             var provisional = new List<int>();
             try
             {
-                yield return Work.Of(MakeTops(manifest, store, cubes, finished, results, tops, provisional));
+                yield return JobStep.Of(MakeTops(manifest, store, cubes, finished, results, tops, provisional));
                 var chunks = new List<ChunkResult>();
                 for (int i = 0; i < results.Length; i++)
                 {
@@ -80,14 +80,14 @@ namespace FastPoints.Build
                     manifest.Checksum += result.Checksum;
                 }
                 using var merge = new UpperMerge(m_build, store, manifest);
-                yield return Work.Of(merge.Run(chunks, tops, null));
+                yield return JobStep.Of(merge.Run(chunks, tops, null));
             }
             finally
             {
                 foreach (int i in provisional)
                     tops[i].Dispose();
             }
-            yield return Work.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
+            yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
             // The generation before is what a reader may just be opening.
             m_build.Folder.DeleteGeneration(m_generation - 2);
         }
@@ -96,7 +96,7 @@ namespace FastPoints.Build
 
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
-        IEnumerator<Work> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
+        IEnumerator<JobStep> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
         {
             var all = new GridCube[cubes.Count];
@@ -105,7 +105,7 @@ namespace FastPoints.Build
             var native = new NativeArray<GridCube>(all, Allocator.Persistent);
             var parts = new NativeArray<RecordPages>(all.Length, Allocator.Persistent);
             var job = default(JobHandle);
-            var lane = m_build.CreateLane(store);
+            var workspace = m_build.CreateWorkspace(store);
             var inWork = new Queue<ChunkIndexer>();
             var spare = new Stack<ChunkIndexer>();
             try
@@ -116,17 +116,17 @@ namespace FastPoints.Build
                 long largest = 0;
                 foreach (var part in parts)
                     largest = Math.Max(largest, part.Count);
-                lane.Reserve((int)largest);
+                workspace.Reserve((int)largest);
                 for (int i = 0; i < all.Length || inWork.Count > 0;)
                 {
-                    if (i < all.Length && inWork.Count < TopsAtOnce)
+                    if (i < all.Length && inWork.Count < MaxTopsInFlight)
                     {
                         if (finished[i] == null && parts[i].Count > 0)
                         {
                             var next = spare.Count > 0 ? spare.Pop() : m_build.CreateIndexer(store, manifest);
-                            next.BeginTop(all[i], parts[i], i, lane);
+                            next.BeginTop(all[i], parts[i], i, workspace);
                             inWork.Enqueue(next);
-                            // The pump looks at its budget.
+                            // The coroutine checks its budget.
                             yield return default;
                         }
                         i++;
@@ -147,7 +147,7 @@ namespace FastPoints.Build
             finally
             {
                 job.Complete();
-                lane.Dispose();
+                workspace.Dispose();
                 foreach (var indexer in inWork)
                     indexer.Dispose();
                 foreach (var indexer in spare)

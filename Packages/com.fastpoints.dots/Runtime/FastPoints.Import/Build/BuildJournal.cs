@@ -98,7 +98,7 @@ namespace FastPoints.Build
             try
             {
                 var json = JsonMembers.Parse(text, "");
-                json.NeedVersion(Version);
+                json.RequireVersion(Version);
                 return Read(json);
             }
             catch (Exception e) when (e is PointCloudException || e is OverflowException)

@@ -40,7 +40,7 @@ namespace FastPoints.Build
         }
 
         readonly BuildContext m_build;
-        readonly long m_mostPages;
+        readonly long m_maxPages;
         readonly RecordLoad m_load;
         readonly List<Chunk> m_chunks = new List<Chunk>();
 
@@ -48,7 +48,7 @@ namespace FastPoints.Build
         {
             m_build = build;
             // What parts of chunks may take until they go to files.
-            m_mostPages = build.Plan.MostPages / 2;
+            m_maxPages = build.Plan.MaxPages / 2;
             m_load = new RecordLoad(build);
         }
 
@@ -58,7 +58,7 @@ namespace FastPoints.Build
 
         /// <summary>Makes the work to run after each completed change, when every record is where the chunks say. Files that are
         /// no longer needed exist until it has ended.</summary>
-        public Func<IEnumerator<Work>> Settled { get; set; }
+        public Func<IEnumerator<JobStep>> Rebalanced { get; set; }
 
         /// <summary>Takes over a chunk's records.</summary>
         public void Add(GridCube cube, ref RecordPages pages)
@@ -88,10 +88,10 @@ namespace FastPoints.Build
             m_chunks.Add(chunk);
         }
 
-        /// <summary>Work for a pump: distributes the records outside the original root cube.</summary>
+        /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
         /// <param name="shells">The root's doublings, the smallest first.</param>
         /// <param name="outside">The chunk of all of them, which its parts replace.</param>
-        public IEnumerator<Work> SplitOutside(GridCube[] shells, Chunk outside)
+        public IEnumerator<JobStep> SplitOutside(GridCube[] shells, Chunk outside)
         {
             var cubes = new NativeArray<GridCube>(shells, Allocator.Persistent);
             var parts = new GridCube[shells.Length * 8];
@@ -99,7 +99,7 @@ namespace FastPoints.Build
                 parts[i] = shells[i / 8].Child(i % 8);
             try
             {
-                yield return Work.Of(Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
+                yield return JobStep.Of(Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
                 {
                     Slices = m_build.Slices,
                     Pages = pages,
@@ -115,10 +115,10 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than
+        /// <summary>Coroutine: splits every chunk of more than <paramref name="limit"/> points until none is larger than
         /// that. Points at one place are split by their number, in the order in which they came.</summary>
         /// <param name="target">The most points of a part.</param>
-        public IEnumerator<Work> SplitLarge(long limit, long target)
+        public IEnumerator<JobStep> SplitLarge(long limit, long target)
         {
             // Parts are added at the end and examined in turn.
             for (int i = 0; i < m_chunks.Count;)
@@ -129,7 +129,7 @@ namespace FastPoints.Build
                     i++;
                     continue;
                 }
-                yield return Work.Of(Split(chunk, target));
+                yield return JobStep.Of(Split(chunk, target));
             }
         }
 
@@ -170,7 +170,7 @@ namespace FastPoints.Build
 
         public void Dispose() => m_load.Dispose();
 
-        IEnumerator<Work> Split(Chunk chunk, long target)
+        IEnumerator<JobStep> Split(Chunk chunk, long target)
         {
             var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
             var counts = default(NativeArray<long>);
@@ -179,7 +179,7 @@ namespace FastPoints.Build
             {
                 bounds[0] = PointStatistics.None.Min;
                 bounds[1] = PointStatistics.None.Max;
-                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new MeasureRecordsJob
+                yield return JobStep.Of(ForEachBatch(chunk, (pages, before) => new MeasureRecordsJob
                 {
                     Slices = m_build.Slices,
                     Pages = pages,
@@ -191,14 +191,14 @@ namespace FastPoints.Build
                 if (cube.SideLog2 == 0)
                 {
                     SplitByCount(chunk, target);
-                    yield return Work.Of(Settle());
+                    yield return JobStep.Of(RunRebalanced());
                     yield break;
                 }
 
                 int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
                 counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
                 var cells = new CellFinder(cube, levels);
-                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new CountCellsJob
+                yield return JobStep.Of(ForEachBatch(chunk, (pages, before) => new CountCellsJob
                 {
                     Slices = m_build.Slices,
                     Pages = pages,
@@ -208,7 +208,7 @@ namespace FastPoints.Build
                 }.Schedule(before)));
                 map = PartitionMap.Plan(cube, levels, counts, target);
                 var chunkOfCell = map.ChunkOfCell;
-                yield return Work.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupRecordsJob
+                yield return JobStep.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupRecordsJob
                 {
                     Slices = m_build.Slices,
                     Pages = pages,
@@ -259,15 +259,15 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<Work> Settle()
+        IEnumerator<JobStep> RunRebalanced()
         {
-            if (Settled == null)
+            if (Rebalanced == null)
                 yield break;
-            yield return Work.Of(Settled());
+            yield return JobStep.Of(Rebalanced());
         }
 
         /// <summary>Distributes a chunk's records over parts that replace it.</summary>
-        IEnumerator<Work> Regroup(Chunk chunk, GridCube[] cubes,
+        IEnumerator<JobStep> Regroup(Chunk chunk, GridCube[] cubes,
             Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
         {
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
@@ -280,7 +280,7 @@ namespace FastPoints.Build
                     fileOfPart[i] = Files.Add();
                 if (!isStored)
                 {
-                    var batches = CutBatches(chunk.Pages);
+                    var batches = SplitBatches(chunk.Pages);
                     chunk.Pages = default;
                     foreach (var batch in batches)
                         job = schedule(batch, lists, job);
@@ -294,9 +294,9 @@ namespace FastPoints.Build
                     job = schedule(m_load.Complete(), lists, default);
                     yield return job;
                     job.Complete();
-                    if (m_build.Pool.Value.PagesInUse > m_mostPages)
-                        HandOver(lists, fileOfPart, false);
-                    while (Files.PagesWaiting > m_mostPages)
+                    if (m_build.Pool.Value.PagesInUse > m_maxPages)
+                        AppendParts(lists, fileOfPart, false);
+                    while (Files.PagesWaiting > m_maxPages)
                     {
                         Files.Poll(1);
                         yield return default;
@@ -304,7 +304,7 @@ namespace FastPoints.Build
                     TakeWritten();
                 }
                 if (isStored)
-                    HandOver(lists, fileOfPart, true);
+                    AppendParts(lists, fileOfPart, true);
                 while (isStored && Files.PagesWaiting > 0)
                 {
                     Files.Poll(1);
@@ -322,7 +322,7 @@ namespace FastPoints.Build
                         Add(cubes[i], ref pages);
                 }
                 TakeWritten();
-                yield return Work.Of(Settle());
+                yield return JobStep.Of(RunRebalanced());
                 foreach (var run in chunk.Runs)
                     Files.Release(run.File);
             }
@@ -334,7 +334,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Runs work on all records of a chunk, which stay in place.</summary>
-        IEnumerator<Work> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
+        IEnumerator<JobStep> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
         {
             var job = default(JobHandle);
             var batches = new List<RecordPages>();
@@ -342,7 +342,7 @@ namespace FastPoints.Build
             {
                 if (chunk.Runs.Count == 0)
                 {
-                    batches = CutBatches(chunk.Pages);
+                    batches = SplitBatches(chunk.Pages);
                     chunk.Pages = default;
                     foreach (var batch in batches)
                         job = schedule(batch, job);
@@ -381,7 +381,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Cuts a list into parts that one run of a job takes.</summary>
-        public static List<RecordPages> CutBatches(RecordPages pages)
+        public static List<RecordPages> SplitBatches(RecordPages pages)
         {
             var batches = new List<RecordPages>();
             while (pages.PageCount > 0)
@@ -392,7 +392,7 @@ namespace FastPoints.Build
         void BeginBatch(Chunk chunk, long first) =>
             m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
 
-        void HandOver(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
+        void AppendParts(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
         {
             for (int i = 0; i < lists.Length; i++)
             {

@@ -20,22 +20,22 @@ namespace FastPoints.Build
         readonly CloudFolderWriter m_folder;
         readonly ChunkSet m_chunks;
         readonly RecordFiles m_files;
-        readonly int m_most;
+        readonly int m_max;
         readonly Queue<Pending> m_pending = new Queue<Pending>();
         readonly Stack<NativeList<byte>> m_spare = new Stack<NativeList<byte>>();
 
         /// <param name="files">Released when a chunk that came from them is on disk; null if all points are in memory.</param>
-        /// <param name="most">The most files that may wait.</param>
-        public ChunkWrites(CloudFolderWriter folder, ChunkSet chunks, RecordFiles files, int most)
+        /// <param name="max">The most files that may wait.</param>
+        public ChunkWrites(CloudFolderWriter folder, ChunkSet chunks, RecordFiles files, int max)
         {
             m_folder = folder;
             m_chunks = chunks;
             m_files = files;
-            m_most = most;
+            m_max = max;
         }
 
         /// <summary>Whether one more file may wait.</summary>
-        public bool HasRoom => m_pending.Count < m_most;
+        public bool HasRoom => m_pending.Count < m_max;
 
         /// <summary>Whether everything is on disk.</summary>
         public bool IsDone => m_pending.Count == 0;

@@ -31,7 +31,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>The manifest of a sample alone.</summary>
-        public static CloudManifest OfSample(BuildContext build, ProvisionalSample sample)
+        public static CloudManifest OfSample(BuildContext build, PlaceholderSample sample)
         {
             var found = sample.Statistics;
             var cube = build.Map.Cube;

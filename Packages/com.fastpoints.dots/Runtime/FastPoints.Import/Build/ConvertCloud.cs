@@ -27,34 +27,34 @@ namespace FastPoints.Build
 
         ConvertCloud(BuildContext build) => m_build = build;
 
-        /// <summary>Work for a pump: converts. When the work has ended, the target exists and is complete. If the work was
+        /// <summary>Coroutine: converts. When the work has ended, the target exists and is complete. If the work was
         /// cancelled or failed, nothing exists except what <see cref="ConvertSettings.KeepUnfinished"/> keeps.</summary>
         /// <param name="readers">The open sources, with the same attributes. They make one cloud.</param>
         /// <param name="target">The folder to make.</param>
         /// <param name="done">Receives the result.</param>
         /// <exception cref="PointCloudException">A source or the target is at fault.</exception>
-        public static IEnumerator<Work> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
+        public static IEnumerator<JobStep> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
             Action<ConvertResult> done, StageProgress progress)
         {
             using var convert = new ConvertCloud(new BuildContext(readers, target, settings, progress));
             progress?.Begin(BuildStages.Sample);
-            yield return Work.Of(convert.Sample());
-            yield return Work.Of(convert.Partition());
-            // The pump looks at its budget: memory is allocated in steps.
+            yield return JobStep.Of(convert.Sample());
+            yield return JobStep.Of(convert.Partition());
+            // The coroutine checks its budget: memory is allocated in steps.
             yield return default;
-            yield return Work.Of(convert.Resume());
+            yield return JobStep.Of(convert.Resume());
             if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
             {
                 progress?.Begin(BuildStages.Read);
-                yield return Work.Of(convert.Read());
+                yield return JobStep.Of(convert.Read());
                 progress?.Begin(BuildStages.Split);
-                yield return Work.Of(convert.Settle());
-                yield return Work.Of(convert.Build());
+                yield return JobStep.Of(convert.Rebalance());
+                yield return JobStep.Of(convert.Build());
             }
             progress?.Begin(BuildStages.Finish);
             if (convert.m_octree?.Manifest.Points > 0)
-                yield return Work.Of(convert.MeasureShown());
-            yield return Work.Of(convert.Finish(done));
+                yield return JobStep.Of(convert.MeasureShown());
+            yield return JobStep.Of(convert.Finish(done));
             progress?.End();
         }
 
@@ -71,17 +71,17 @@ namespace FastPoints.Build
             m_build.Dispose();
         }
 
-        IEnumerator<Work> Sample()
+        IEnumerator<JobStep> Sample()
         {
             var statistics = new NativeReference<SampleStatistics>(Allocator.Persistent);
             try
             {
                 foreach (var reader in m_build.Readers)
                 {
-                    reader.MostJobs = m_build.Settings.Workers;
+                    reader.MaxJobs = m_build.Settings.Workers;
                     if (!reader.BlocksAreKnown)
-                        yield return Work.Of(reader.FindBlocks());
-                    yield return Work.Of(SourceSample.Read(reader, m_build.AheadMs, m_build.Settings.Workers,
+                        yield return JobStep.Of(reader.FindBlocks());
+                    yield return JobStep.Of(SourceSample.Read(reader, m_build.InFlightMs, m_build.Settings.Workers,
                         MemoryPlan.ReadBytesOf(m_build.Settings),
                         (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
                         {
@@ -99,11 +99,11 @@ namespace FastPoints.Build
         }
 
         /// <summary>Chooses the grid, the first cube, and the chunks that the sample suggests.</summary>
-        IEnumerator<Work> Partition()
+        IEnumerator<JobStep> Partition()
         {
             m_build.Choose(m_sampleStatistics);
             var cube = FirstCube.Of(m_build.Readers, m_sampleStatistics, m_build.Grid);
-            yield return Work.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Points, m_build.Plan, m_build.Slices,
+            yield return JobStep.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Points, m_build.Plan, m_build.Slices,
                 map => m_build.Map = map));
             foreach (var sample in m_samples)
                 sample.Dispose();
@@ -111,13 +111,13 @@ namespace FastPoints.Build
         }
 
         /// <summary>Resumes the killed build if there is one of the same sources and settings with its points on disk.</summary>
-        IEnumerator<Work> Resume()
+        IEnumerator<JobStep> Resume()
         {
             m_scatter = new ScatterPoints(m_build);
             m_chunks = new ChunkSet(m_build);
             m_checkpoints = BuildCheckpoints.Resume(m_build, m_scatter, m_chunks);
             if (m_checkpoints.MustClear)
-                yield return Work.Of(m_build.Folder.Clear());
+                yield return JobStep.Of(m_build.Folder.Clear());
             m_generations = new BuildGenerations(m_build);
             if (m_build.Files == null || m_checkpoints.Journal.At != BuildJournal.Stage.Read)
                 yield break;
@@ -129,15 +129,15 @@ namespace FastPoints.Build
                     + "into memory, got {1}", needed, free));
         }
 
-        IEnumerator<Work> Read() => new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run();
+        IEnumerator<JobStep> Read() => new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run();
 
-        IEnumerator<Work> Settle() => new SettleChunks(m_build, m_scatter, m_chunks, m_checkpoints).Run();
+        IEnumerator<JobStep> Rebalance() => new RebalanceChunks(m_build, m_scatter, m_chunks, m_checkpoints).Run();
 
-        IEnumerator<Work> Build()
+        IEnumerator<JobStep> Build()
         {
             var manifest = CloudDescription.OfBuild(m_build, m_checkpoints.Journal, m_scatter);
             m_octree = new OctreeBuild(m_build, m_chunks, manifest, m_generations);
-            yield return Work.Of(m_octree.Run());
+            yield return JobStep.Of(m_octree.Run());
             if (m_octree.Checksum != manifest.Checksum)
             {
                 throw PointCloudException.Wanted(FailureCode.WriteFailed, m_build.Readers[0].Info.Path, -1,
@@ -145,18 +145,18 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<Work> MeasureShown()
+        IEnumerator<JobStep> MeasureShown()
         {
             var manifest = m_octree.Manifest;
             using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
             using var selection = new NodeSelection(folder);
             var ranges = new DisplayRanges();
-            yield return Work.Of(StoredRanges.Measure(folder, selection,
+            yield return JobStep.Of(StoredRanges.Measure(folder, selection,
                 LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
             manifest.Shown = ranges.ToShown();
         }
 
-        IEnumerator<Work> Finish(Action<ConvertResult> done)
+        IEnumerator<JobStep> Finish(Action<ConvertResult> done)
         {
             var folder = m_build.Folder;
             var journal = m_checkpoints.Journal;
@@ -170,10 +170,10 @@ namespace FastPoints.Build
             else
             {
                 manifest = m_octree.Manifest;
-                yield return Work.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
-                yield return Work.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
+                yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
+                yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }
-            yield return Work.Of(folder.Complete());
+            yield return JobStep.Of(folder.Complete());
             var result = new ConvertResult
             {
                 Manifest = manifest,

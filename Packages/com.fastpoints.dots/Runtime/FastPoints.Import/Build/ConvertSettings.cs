@@ -50,10 +50,10 @@ namespace FastPoints.Build
         /// stored bytes are the same.</summary>
         public int Workers;
 
-        /// <summary>Where a pump is ticked: how far apart ticks may be, in ms, for jobs to be scheduled that keep workers busy
-        /// from one to the next, as memory allows. More where updates are rare, as in an editor without focus; ending the work
-        /// early then takes as much longer. May be set while the work is running; the stored bytes are the same.</summary>
-        public double AheadMs = 50;
+        /// <summary>Where a coroutine is ticked: how far apart ticks may be, in ms, for jobs to be scheduled that keep workers
+        /// busy from one to the next, as memory allows. More where updates are rare, as in an editor without focus; ending the
+        /// work early then takes as much longer. May be set while the work is running; the stored bytes are the same.</summary>
+        public double InFlightMs = 50;
 
         /// <summary>Whether the files on disk stay there when the work is disposed early: the next build of the target with the
         /// same sources and settings continues from them, if points were in files. May be set while the work is

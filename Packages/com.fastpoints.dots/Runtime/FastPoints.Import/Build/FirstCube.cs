@@ -11,7 +11,7 @@ namespace FastPoints.Build
     static class FirstCube
     {
         /// <summary>Claims of an extent more than this many times that of the sample are ignored.</summary>
-        const double Believed = 4;
+        const double MaxClaimRatio = 4;
 
         /// <summary>The cube around the sample, and around what the headers claim unless that is far larger: claims may be
         /// anything.</summary>
@@ -46,14 +46,14 @@ namespace FastPoints.Build
                 var low = math.round((claim.Min - grid.Grid.Origin) / grid.Grid.Step);
                 var high = math.round((claim.Max - grid.Grid.Origin) / grid.Grid.Step);
                 if (!math.all(math.abs(low) < limit) || !math.all(math.abs(high) < limit) ||
-                    math.cmax(claim.Size) > Believed * sampled)
+                    math.cmax(claim.Size) > MaxClaimRatio * sampled)
                     continue;
                 var lowGrid = new Grid3((long)low.x, (long)low.y, (long)low.z);
                 var highGrid = new Grid3((long)high.x, (long)high.y, (long)high.z);
                 var allMin = Grid3.Min(min, lowGrid);
                 var allMax = Grid3.Max(max, highGrid);
                 var size = (allMax - allMin);
-                if (math.cmax(grid.Grid.Step * new double3(size.X, size.Y, size.Z)) > Believed * sampled)
+                if (math.cmax(grid.Grid.Step * new double3(size.X, size.Y, size.Z)) > MaxClaimRatio * sampled)
                     continue;
                 min = allMin;
                 max = allMax;

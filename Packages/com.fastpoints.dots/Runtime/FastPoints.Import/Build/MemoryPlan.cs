@@ -14,14 +14,14 @@ namespace FastPoints.Build
         const long MinPointsPerChunk = 200000;
 
         /// <summary>The smallest chunk, however little memory there is: smaller ones would consist of tops alone.</summary>
-        const long LeastPointsPerChunk = 1 << 16;
+        const long MinPlannedPointsPerChunk = 1 << 16;
 
         const int ChunksPlanned = 2;
 
         /// <summary>More points show no more in a picture of everything; there are fewer if these took more than this share of
         /// the memory.</summary>
-        const long MaxProvisionalPoints = 1 << 17;
-        const long ProvisionalShare = 16;
+        const long MaxPlaceholderPoints = 1 << 17;
+        const long PlaceholderShare = 16;
 
         /// <summary>Memory for darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
@@ -46,11 +46,11 @@ namespace FastPoints.Build
 
         /// <summary>The most of them that may be in flight where workers run out of fewer: what is free until chunks are in
         /// progress.</summary>
-        public long AheadBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
+        public long InFlightBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
 
         /// <summary>The most pages that chunks hold while sources are read, including those that wait to be written.</summary>
-        public long MostPages { get; private set; }
-        public long MostWaitingPages { get; private set; }
+        public long MaxPages { get; private set; }
+        public long MaxWaitingPages { get; private set; }
 
         /// <summary>Bytes for chunks in progress, and for the merge of the upper levels.</summary>
         public long IndexBytes { get; private set; }
@@ -65,7 +65,7 @@ namespace FastPoints.Build
         public long IndexBytesPerPoint { get; private set; }
 
         /// <summary>Points of the sample that represents what is not built yet.</summary>
-        public long ProvisionalPoints { get; private set; }
+        public long PlaceholderPoints { get; private set; }
 
         /// <summary>See <see cref="ReadBytes"/>, which the sample before the plan keeps to as well.</summary>
         public static long ReadBytesOf(ConvertSettings settings) =>
@@ -89,15 +89,15 @@ namespace FastPoints.Build
             {
                 plan.PointsPerChunk = Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
                 // Chunks are halved in size, so that about the same memory gives the very same chunks.
-                long most = MaxPointsPerChunk;
-                while (most > LeastPointsPerChunk && 2 * most * ChunksPlanned * plan.IndexBytesPerPoint > memoryBytes / 4 * 3)
-                    most /= 2;
-                plan.PointsPerChunk = Math.Min(plan.PointsPerChunk, most);
+                long max = MaxPointsPerChunk;
+                while (max > MinPlannedPointsPerChunk && 2 * max * ChunksPlanned * plan.IndexBytesPerPoint > memoryBytes / 4 * 3)
+                    max /= 2;
+                plan.PointsPerChunk = Math.Min(plan.PointsPerChunk, max);
             }
 
-            plan.ProvisionalPoints = Math.Min(Math.Min(points, MaxProvisionalPoints),
-                memoryBytes / ProvisionalShare / plan.IndexBytesPerPoint);
-            memoryBytes -= plan.ProvisionalPoints * plan.IndexBytesPerPoint;
+            plan.PlaceholderPoints = Math.Min(Math.Min(points, MaxPlaceholderPoints),
+                memoryBytes / PlaceholderShare / plan.IndexBytesPerPoint);
+            memoryBytes -= plan.PlaceholderPoints * plan.IndexBytesPerPoint;
 
             // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
             // and one of these chunks.
@@ -116,13 +116,13 @@ namespace FastPoints.Build
                 plan.IsStored = false;
                 inMemory = withTops;
             }
-            plan.MostPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
-            plan.MostWaitingPages = Math.Max(4, plan.MostPages / 4);
+            plan.MaxPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
+            plan.MaxWaitingPages = Math.Max(4, plan.MaxPages / 4);
             if (!plan.IsStored)
                 plan.IndexBytes = Math.Max(0, memoryBytes - inMemory);
             // Half of the pages may be the chunks' last ones, which are not full; cubes are cut in eight.
             plan.PointsPerPartition = plan.IsStored
-                ? Math.Max(plan.PointsPerChunk, 16 * (points / Math.Max(1, plan.MostPages)))
+                ? Math.Max(plan.PointsPerChunk, 16 * (points / Math.Max(1, plan.MaxPages)))
                 : plan.PointsPerChunk;
             return plan;
         }

@@ -18,7 +18,7 @@ namespace FastPoints.Build
         sealed class Slot : IDisposable
         {
             public ChunkIndexer Indexer;
-            public IndexLane Lane;
+            public IndexWorkspace Workspace;
             public RecordLoad Load;
 
             /// <summary>Of what was loaded: records outside of the chunk.</summary>
@@ -42,17 +42,17 @@ namespace FastPoints.Build
         readonly ChunkSet m_chunks;
         readonly NativeStoreLayout m_store;
         readonly BuildGenerations m_generations;
-        readonly Queue<Slot> m_inWork = new Queue<Slot>();
+        readonly Queue<Slot> m_inFlight = new Queue<Slot>();
         readonly Stack<Slot> m_spare = new Stack<Slot>();
-        readonly List<IndexLane> m_lanes = new List<IndexLane>();
+        readonly List<IndexWorkspace> m_workspaces = new List<IndexWorkspace>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
         ChunkWrites m_writes;
         UpperMerge m_merge;
-        WorkAhead m_ahead;
+        InFlightLimit m_limit;
         JobHandle m_newest;
         long m_chunkBytes;
-        long m_aheadBytes;
+        long m_inFlightBytes;
         long m_points;
         long m_pointsDone;
 
@@ -78,12 +78,12 @@ namespace FastPoints.Build
         public int LevelCount { get; private set; }
         public long[] BytesOfPlane { get; }
 
-        /// <summary>Work for a pump: every chunk, several at once; then the upper levels and the hierarchy.</summary>
-        public IEnumerator<Work> Run()
+        /// <summary>Coroutine: every chunk, several at once; then the upper levels and the hierarchy.</summary>
+        public IEnumerator<JobStep> Run()
         {
             m_build.Progress?.Begin(BuildStages.Index);
-            yield return Work.Of(IndexChunks());
-            yield return Work.Of(Free());
+            yield return JobStep.Of(IndexChunks());
+            yield return JobStep.Of(Free());
             m_build.Progress?.Begin(BuildStages.Merge);
             int lowest = Manifest.Root.SideLog2;
             foreach (var result in m_results)
@@ -94,14 +94,14 @@ namespace FastPoints.Build
                     BytesOfPlane[p] += result.BytesOfPlane[p];
             }
             m_merge = new UpperMerge(m_build, m_store, Manifest);
-            yield return Work.Of(m_merge.Run(m_results, m_topRecords, m_build.Progress));
+            yield return JobStep.Of(m_merge.Run(m_results, m_topRecords, m_build.Progress));
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_merge.BytesOfPlane[p];
             LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - Math.Min(lowest, m_merge.LowestSideLog2) + 1;
         }
 
         /// <summary>Frees what chunks needed, a part a step: large blocks take milliseconds.</summary>
-        IEnumerator<Work> Free()
+        IEnumerator<JobStep> Free()
         {
             var freed = default(JobHandle);
             try
@@ -112,9 +112,9 @@ namespace FastPoints.Build
                 yield return freed;
                 for (; m_spare.Count > 0; m_spare.Pop().Dispose())
                     yield return default;
-                foreach (var lane in m_lanes)
+                foreach (var workspace in m_workspaces)
                 {
-                    lane.Dispose();
+                    workspace.Dispose();
                     yield return default;
                 }
                 m_writes.Dispose();
@@ -127,12 +127,12 @@ namespace FastPoints.Build
 
         public void Dispose()
         {
-            while (m_inWork.Count > 0)
-                m_spare.Push(m_inWork.Dequeue());
+            while (m_inFlight.Count > 0)
+                m_spare.Push(m_inFlight.Dequeue());
             while (m_spare.Count > 0)
                 m_spare.Pop().Dispose();
-            foreach (var lane in m_lanes)
-                lane.Dispose();
+            foreach (var workspace in m_workspaces)
+                workspace.Dispose();
             m_writes?.Dispose();
             m_merge?.Dispose();
             m_store.Dispose();
@@ -144,30 +144,30 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<Work> IndexChunks()
+        IEnumerator<JobStep> IndexChunks()
         {
             var watch = Stopwatch.StartNew();
             double mergeSeconds = 0;
             var order = ChunksLeft();
-            MakeLanes(order.Count);
-            for (int next = 0; next < order.Count || m_inWork.Count > 0;)
+            CreateWorkspaces(order.Count);
+            for (int next = 0; next < order.Count || m_inFlight.Count > 0;)
             {
-                if (next < order.Count && m_inWork.Count < m_ahead.Count)
+                if (next < order.Count && m_inFlight.Count < m_limit.Value)
                 {
                     Begin(order[next++]);
-                    // The pump looks at its budget.
+                    // The coroutine checks its budget.
                     yield return default;
                     continue;
                 }
-                m_ahead.Await();
-                yield return m_inWork.Peek().Indexer.Job;
-                m_ahead.Resume(next < order.Count && m_newest.IsCompleted);
-                yield return Work.Of(Finish(m_inWork.Peek()));
-                m_spare.Push(m_inWork.Dequeue());
-                if (m_inWork.Count == 0 && next == order.Count || !IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
+                m_limit.Await();
+                yield return m_inFlight.Peek().Indexer.Job;
+                m_limit.Resume(next < order.Count && m_newest.IsCompleted);
+                yield return JobStep.Of(Finish(m_inFlight.Peek()));
+                m_spare.Push(m_inFlight.Dequeue());
+                if (m_inFlight.Count == 0 && next == order.Count || !IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
                     continue;
                 double begin = watch.Elapsed.TotalSeconds;
-                yield return Work.Of(WriteGeneration());
+                yield return JobStep.Of(WriteGeneration());
                 mergeSeconds = watch.Elapsed.TotalSeconds - begin;
                 watch.Restart();
             }
@@ -187,7 +187,7 @@ namespace FastPoints.Build
             {
                 long count = m_chunks.Chunks[i].Count;
                 m_points += count;
-                if (m_build.Files != null && TakeOver(i))
+                if (m_build.Files != null && TryResume(i))
                     m_pointsDone += count;
                 else
                     order.Add(i);
@@ -202,7 +202,7 @@ namespace FastPoints.Build
 
         /// <summary>As many as there are workers and memory for, and at least one; and as many chunks ahead as half of the rest
         /// has room for. The other half is for what shows the finished ones meanwhile.</summary>
-        void MakeLanes(int chunks)
+        void CreateWorkspaces(int chunks)
         {
             var files = m_build.Files;
             var plan = m_build.Plan;
@@ -211,20 +211,21 @@ namespace FastPoints.Build
             foreach (var chunk in m_chunks.Chunks)
                 largest = Math.Max(largest, chunk.Count);
             m_chunkBytes = largest * (plan.IndexBytesPerPoint - (files == null ? stride : 0));
-            // A chunk that is not in its lane's memory has its file and its top, or its records where they come from a disk, and
-            // another's file is being written.
-            m_aheadBytes = largest * stride * (files == null ? 2 : 3);
-            int wanted = Math.Min(m_build.MostSlots(JobsUtility.JobWorkerCount + 1), chunks);
-            int lanes = (int)Math.Max(1, Math.Min(wanted, plan.IndexBytes / m_chunkBytes));
-            for (int i = 0; i < lanes; i++)
-                m_lanes.Add(m_build.CreateLane(m_store));
-            long room = Math.Max(0, plan.IndexBytes - lanes * m_chunkBytes) / 2 / m_aheadBytes;
-            int first = WorkAhead.CountFor(lanes, m_build.AheadMs(), lanes, m_build.Plan.PointsPerChunk / PointsPerMs);
-            m_ahead = new WorkAhead(first, (int)Math.Min(chunks, lanes + room), m_build.AheadMs);
-            m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_ahead.Most);
+            // A chunk that is not in its workspace's memory has its file and its top, or its records where they come from a disk,
+            // and another's file is being written.
+            m_inFlightBytes = largest * stride * (files == null ? 2 : 3);
+            int wanted = Math.Min(m_build.MaxSlots(JobsUtility.JobWorkerCount + 1), chunks);
+            int workspaces = (int)Math.Max(1, Math.Min(wanted, plan.IndexBytes / m_chunkBytes));
+            for (int i = 0; i < workspaces; i++)
+                m_workspaces.Add(m_build.CreateWorkspace(m_store));
+            long room = Math.Max(0, plan.IndexBytes - workspaces * m_chunkBytes) / 2 / m_inFlightBytes;
+            int first =
+                InFlightLimit.ValueFor(workspaces, m_build.InFlightMs(), workspaces, m_build.Plan.PointsPerChunk / PointsPerMs);
+            m_limit = new InFlightLimit(first, (int)Math.Min(chunks, workspaces + room), m_build.InFlightMs);
+            m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_limit.Max);
         }
 
-        /// <summary>Schedules a chunk's jobs behind those of the lane that has the fewest points left.</summary>
+        /// <summary>Schedules a chunk's jobs behind those of the workspace that has the fewest points left.</summary>
         void Begin(int number)
         {
             var files = m_build.Files;
@@ -234,15 +235,15 @@ namespace FastPoints.Build
                 Load = files == null ? null : new RecordLoad(m_build),
                 Outside = new NativeReference<int>(Allocator.Persistent),
             };
-            m_inWork.Enqueue(slot);
+            m_inFlight.Enqueue(slot);
             var chunk = m_chunks.Chunks[number];
             slot.Chunk = number;
-            slot.Lane = m_lanes[0];
-            // There may be fewer workers by now than there are lanes.
-            for (int i = m_build.MostSlots(m_lanes.Count) - 1; i > 0; i--)
-                if (m_lanes[i].Points < slot.Lane.Points)
-                    slot.Lane = m_lanes[i];
-            slot.Lane.Points += chunk.Count;
+            slot.Workspace = m_workspaces[0];
+            // There may be fewer workers by now than there are workspaces.
+            for (int i = m_build.MaxSlots(m_workspaces.Count) - 1; i > 0; i--)
+                if (m_workspaces[i].Points < slot.Workspace.Points)
+                    slot.Workspace = m_workspaces[i];
+            slot.Workspace.Points += chunk.Count;
             var ready = default(JobHandle);
             if (files != null)
             {
@@ -258,7 +259,7 @@ namespace FastPoints.Build
                     Outside = slot.Outside,
                 }, slot.Load.Done);
             }
-            slot.Indexer.Begin(chunk.Cube, chunk.Pages, number, slot.Lane, ready);
+            slot.Indexer.Begin(chunk.Cube, chunk.Pages, number, slot.Workspace, ready);
             m_newest = slot.Indexer.Job;
         }
 
@@ -271,13 +272,13 @@ namespace FastPoints.Build
             foreach (var result in m_results)
                 tops += result == null ? 0 : result.TopPoints;
             var plan = m_build.Plan;
-            long merged = Math.Min(tops, UpperMerge.MostPointsAtOnce(plan.PointsPerRegion)) * plan.IndexBytesPerPoint;
-            long inWork = m_lanes.Count * m_chunkBytes + (m_ahead.Count - m_lanes.Count) * m_aheadBytes;
+            long merged = Math.Min(tops, UpperMerge.MaxPointsInFlight(plan.PointsPerRegion)) * plan.IndexBytesPerPoint;
+            long inWork = m_workspaces.Count * m_chunkBytes + (m_limit.Value - m_workspaces.Count) * m_inFlightBytes;
             return tops > 0 && merged + inWork <= plan.IndexBytes;
         }
 
         /// <summary>Makes what is finished a cloud that can be opened.</summary>
-        IEnumerator<Work> WriteGeneration()
+        IEnumerator<JobStep> WriteGeneration()
         {
             var cubes = new GridCube[m_results.Length];
             var finished = new ChunkResult[m_results.Length];
@@ -291,7 +292,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>A chunk that the build before this one has done.</summary>
-        bool TakeOver(int chunk)
+        bool TryResume(int chunk)
         {
             string path = m_build.Folder.PathOf(BuildFiles.TopPath(chunk));
             if (!System.IO.File.Exists(path))
@@ -313,10 +314,10 @@ namespace FastPoints.Build
         }
 
         /// <summary>Takes in a chunk that is indexed, once there is room for one more file to be written.</summary>
-        IEnumerator<Work> Finish(Slot slot)
+        IEnumerator<JobStep> Finish(Slot slot)
         {
             slot.Indexer.Job.Complete();
-            slot.Lane.Points -= m_chunks.Chunks[slot.Chunk].Count;
+            slot.Workspace.Points -= m_chunks.Chunks[slot.Chunk].Count;
             if (m_build.Files != null)
             {
                 slot.Load.Complete();

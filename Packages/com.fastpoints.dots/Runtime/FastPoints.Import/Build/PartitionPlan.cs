@@ -15,12 +15,12 @@ namespace FastPoints.Build
         /// sample knew of.</summary>
         const int PagesPerChunk = 4;
 
-        /// <summary>Makes the partition as work for a pump.</summary>
+        /// <summary>Makes the partition as a coroutine.</summary>
         /// <param name="samples">Samples of the sources, in the order of the grid's.</param>
         /// <param name="points">Points of all sources.</param>
         /// <param name="slices">Takes in how long the jobs ran.</param>
         /// <param name="take">Receives the partition, which the caller disposes.</param>
-        public static IEnumerator<Work> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
+        public static IEnumerator<JobStep> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
             MemoryPlan plan, SliceTimes slices, Action<PartitionMap> take)
         {
             int sampled = 0;
@@ -49,7 +49,7 @@ namespace FastPoints.Build
                     foreach (var run in samples[i].Runs)
                         runs.Add(new SampleRun
                         {
-                            Stretch = runs.Length,
+                            Segment = runs.Length,
                             First = first + run.First,
                             Count = run.Count,
                             Weight = run.Weight,
@@ -60,7 +60,7 @@ namespace FastPoints.Build
                 if (runs.Length == 0)
                     runs.Add(default);
                 double share = Math.Min(1, sampled / (double)Math.Max(1, points));
-                yield return Work.Of(DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
+                yield return JobStep.Of(DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
                     coded, density => take(Partition(cube, density, plan))));
             }
             finally
@@ -79,7 +79,7 @@ namespace FastPoints.Build
             {
                 long target = plan.PointsPerChunk;
                 while (target < plan.PointsPerPartition &&
-                    PartitionMap.CountChunks(density, target) > plan.MostPages / PagesPerChunk)
+                    PartitionMap.CountChunks(density, target) > plan.MaxPages / PagesPerChunk)
                     target *= 2;
                 return PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
             }

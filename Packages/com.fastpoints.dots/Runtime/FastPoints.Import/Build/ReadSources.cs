@@ -15,7 +15,7 @@ namespace FastPoints.Build
         readonly BuildCheckpoints m_checkpoints;
         readonly BuildGenerations m_generations;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
-        WorkSteps m_first;
+        CoroutineStack m_first;
         long m_sinceCheckpoint;
         long m_resumedPoints;
 
@@ -28,8 +28,8 @@ namespace FastPoints.Build
             m_generations = generations;
         }
 
-        /// <summary>Work for a pump.</summary>
-        public IEnumerator<Work> Run()
+        /// <summary>Coroutine.</summary>
+        public IEnumerator<JobStep> Run()
         {
             var journal = m_checkpoints.Journal;
             if (journal.At != BuildJournal.Stage.Read)
@@ -39,18 +39,18 @@ namespace FastPoints.Build
             {
                 for (int i = journal.Source; i < m_build.Readers.Count; i++)
                 {
-                    yield return Work.Of(Read(i));
+                    yield return JobStep.Of(Read(i));
                     journal.Source = i + 1;
                     journal.Block = 0;
                 }
-                yield return Work.Of(EndFirst());
+                yield return JobStep.Of(EndFirst());
             }
             finally
             {
                 m_first?.Dispose();
             }
             if (UsesFiles())
-                yield return Work.Of(m_scatter.WriteAll());
+                yield return JobStep.Of(m_scatter.WriteAll());
         }
 
         /// <summary>Whether what was read can be resumed; what takes long goes to files from now on.</summary>
@@ -68,7 +68,7 @@ namespace FastPoints.Build
                 points / m_watch.Elapsed.TotalSeconds * settings.SecondsPerCheckpoint);
         }
 
-        IEnumerator<Work> Read(int source)
+        IEnumerator<JobStep> Read(int source)
         {
             var journal = m_checkpoints.Journal;
             var reader = m_build.Readers[source];
@@ -76,8 +76,8 @@ namespace FastPoints.Build
             foreach (var attribute in m_build.Attributes)
                 names.Add(attribute.Name);
             var wanted = reader.Info.Schema.Select(names.ToArray());
-            var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.AheadBytes,
-                m_build.Settings.Workers, m_build.AheadMs);
+            var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.InFlightBytes,
+                m_build.Settings.Workers, m_build.InFlightMs);
             m_scatter.BeginSource(reader, m_build.Grid.Sources[source]);
             if (journal.Statistics.Count <= source)
                 journal.Statistics.Add(PointStatistics.None);
@@ -88,7 +88,8 @@ namespace FastPoints.Build
                 do
                     m_sinceCheckpoint += reader.PointsInBlock(end);
                 while (++end < reader.BlockCount && m_sinceCheckpoint < wantedPoints);
-                using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, ahead, m_build.Settings.Workers, block,
+                using (var scan = new CoroutineStack(SourceScan.Run(reader, wanted, m_scatter, limit, m_build.Settings.Workers,
+                    block,
                     end, null)))
                 {
                     while (scan.MoveNext())
@@ -106,11 +107,11 @@ namespace FastPoints.Build
                 m_sinceCheckpoint = 0;
                 if (!UsesFiles())
                     continue;
-                yield return Work.Of(m_scatter.WriteAll());
+                yield return JobStep.Of(m_scatter.WriteAll());
                 // Reading goes on while the disk takes in what was read.
-                yield return Work.Of(m_checkpoints.Begin());
+                yield return JobStep.Of(m_checkpoints.Begin());
             }
-            yield return Work.Of(m_scatter.EndSource());
+            yield return JobStep.Of(m_scatter.EndSource());
         }
 
         /// <summary>Where reading takes long, the first generation is made beside it; not for what is left of the second half,
@@ -118,15 +119,15 @@ namespace FastPoints.Build
         void StepFirst()
         {
             if (m_first == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)
-                m_first = new WorkSteps(m_generations.WriteFirst());
-            if (m_first == null || !WorkPump.HasEnded(m_first.Current))
+                m_first = new CoroutineStack(m_generations.WriteFirst());
+            if (m_first == null || !JobCoroutine.HasEnded(m_first.Current))
                 return;
             m_first.Current.Complete();
             m_first.MoveNext();
         }
 
         /// <summary>Ends the first generation if it was begun.</summary>
-        IEnumerator<Work> EndFirst()
+        IEnumerator<JobStep> EndFirst()
         {
             for (bool more = m_first != null; more; more = m_first.MoveNext())
             {

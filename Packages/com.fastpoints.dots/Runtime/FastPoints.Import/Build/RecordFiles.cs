@@ -9,7 +9,7 @@ namespace FastPoints.Build
     /// one writer thread, with one file open at a time. Written pages can be reused.</summary>
     internal sealed class RecordFiles : IDisposable
     {
-        struct Handed
+        struct PendingWrite
         {
             public WriteTicket Ticket;
             public RecordPages Pages;
@@ -20,7 +20,7 @@ namespace FastPoints.Build
         readonly List<long> m_recordsOfFile = new List<long>();
         readonly List<int> m_usersOfFile = new List<int>();
         readonly SortedSet<int> m_notSynced = new SortedSet<int>();
-        readonly Queue<Handed> m_handed = new Queue<Handed>();
+        readonly Queue<PendingWrite> m_pendingWrites = new Queue<PendingWrite>();
         RecordPages m_written;
         long m_bytes;
 
@@ -53,7 +53,7 @@ namespace FastPoints.Build
         /// <summary>Takes over the files of a killed build, cut to the lengths that its journal knows; other files are
         /// deleted.</summary>
         /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken over.</returns>
-        public bool TakeOver(BuildJournal journal)
+        public bool TryResume(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];
             bool isReading = journal.At == BuildJournal.Stage.Read;
@@ -93,7 +93,7 @@ namespace FastPoints.Build
                 return;
             var ticket = m_folder.WriteRecords(BuildFiles.RecordPath(file), pages, m_strideBytes,
                 m_recordsOfFile[file] * m_strideBytes);
-            m_handed.Enqueue(new Handed { Ticket = ticket, Pages = pages });
+            m_pendingWrites.Enqueue(new PendingWrite { Ticket = ticket, Pages = pages });
             m_notSynced.Add(file);
             m_recordsOfFile[file] += pages.Count;
             PagesWaiting += pages.PageCount;
@@ -113,9 +113,9 @@ namespace FastPoints.Build
         /// <exception cref="Base.PointCloudException">Something could not be written.</exception>
         public void Poll(int waitMs)
         {
-            while (m_handed.Count > 0 && m_handed.Peek().Ticket.IsDone(waitMs))
+            while (m_pendingWrites.Count > 0 && m_pendingWrites.Peek().Ticket.IsDone(waitMs))
             {
-                var pages = m_handed.Dequeue().Pages;
+                var pages = m_pendingWrites.Dequeue().Pages;
                 PagesWaiting -= pages.PageCount;
                 m_written.Join(ref pages);
                 waitMs = 0;
@@ -147,8 +147,8 @@ namespace FastPoints.Build
         /// <summary>Waits for what the writer has in hand.</summary>
         public void Dispose()
         {
-            while (m_handed.Count > 0)
-                m_handed.Dequeue().Ticket.Wait();
+            while (m_pendingWrites.Count > 0)
+                m_pendingWrites.Dequeue().Ticket.Wait();
         }
 
         void Count(long records)

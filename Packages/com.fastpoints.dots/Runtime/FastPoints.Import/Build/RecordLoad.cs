@@ -65,7 +65,7 @@ namespace FastPoints.Build
                     offset += bytes;
                 }
                 string path = m_build.Files.PathOf(run.File);
-                var read = FileReads.Once(path, commands + firstCommand, commandCount - firstCommand);
+                var read = FileReads.BeginOneShot(path, commands + firstCommand, commandCount - firstCommand);
                 m_reads.Add(read);
                 m_paths.Add(path);
                 Done = JobHandle.CombineDependencies(Done, read.JobHandle);

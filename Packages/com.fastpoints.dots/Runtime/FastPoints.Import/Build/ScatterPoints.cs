@@ -49,10 +49,10 @@ namespace FastPoints.Build
             get
             {
                 var files = m_build.Files;
-                if (files == null || files.PagesWaiting <= m_build.Plan.MostWaitingPages)
+                if (files == null || files.PagesWaiting <= m_build.Plan.MaxWaitingPages)
                     return true;
                 files.Poll(1);
-                return files.PagesWaiting <= m_build.Plan.MostWaitingPages;
+                return files.PagesWaiting <= m_build.Plan.MaxWaitingPages;
             }
         }
 
@@ -79,7 +79,7 @@ namespace FastPoints.Build
                 Chunks = m_chunks,
                 Pool = m_build.Pool,
                 Returned = files == null ? default : files.TakeWritten(),
-                MostPages = m_build.Plan.MostPages,
+                MaxPages = m_build.Plan.MaxPages,
                 PagesDetached = m_pagesDetached,
                 Detached = s.Detached,
                 Slices = s.Slices,
@@ -125,8 +125,8 @@ namespace FastPoints.Build
             return found;
         }
 
-        /// <summary>Work for a pump, when a scan has ended: everything in memory goes to the files.</summary>
-        public IEnumerator<Work> WriteAll()
+        /// <summary>Coroutine, when a scan has ended: everything in memory goes to the files.</summary>
+        public IEnumerator<JobStep> WriteAll()
         {
             var files = m_build.Files;
             for (int c = 0; c < m_chunks.Length; c++)
@@ -144,8 +144,8 @@ namespace FastPoints.Build
             m_pagesDetached.Value = 0;
         }
 
-        /// <summary>Work for a pump, after a source's scan: frees what the next source has no use for, a part a step.</summary>
-        public IEnumerator<Work> EndSource()
+        /// <summary>Coroutine, after a source's scan: frees what the next source has no use for, a part a step.</summary>
+        public IEnumerator<JobStep> EndSource()
         {
             for (; m_slots.Count > 0; m_slots.RemoveAt(m_slots.Count - 1))
             {

@@ -13,10 +13,10 @@ namespace FastPoints.Build
     internal sealed unsafe class UpperMerge : IDisposable
     {
         /// <summary>With at least so many points to a region, eight neighbours are one: each round leaves fewer.</summary>
-        const int LeastPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
+        const int MinPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
 
         /// <summary>Tops that are read from files side by side.</summary>
-        const int ReadsAtOnce = 8;
+        const int MaxReadsInFlight = 8;
 
         readonly BuildContext m_build;
         readonly NativeStoreLayout m_store;
@@ -24,7 +24,7 @@ namespace FastPoints.Build
         readonly List<UpperRegion> m_regions = new List<UpperRegion>();
         readonly List<UpperItem> m_items = new List<UpperItem>();
         ChunkIndexer m_indexer;
-        IndexLane m_lane;
+        IndexWorkspace m_workspace;
         UpperRegion[] m_regionOfChunk;
         int[] m_draftOfChunk;
         WriteTicket m_whole;
@@ -41,19 +41,19 @@ namespace FastPoints.Build
         }
 
         /// <summary>Tops' points that one go takes: more are merged in regions first.</summary>
-        public static long MostPointsAtOnce(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, LeastPointsPerRegion);
+        public static long MaxPointsInFlight(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, MinPointsPerRegion);
 
         /// <summary>Side of the smallest node.</summary>
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
-        /// <summary>Work for a pump: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
+        /// <summary>Coroutine: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
         /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
         /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. They stay the caller's.</param>
-        public IEnumerator<Work> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
+        public IEnumerator<JobStep> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
         {
             m_indexer = m_build.CreateIndexer(m_store, m_manifest);
-            m_lane = m_build.CreateLane(m_store);
+            m_workspace = m_build.CreateWorkspace(m_store);
             int last = chunks.Count > 0 ? chunks[chunks.Count - 1].Record.Number : -1;
             m_regionOfChunk = new UpperRegion[last + 1];
             m_draftOfChunk = new int[last + 1];
@@ -71,9 +71,9 @@ namespace FastPoints.Build
                 });
             }
 
-            long pointsPerRegion = Math.Max(m_build.Plan.PointsPerRegion, LeastPointsPerRegion);
+            long pointsPerRegion = Math.Max(m_build.Plan.PointsPerRegion, MinPointsPerRegion);
             m_upperBytes = FileHeader.SizeBytes;
-            while (left > MostPointsAtOnce(pointsPerRegion))
+            while (left > MaxPointsInFlight(pointsPerRegion))
             {
                 var groups = CubeGroups.Of(m_manifest.Root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
                 if (groups.Count == m_items.Count)
@@ -90,15 +90,15 @@ namespace FastPoints.Build
                     else
                     {
                         var members = new List<UpperItem>(new ArraySegment<UpperItem>(below, group.First, group.Count));
-                        yield return Work.Of(MergeRegion(members, group.Cube, false));
+                        yield return JobStep.Of(MergeRegion(members, group.Cube, false));
                     }
                     left += m_items[m_items.Count - 1].TopPoints;
                     progress?.Report(0.5 * (group.First + group.Count) / below.Length, 0, 0);
                 }
             }
             if (m_items.Count > 0)
-                yield return Work.Of(MergeRegion(new List<UpperItem>(m_items), m_manifest.Root, true));
-            yield return Work.Of(WriteHierarchy(chunks));
+                yield return JobStep.Of(MergeRegion(new List<UpperItem>(m_items), m_manifest.Root, true));
+            yield return JobStep.Of(WriteHierarchy(chunks));
             progress?.Report(1, m_upperPoints, m_upperBytes);
         }
 
@@ -106,7 +106,7 @@ namespace FastPoints.Build
         {
             m_whole?.Wait();
             m_indexer?.Dispose();
-            m_lane?.Dispose();
+            m_workspace?.Dispose();
             foreach (var region in m_regions)
                 region.Dispose();
             foreach (var item in m_items)
@@ -116,7 +116,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Makes the nodes above some tops. The region's own top is added to the items, unless it is the root.</summary>
-        IEnumerator<Work> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
+        IEnumerator<JobStep> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
         {
             long points = 0;
             foreach (var member in members)
@@ -126,8 +126,8 @@ namespace FastPoints.Build
             var tops = new NativeArray<ChunkTop>(members.Count, Allocator.Persistent);
             try
             {
-                yield return Work.Of(TakeTops(members, records, tops));
-                m_indexer.BeginUpper(records, tops, cube, isRoot, m_lane);
+                yield return JobStep.Of(GatherTops(members, records, tops));
+                m_indexer.BeginUpper(records, tops, cube, isRoot, m_workspace);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
                 m_build.Slices.Take(m_indexer.Slices);
@@ -136,7 +136,7 @@ namespace FastPoints.Build
                 bool hasNodes = Attach(members, tops, region) || region.NodeCount > 0;
                 if (!isRoot)
                     m_items.Add(TopOf(region, cube, hasNodes));
-                yield return Work.Of(WriteNodes(region, isRoot));
+                yield return JobStep.Of(WriteNodes(region, isRoot));
             }
             finally
             {
@@ -149,7 +149,7 @@ namespace FastPoints.Build
         int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
 
         /// <summary>Brings the members' records together, from memory or from the chunks' files.</summary>
-        IEnumerator<Work> TakeTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
+        IEnumerator<JobStep> GatherTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
         {
             int stride = TopStride, at = 0, begun = 0;
             var reads = new StoreRead[members.Count];
@@ -159,7 +159,7 @@ namespace FastPoints.Build
                 {
                     var member = members[i];
                     int bytes = member.TopPoints * stride;
-                    for (; begun < members.Count && begun - i < ReadsAtOnce; begun++)
+                    for (; begun < members.Count && begun - i < MaxReadsInFlight; begun++)
                         reads[begun] = BeginRead(members[begun]);
                     if (member.Records.IsCreated)
                     {
@@ -225,7 +225,7 @@ namespace FastPoints.Build
 
         /// <summary>Puts the region's nodes behind those that upper.bin has. The root comes last and completes the
         /// header.</summary>
-        IEnumerator<Work> WriteNodes(UpperRegion region, bool isRoot)
+        IEnumerator<JobStep> WriteNodes(UpperRegion region, bool isRoot)
         {
             WriteTicket ticket = null;
             try
@@ -310,7 +310,7 @@ namespace FastPoints.Build
             };
         }
 
-        IEnumerator<Work> WriteHierarchy(IReadOnlyList<ChunkResult> chunks)
+        IEnumerator<JobStep> WriteHierarchy(IReadOnlyList<ChunkResult> chunks)
         {
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();

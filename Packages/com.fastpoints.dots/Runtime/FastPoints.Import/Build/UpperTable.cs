@@ -23,7 +23,7 @@ namespace FastPoints.Build
                 count += region.NodeCount;
             }
 
-            // These are chains of children, those of the first region first: guests stay in the order of their blocks.
+            // These are chains of children, those of the first region first: inlined leaves stay in the order of their blocks.
             int[] parentOf = new int[count], firstChild = new int[count], next = new int[count];
             for (int i = 0; i < count; i++)
                 firstChild[i] = -1;
@@ -78,7 +78,7 @@ namespace FastPoints.Build
                     record.FirstChild = childCount[node] > 0 ? childrenAt[node] : 0;
                     record.ChildCount = childCount[node];
                     record.SampledWith = r;
-                    record.Host = placeOfNode[region.FirstNode + record.Host];
+                    record.PlaneNode = placeOfNode[region.FirstNode + record.PlaneNode];
                     toNodes[place] = record;
                     for (int p = 0; p < planeCount; p++)
                     {

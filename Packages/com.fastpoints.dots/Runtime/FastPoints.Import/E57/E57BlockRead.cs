@@ -54,13 +54,13 @@ namespace FastPoints.E57
             m_pages.Clear();
             var section = m_blocks.SectionOf(range.Block);
             if (section != m_section)
-                TakeSection(section);
+                PlanSection(section);
             long first = (long)(range.Block - section.FirstBlock) * section.BlockPoints + range.First;
             return Schedule(first, range.Count);
         }
 
         /// <summary>Plans what is read of the scan's fields.</summary>
-        void TakeSection(E57Section section)
+        void PlanSection(E57Section section)
         {
             m_section = section;
             var reads = m_blocks.Schema.ReadsOf(section.Index, Points);
@@ -134,7 +134,7 @@ namespace FastPoints.E57
                 Result = Result,
                 Anomalies = m_anomalies,
             };
-            var done = Behind(m_pages.Begin());
+            var done = DependencyOf(m_pages.Begin());
             for (int i = 0; i == 0 || i < m_readCount; i += DecodeE57Job.FieldsPerSlice)
             {
                 decode.FirstRead = i;

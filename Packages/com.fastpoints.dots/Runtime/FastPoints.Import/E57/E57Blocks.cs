@@ -10,13 +10,13 @@ namespace FastPoints.E57
     sealed class E57Blocks
     {
         /// <summary>The most pages of a block's fields: it bounds a slot's memory, whatever a file claims.</summary>
-        const int MostBlockPages = 24 << 10;
+        const int MaxBlockPages = 24 << 10;
 
         /// <summary>Records that take no bytes at all prove nothing about their number.</summary>
-        const ulong MostRecordsWithoutBits = 65536;
+        const ulong MaxRecordsWithoutBits = 65536;
 
         readonly List<E57Section> m_sections;
-        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<string, int> m_warnings = new Dictionary<string, int>();
         readonly Dictionary<string, long> m_counts = new Dictionary<string, long>();
         int m_blockCount;
@@ -52,8 +52,8 @@ namespace FastPoints.E57
         /// <summary>The most pages of a range within one block.</summary>
         public int MaxPages => Known(m_maxPages);
 
-        /// <summary>Work for a pump.</summary>
-        public IEnumerator<Work> Find()
+        /// <summary>Coroutine.</summary>
+        public IEnumerator<JobStep> Find()
         {
             if (AreKnown)
                 yield break;
@@ -62,12 +62,12 @@ namespace FastPoints.E57
             {
                 if (section.Scan.RecordsClaimed > 0 && section.Scan.RecordBits == 0)
                 {
-                    TakeWithoutBits(section);
+                    AddWithoutBits(section);
                 }
                 else if (section.Scan.RecordsClaimed > 0)
                 {
                     using (var walk = new E57Walk(File, section, Info))
-                        yield return Work.Of(walk.Run());
+                        yield return JobStep.Of(walk.Run());
                     LimitPages(section);
                 }
                 section.FirstBlock = m_blockCount;
@@ -79,9 +79,9 @@ namespace FastPoints.E57
             if (points == 0)
             {
                 // The last walk's warning says what is wrong, and where.
-                var why = Info.Warnings.Count > 0 ? Info.Warnings[Info.Warnings.Count - 1] : new CloudWarning(null, -1, "");
-                throw PointCloudException.Wanted(FailureCode.Truncated, Info.Path, why.ByteOffset, "points",
-                    NumberText.Of(Info.PointsClaimed), "0: " + why.Text);
+                var reason = Info.Warnings.Count > 0 ? Info.Warnings[Info.Warnings.Count - 1] : new CloudWarning(null, -1, "");
+                throw PointCloudException.Wanted(FailureCode.Truncated, Info.Path, reason.ByteOffset, "points",
+                    NumberText.Of(Info.PointsClaimed), "0: " + reason.Text);
             }
             Info.PointsReadable = points;
             AreKnown = true;
@@ -112,7 +112,7 @@ namespace FastPoints.E57
         /// <summary>Reports what a range contained besides points, once for each block.</summary>
         public void Warn(BlockRange range, DecodeResult result, in E57Anomalies anomalies)
         {
-            bool isNew = range.First == 0 && range.Count == PointsOf(range.Block) && m_toldBlocks.Add(range.Block);
+            bool isNew = range.First == 0 && range.Count == PointsOf(range.Block) && m_reportedBlocks.Add(range.Block);
             if (result.Error != E57Error.None)
                 Warn("points are left out: " + E57Error.Text(result.Error), result.ErrorOffset,
                     isNew ? range.Count - result.Points : 0);
@@ -129,11 +129,11 @@ namespace FastPoints.E57
                 Warn("integers above the maximum of their field: the maximum was taken", -1, isNew ? anomalies.Misfits : 0);
         }
 
-        void TakeWithoutBits(E57Section section)
+        void AddWithoutBits(E57Section section)
         {
-            section.Records = (long)Math.Min(section.Scan.RecordsClaimed, MostRecordsWithoutBits);
-            if (section.Scan.RecordsClaimed > MostRecordsWithoutBits)
-                Info.Warn(-1, section.Scan.Label + ": its records take no bytes, all being equal: " + MostRecordsWithoutBits +
+            section.Records = (long)Math.Min(section.Scan.RecordsClaimed, MaxRecordsWithoutBits);
+            if (section.Scan.RecordsClaimed > MaxRecordsWithoutBits)
+                Info.Warn(-1, section.Scan.Label + ": its records take no bytes, all being equal: " + MaxRecordsWithoutBits +
                     " of the " + NumberText.Of(section.Scan.RecordsClaimed) + " claimed are given");
         }
 
@@ -149,7 +149,7 @@ namespace FastPoints.E57
                 long pages = 0;
                 for (int i = 0; i < runs; i++)
                     pages += endPages[i] - firstPages[i];
-                if (pages > MostBlockPages)
+                if (pages > MaxBlockPages)
                 {
                     Info.Warn(firstPages[0] * E57Pages.PageBytes, section.Scan.Label + ": wanted " +
                         NumberText.Of(section.Records) +

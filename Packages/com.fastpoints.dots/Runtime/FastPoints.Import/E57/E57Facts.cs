@@ -112,9 +112,9 @@ namespace FastPoints.E57
                     scansWith.TryGetValue(attribute, out int count);
                     scansWith[attribute] = count + 1;
                 }
-            int told = 0;
+            int reported = 0;
             foreach (var attribute in info.Schema)
-                if (scansWith.TryGetValue(attribute.Name, out int with) && with < scans.Count && told++ < MaxFieldsLeftOut)
+                if (scansWith.TryGetValue(attribute.Name, out int with) && with < scans.Count && reported++ < MaxFieldsLeftOut)
                     info.Warn(-1, attribute.Name + " is there in " + with + " of " + scans.Count +
                         " scans: it is 0 in the points of the others");
         }

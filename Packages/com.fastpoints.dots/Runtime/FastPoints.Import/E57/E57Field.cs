@@ -35,10 +35,10 @@ namespace FastPoints.E57
         public bool IsInteger => Kind == E57FieldKind.Integer;
 
         /// <summary>The smallest value as a real number.</summary>
-        public double Least => IsInteger ? math.min(Minimum * Scale, Maximum * Scale) + Offset : FloatMinimum;
+        public double MinReal => IsInteger ? math.min(Minimum * Scale, Maximum * Scale) + Offset : FloatMinimum;
 
         /// <summary>The largest value as a real number.</summary>
-        public double Most => IsInteger ? math.max(Minimum * Scale, Maximum * Scale) + Offset : FloatMaximum;
+        public double MaxReal => IsInteger ? math.max(Minimum * Scale, Maximum * Scale) + Offset : FloatMaximum;
 
         /// <param name="problem">What is wrong with it, if it cannot be read.</param>
         /// <returns>The field, or null.</returns>

@@ -32,6 +32,6 @@ namespace FastPoints.E57
 
         /// <summary>The attribute's usual name, or the field's own.</summary>
         public static string AttributeOf(string field) =>
-            s_attributes.TryGetValue(field, out string name) ? name : UsualNames.Of(field) ?? field;
+            s_attributes.TryGetValue(field, out string name) ? name : CommonNames.Of(field) ?? field;
     }
 }

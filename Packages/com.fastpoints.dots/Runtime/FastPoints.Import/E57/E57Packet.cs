@@ -8,7 +8,7 @@ namespace FastPoints.E57
         public const int IgnoredKind = 2;
 
         /// <summary>Bytes of kind, flags, length and number of bytestreams.</summary>
-        public const int LeastBytes = 4;
+        public const int MinBytes = 4;
         public const int DataHeaderBytes = 6;
         const int RestartFlag = 1;
         const int MaxPaddingBytes = 3;
@@ -29,7 +29,7 @@ namespace FastPoints.E57
         {
             packet = default;
             needsMore = false;
-            if (toEnd < LeastBytes)
+            if (toEnd < MinBytes)
                 return E57Error.SectionEnds;
             int full = DataHeaderBytes + 2 * streams;
             if (available < (full < toEnd ? full : toEnd))

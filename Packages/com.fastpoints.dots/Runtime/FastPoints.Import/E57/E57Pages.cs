@@ -10,7 +10,7 @@ namespace FastPoints.E57
     {
         public const int PageBytes = 1024;
         public const int DataBytes = 1020;
-        const int PagesAtOnce = 256;
+        const int PagesPerRead = 256;
 
         public static long ToLogical(long physical) =>
             physical / PageBytes * DataBytes + Math.Min(physical % PageBytes, DataBytes);
@@ -18,7 +18,7 @@ namespace FastPoints.E57
         public static long ToPhysical(long logical) => logical / DataBytes * PageBytes + logical % DataBytes;
 
         /// <summary>Whether content can start there: not inside a checksum, and at a multiple of four.</summary>
-        public static bool IsPlace(ulong physical) => physical % PageBytes < DataBytes && physical % 4 == 0;
+        public static bool IsContentOffset(ulong physical) => physical % PageBytes < DataBytes && physical % 4 == 0;
 
         /// <summary>Bytes of content, counting only whole pages.</summary>
         public static long LogicalLength(long fileBytes) => fileBytes / PageBytes * DataBytes;
@@ -38,10 +38,10 @@ namespace FastPoints.E57
             int done = 0;
             for (long page = firstPage; page < endPage; page++)
             {
-                if (pages == null || page == firstOfPages + PagesAtOnce)
+                if (pages == null || page == firstOfPages + PagesPerRead)
                 {
                     firstOfPages = page;
-                    pages = source.Read(page * PageBytes, (int)Math.Min(PagesAtOnce, endPage - page) * PageBytes, field).Bytes;
+                    pages = source.Read(page * PageBytes, (int)Math.Min(PagesPerRead, endPage - page) * PageBytes, field).Bytes;
                 }
                 int at = (int)(page - firstOfPages) * PageBytes;
                 if (damagedPage < 0 && crc.Of(pages, at, DataBytes) != Checksum(pages, at + DataBytes))

@@ -13,7 +13,7 @@ namespace FastPoints.E57
     /// read.</remarks>
     internal sealed class E57Reader : PointReader
     {
-        const int MostScansTold = 20;
+        const int MaxReportedScans = 20;
 
         readonly E57Blocks m_blocks;
 
@@ -92,7 +92,7 @@ namespace FastPoints.E57
             return (long)((section.End - section.DataStart) * (range.Count / (double)Math.Max(1, section.Records)));
         }
 
-        public override IEnumerator<Work> FindBlocks() => m_blocks.Find();
+        public override IEnumerator<JobStep> FindBlocks() => m_blocks.Find();
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new E57BlockRead(this, m_blocks, wanted, capacity, allocator);
@@ -109,10 +109,10 @@ namespace FastPoints.E57
             int count = data?.Children.Count ?? 0, leftOut = 0;
             for (int i = 0; i < count; i++)
             {
-                var scan = E57Scan.Read(data.Children[i], i, out string problem, out string remark);
+                var scan = E57Scan.Read(data.Children[i], i, out string problem, out string comment);
                 info.PointsClaimed = Sum(info.PointsClaimed, scan.RecordsClaimed);
-                if (remark != null)
-                    info.Warn(-1, scan.Label + ": " + remark);
+                if (comment != null)
+                    info.Warn(-1, scan.Label + ": " + comment);
                 long offset = -1;
                 E57Section section = null;
                 if (problem == null)
@@ -126,10 +126,10 @@ namespace FastPoints.E57
                 }
                 first = first ?? new PointCloudException(FailureCode.BadInput, info.Path, offset, scan.Label + ": " + problem);
                 leftOut++;
-                if (leftOut <= MostScansTold)
+                if (leftOut <= MaxReportedScans)
                     info.Warn(offset, scan.Label + " is left out: " + problem);
             }
-            if (leftOut > MostScansTold)
+            if (leftOut > MaxReportedScans)
                 info.Warn(-1, NumberText.Of(leftOut) + " of " + NumberText.Of(count) + " scans are left out");
             if (sections.Count == 0 && first != null)
                 throw first;

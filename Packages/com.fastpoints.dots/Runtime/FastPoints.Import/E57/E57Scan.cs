@@ -67,11 +67,11 @@ namespace FastPoints.E57
         }
 
         /// <param name="problem">Why it cannot be read; null if it can.</param>
-        /// <param name="remark">What was assumed, or null.</param>
-        public static E57Scan Read(E57Node node, int index, out string problem, out string remark)
+        /// <param name="comment">What was assumed, or null.</param>
+        public static E57Scan Read(E57Node node, int index, out string problem, out string comment)
         {
             var scan = new E57Scan { Index = index, Name = node.TextOf("name") };
-            scan.Pose = E57Pose.Read(node.Child("pose"), out remark);
+            scan.Pose = E57Pose.Read(node.Child("pose"), out comment);
             scan.ReadLimits(node);
             problem = scan.ReadPoints(node.Child("points"));
             return scan;
@@ -146,7 +146,7 @@ namespace FastPoints.E57
                 BoundsClaimed = bounds;
         }
 
-        static double2 Limits(E57Node node, string least, string most) =>
-            node == null ? new double2(double.NaN, double.NaN) : new double2(node.NumberOf(least), node.NumberOf(most));
+        static double2 Limits(E57Node node, string min, string max) =>
+            node == null ? new double2(double.NaN, double.NaN) : new double2(node.NumberOf(min), node.NumberOf(max));
     }
 }

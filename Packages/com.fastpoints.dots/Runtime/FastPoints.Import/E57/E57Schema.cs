@@ -78,9 +78,9 @@ namespace FastPoints.E57
             var reads = new List<E57FieldRead>();
             var wanted = batch.Schema;
             AddInvalid(reads, scan.Field(scan.IsCartesian ? E57Names.CartesianInvalid : E57Names.SphericalInvalid));
-            bool wantsPosition = wanted.Has(AttributeNames.X) || wanted.Has(AttributeNames.Y) || wanted.Has(AttributeNames.Z);
+            bool needsPosition = wanted.Has(AttributeNames.X) || wanted.Has(AttributeNames.Y) || wanted.Has(AttributeNames.Z);
             var position = scan.Three(scan.IsCartesian ? E57Names.Cartesian : E57Names.Spherical);
-            if (HasVectorPositions && wantsPosition)
+            if (HasVectorPositions && needsPosition)
                 for (int i = 0; i < 3; i++)
                     reads.Add(VectorRead(position[i], i));
             bool hasVectorNormals = HasVectorNormals(scan);
@@ -176,7 +176,7 @@ namespace FastPoints.E57
                 bool isOneScale = Array.TrueForAll(scales, other => other == scales[0]);
                 scale[axis] = isOneScale ? scales[0] : CommonGrid.StepOf(scales, offsets);
                 offset[axis] = offsets[0];
-                double least = double.PositiveInfinity, most = double.NegativeInfinity;
+                double min = double.PositiveInfinity, max = double.NegativeInfinity;
                 for (int i = 0; i < m_scans.Count; i++)
                 {
                     double steps = (offsets[i] - offset[axis]) / scale[axis];
@@ -188,18 +188,18 @@ namespace FastPoints.E57
                     shifts[i][axis] = whole;
                     var field = m_scans[i].Field(E57Names.Cartesian[axis]);
                     double first = (double)field.Minimum * factor + whole, last = (double)field.Maximum * factor + whole;
-                    least = Math.Min(least, Math.Min(first, last));
-                    most = Math.Max(most, Math.Max(first, last));
+                    min = Math.Min(min, Math.Min(first, last));
+                    max = Math.Max(max, Math.Max(first, last));
                 }
                 // As doubles these limits are rounded, and far outside what 64 bits hold if a shift could exceed them.
                 bool isMoved = !isOneScale || shifts.Any(shift => shift[axis] != 0);
-                if (isMoved && !(Math.Abs(least) < 1L << 62 && Math.Abs(most) < 1L << 62))
+                if (isMoved && !(Math.Abs(min) < 1L << 62 && Math.Abs(max) < 1L << 62))
                     return false;
-                bool isNarrow = most - least <= uint.MaxValue && Math.Abs(least) < 1L << 52;
+                bool isNarrow = max - min <= uint.MaxValue && Math.Abs(min) < 1L << 52;
                 m_gridTypes[axis] = isNarrow ? AttributeType.Int32 : AttributeType.Int64;
-                if (!isNarrow || least >= int.MinValue && most <= int.MaxValue)
+                if (!isNarrow || min >= int.MinValue && max <= int.MaxValue)
                     continue;
-                long toInt = int.MinValue - (long)least;
+                long toInt = int.MinValue - (long)min;
                 for (int i = 0; i < shifts.Length; i++)
                     shifts[i][axis] += toInt;
                 offset[axis] -= toInt * scale[axis];
@@ -249,7 +249,7 @@ namespace FastPoints.E57
             if (Array.IndexOf(E57Names.Colors, name) >= 0)
                 return ColorType();
             bool isFirst = true, isInteger = true, isTurned = false, isFloat32 = true, isOnOneScale = true;
-            long least = 0, most = 0;
+            long min = 0, max = 0;
             foreach (var scan in m_scans)
             {
                 var field = scan.Field(name);
@@ -268,11 +268,11 @@ namespace FastPoints.E57
                 isFirst = false;
                 isOnOneScale &= field.Scale == scale && field.Offset == offset;
                 long bias = BiasOf(field);
-                least = Math.Min(least, field.Minimum + bias);
-                most = Math.Max(most, field.Maximum == long.MaxValue ? long.MaxValue : field.Maximum + bias);
+                min = Math.Min(min, field.Minimum + bias);
+                max = Math.Max(max, field.Maximum == long.MaxValue ? long.MaxValue : field.Maximum + bias);
             }
             if (isInteger && isOnOneScale && !isTurned)
-                return TypeOf(least, most);
+                return TypeOf(min, max);
             scale = 1;
             offset = 0;
             return isFloat32 || isTurned ? AttributeType.Float32 : AttributeType.Float64;
@@ -281,14 +281,14 @@ namespace FastPoints.E57
         /// <summary>E57 counts returns from 0, all others from 1.</summary>
         static long BiasOf(E57Field field) => field.Name == E57Names.ReturnIndex && !field.IsScaled ? 1 : 0;
 
-        static AttributeType TypeOf(long least, long most)
+        static AttributeType TypeOf(long min, long max)
         {
-            if (least >= 0)
-                return most <= byte.MaxValue ? AttributeType.UInt8 : most <= ushort.MaxValue ? AttributeType.UInt16
-                    : most <= uint.MaxValue ? AttributeType.UInt32 : AttributeType.Int64;
-            return least >= sbyte.MinValue && most <= sbyte.MaxValue ? AttributeType.Int8
-                : least >= short.MinValue && most <= short.MaxValue ? AttributeType.Int16
-                : least >= int.MinValue && most <= int.MaxValue ? AttributeType.Int32 : AttributeType.Int64;
+            if (min >= 0)
+                return max <= byte.MaxValue ? AttributeType.UInt8 : max <= ushort.MaxValue ? AttributeType.UInt16
+                    : max <= uint.MaxValue ? AttributeType.UInt32 : AttributeType.Int64;
+            return min >= sbyte.MinValue && max <= sbyte.MaxValue ? AttributeType.Int8
+                : min >= short.MinValue && max <= short.MaxValue ? AttributeType.Int16
+                : min >= int.MinValue && max <= int.MaxValue ? AttributeType.Int32 : AttributeType.Int64;
         }
 
         AttributeType ColorType()
@@ -319,7 +319,7 @@ namespace FastPoints.E57
             var limits = scan.ColorLimits[color];
             if (!(math.all(math.isfinite(limits)) && limits.x < limits.y))
                 limits = !field.IsInteger || field.Bits <= 32
-                    ? new double2(field.Least, field.Most) : new double2(double.NaN, double.NaN);
+                    ? new double2(field.MinReal, field.MaxReal) : new double2(double.NaN, double.NaN);
             if (!(limits.x < limits.y && math.all(math.abs(limits) < uint.MaxValue + 1.0)))
                 limits = new double2(0, field.IsInteger ? byte.MaxValue : 1);
             double full = 1;

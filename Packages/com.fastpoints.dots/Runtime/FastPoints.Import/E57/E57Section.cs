@@ -13,8 +13,8 @@ namespace FastPoints.E57
 
         /// <summary>Records between two marks, unless records are long: a range costs what it holds, rounded up to
         /// that.</summary>
-        const int UsualMarkRecords = 4096;
-        const int LeastMarkRecords = 64;
+        const int DefaultMarkRecords = 4096;
+        const int MinMarkRecords = 64;
         const long MaxMarkBytes = 512 << 10;
         const int MarksPerBlock = 8;
 
@@ -48,8 +48,8 @@ namespace FastPoints.E57
             EndOfStream = new long[scan.Fields.Count];
             for (int i = 0; i < MarksOfStream.Length; i++)
                 MarksOfStream[i] = new List<E57Mark>();
-            MarkRecords = UsualMarkRecords;
-            while (MarkRecords > LeastMarkRecords && MarkRecords * scan.RecordBits / 8 > MaxMarkBytes)
+            MarkRecords = DefaultMarkRecords;
+            while (MarkRecords > MinMarkRecords && MarkRecords * scan.RecordBits / 8 > MaxMarkBytes)
                 MarkRecords /= 2;
         }
 
@@ -71,7 +71,7 @@ namespace FastPoints.E57
             offset = (long)Math.Min(scan.SectionOffset, (ulong)source.Length);
             if (scan.RecordsClaimed == 0)
                 return section;
-            if (!E57Pages.IsPlace(scan.SectionOffset) || scan.SectionOffset >= (ulong)source.Length)
+            if (!E57Pages.IsContentOffset(scan.SectionOffset) || scan.SectionOffset >= (ulong)source.Length)
             {
                 problem = "fileOffset: wanted a place in the file, got " + scan.SectionOffset;
                 offset = -1;
@@ -88,7 +88,7 @@ namespace FastPoints.E57
             ulong length = header.UInt64(8, "length"), data = header.UInt64(16, "data offset");
             if (header.UInt8(0, "section id") != SectionId)
                 problem = "section id: wanted 1, got " + header.UInt8(0, "section id");
-            else if (!E57Pages.IsPlace(data) || data >= (ulong)source.Length || (long)data < offset)
+            else if (!E57Pages.IsContentOffset(data) || data >= (ulong)source.Length || (long)data < offset)
                 problem = "offset of its first packet: wanted a place in the section, got " + data;
             if (problem != null)
                 return section;

@@ -22,10 +22,10 @@ namespace FastPoints.E57
         const int Guesses = BufferPages / GuessPages;
 
         /// <summary>For shorter packets, reading everything between their headers is faster.</summary>
-        const int LeastGuessedBytes = 16 * E57Pages.DataBytes;
+        const int MinGuessedBytes = 16 * E57Pages.DataBytes;
 
         /// <summary>This many guesses must hold; otherwise the walk makes as many steps without guessing.</summary>
-        const int LeastHits = 32;
+        const int MinHits = 32;
         const int StepsWithoutGuess = 8;
 
         readonly SourceInfo m_info;
@@ -68,8 +68,8 @@ namespace FastPoints.E57
             }, Allocator.Persistent);
         }
 
-        /// <summary>Work for a pump; afterwards the section has its marks and knows its number of records.</summary>
-        public IEnumerator<Work> Run()
+        /// <summary>Coroutine; afterwards the section has its marks and knows its number of records.</summary>
+        public IEnumerator<JobStep> Run()
         {
             while (!m_state.Value.IsDone)
             {
@@ -90,9 +90,9 @@ namespace FastPoints.E57
                 yield return m_walked;
                 m_walked.Complete();
                 m_read.End();
-                TakeMarks();
+                AddMarks();
             }
-            Settle();
+            Finish();
         }
 
         void Plan(E57WalkState state)
@@ -100,9 +100,9 @@ namespace FastPoints.E57
             m_read.Clear();
             long page = state.Position / E57Pages.DataBytes;
             long lastPage = (m_section.End + E57Pages.DataBytes - 1) / E57Pages.DataBytes;
-            if (m_isGuess && state.Packets < LeastHits)
+            if (m_isGuess && state.Packets < MinHits)
                 m_stepsWithoutGuess = StepsWithoutGuess;
-            m_isGuess = !m_isFirst && state.LastPacketBytes >= LeastGuessedBytes && m_stepsWithoutGuess == 0;
+            m_isGuess = !m_isFirst && state.LastPacketBytes >= MinGuessedBytes && m_stepsWithoutGuess == 0;
             if (m_isGuess)
             {
                 for (int i = 0; i < Guesses; i++)
@@ -118,14 +118,14 @@ namespace FastPoints.E57
             m_isFirst = false;
         }
 
-        void TakeMarks()
+        void AddMarks()
         {
             for (int i = 0; i < m_marks.Length; i++)
                 m_section.MarksOfStream[m_marks[i].Stream].Add(m_marks[i]);
             m_marks.Clear();
         }
 
-        void Settle()
+        void Finish()
         {
             var state = m_state.Value;
             var scan = m_section.Scan;

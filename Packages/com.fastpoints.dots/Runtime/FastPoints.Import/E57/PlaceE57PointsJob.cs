@@ -41,10 +41,10 @@ namespace FastPoints.E57
             {
                 if (IsSpherical)
                     FromSpherical(result.Points);
-                Turn(0, result.Points, Pose.Translation, PositionColumns);
+                Rotate(0, result.Points, Pose.Translation, PositionColumns);
             }
             if (HasNormals)
-                Turn(3, result.Points, new double3(0, 0, 0), NormalColumns);
+                Rotate(3, result.Points, new double3(0, 0, 0), NormalColumns);
             Compact(ref result);
             Result.Value = result;
         }
@@ -66,7 +66,7 @@ namespace FastPoints.E57
             }
         }
 
-        void Turn(int row, int count, double3 shift, int3 columns)
+        void Rotate(int row, int count, double3 shift, int3 columns)
         {
             double* row0 = Row(row), row1 = Row(row + 1), row2 = Row(row + 2);
             if (!Pose.IsShift)

@@ -33,7 +33,7 @@ namespace FastPoints.E57
                 while (at < ExtentCount && Extents[at].LogicalEnd <= state.Position)
                     at++;
                 long toEnd = SectionEnd - state.Position;
-                if (toEnd < E57Packet.LeastBytes)
+                if (toEnd < E57Packet.MinBytes)
                 {
                     state.Error = E57Error.SectionEnds;
                     break;
@@ -53,7 +53,7 @@ namespace FastPoints.E57
                     state.Error = error;
                     break;
                 }
-                CheckHeader(ref state, extent, packet.Kind == E57Packet.DataKind ? packet.HeaderBytes : E57Packet.LeastBytes);
+                CheckHeader(ref state, extent, packet.Kind == E57Packet.DataKind ? packet.HeaderBytes : E57Packet.MinBytes);
                 if (packet.Kind == E57Packet.DataKind)
                 {
                     for (int i = 0; i < StreamCount; i++)

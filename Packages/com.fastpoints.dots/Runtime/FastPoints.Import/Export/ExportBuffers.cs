@@ -39,13 +39,13 @@ namespace FastPoints.Export
         }
 
         /// <param name="path">An absolute path.</param>
-        /// <param name="mostPoints">The most points that are appended at once.</param>
+        /// <param name="maxPoints">The most points that are appended at once.</param>
         /// <param name="lanes">Buffers that are worked on side by side.</param>
-        public ExportBuffers(string path, ExportFormat format, int mostPoints, int lanes)
+        public ExportBuffers(string path, ExportFormat format, int maxPoints, int lanes)
         {
             m_path = path;
             m_format = format;
-            m_buffers = new Buffer[mostPoints / format.BufferPoints + lanes + SpareBuffers];
+            m_buffers = new Buffer[maxPoints / format.BufferPoints + lanes + SpareBuffers];
             m_pointers = new NativeArray<ulong>(m_buffers.Length, Allocator.Persistent);
             for (int i = 0; i < m_buffers.Length; i++)
             {
@@ -83,8 +83,8 @@ namespace FastPoints.Export
                 waitMs = 0;
         }
 
-        /// <summary>Work for a pump, after all jobs: takes on the last points, and waits until all are written.</summary>
-        public IEnumerator<Work> Drain(long filled)
+        /// <summary>Coroutine, after all jobs: takes on the last points, and waits until all are written.</summary>
+        public IEnumerator<JobStep> Drain(long filled)
         {
             Advance(filled, 0);
             int rest = (int)(filled - m_sealed * m_format.BufferPoints);
@@ -105,8 +105,8 @@ namespace FastPoints.Export
             return ticket;
         }
 
-        /// <summary>Work for a pump: writes bytes behind all others, or, as the last ones, over the first.</summary>
-        public IEnumerator<Work> Write(byte[] bytes, bool isLast)
+        /// <summary>Coroutine: writes bytes behind all others, or, as the last ones, over the first.</summary>
+        public IEnumerator<JobStep> Write(byte[] bytes, bool isLast)
         {
             using var copy = new NativeArray<byte>(bytes, Allocator.Persistent);
             var ticket = isLast ? m_queue.Seal(m_path, copy) : Append(copy);
@@ -137,7 +137,7 @@ namespace FastPoints.Export
             m_pointers.Dispose();
             // The failure that led here is the one to report.
             if (!m_isWhole)
-                FileChanges.DeleteRemains(m_path + WriteQueue.TemporarySuffix, () => false);
+                FileChanges.TryDelete(m_path + WriteQueue.TemporarySuffix, () => false);
         }
 
         void Seal(long number, int points)

@@ -52,27 +52,28 @@ namespace FastPoints.Export
         /// <summary>Whether files of this name can be written.</summary>
         public static bool CanWrite(string path) => Path.GetExtension(path).ToLowerInvariant() is ".las" or ".laz" or ".ply";
 
-        /// <summary>Work for a pump. The file is there, whole, when it has ended; cancelled or failed, it leaves
+        /// <summary>Coroutine. The file is there, whole, when it has ended; cancelled or failed, it leaves
         /// nothing.</summary>
         /// <param name="path">Its ending says what is written.</param>
         /// <exception cref="PointCloudException">The source or the target is at fault.</exception>
-        public static IEnumerator<Work> Run(PointReader reader, string path, ExportSettings settings, Action<ExportResult> done,
+        public static IEnumerator<JobStep> Run(PointReader reader, string path, ExportSettings settings,
+            Action<ExportResult> done,
             StageProgress progress)
         {
             path = Path.GetFullPath(path);
             if (!reader.BlocksAreKnown)
             {
                 progress?.Begin("find points");
-                yield return Work.Of(reader.FindBlocks());
+                yield return JobStep.Of(reader.FindBlocks());
             }
             List<ExportRange> ranges = null;
             ExportFormat format = null;
-            yield return Work.Of(PoolWork.Run(path, () => FormatOf(reader, path, settings), made => format = made));
-            yield return Work.Of(PoolWork.Run(path, () => ExportRange.Choose(reader, path, settings), made => ranges = made));
+            yield return JobStep.Of(PoolTask.Run(path, () => FormatOf(reader, path, settings), made => format = made));
+            yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.Choose(reader, path, settings), made => ranges = made));
             using var export = new ExportCloud(reader, settings, format, ranges, progress);
-            yield return Work.Of(export.SetBounds());
+            yield return JobStep.Of(export.SetBounds());
             progress?.Begin("export");
-            yield return Work.Of(export.Write(path, done));
+            yield return JobStep.Of(export.Write(path, done));
             progress?.End();
         }
 
@@ -103,7 +104,7 @@ namespace FastPoints.Export
         }
 
         /// <summary>Finds out where the points are, if the file has a grid to choose; converted clouds know it.</summary>
-        IEnumerator<Work> SetBounds()
+        IEnumerator<JobStep> SetBounds()
         {
             m_state.Value = ExportState.None;
             if (!m_format.NeedsBounds)
@@ -118,31 +119,31 @@ namespace FastPoints.Export
             {
                 m_progress?.Begin("measure");
                 var names = m_settings.Classes != null ? AttributeNames.Classification : AttributeNames.X;
-                yield return Work.Of(Pass(m_wanted.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, names), null));
+                yield return JobStep.Of(Pass(m_wanted.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, names), null));
                 measured = m_state.Value;
                 m_state.Value = ExportState.None;
             }
             m_format.SetBounds(measured);
         }
 
-        IEnumerator<Work> Write(string path, Action<ExportResult> done)
+        IEnumerator<JobStep> Write(string path, Action<ExportResult> done)
         {
-            using var buffers = new ExportBuffers(path, m_format, ExportRange.Longest(m_ranges), Slices.Lanes);
-            yield return Work.Of(buffers.Write(m_format.Head(path, m_state.Value, 0, 0), false));
-            yield return Work.Of(Pass(m_wanted, buffers));
-            yield return Work.Of(buffers.Drain(m_state.Value.Written));
+            using var buffers = new ExportBuffers(path, m_format, ExportRange.Longest(m_ranges), Slices.MaxChains);
+            yield return JobStep.Of(buffers.Write(m_format.Head(path, m_state.Value, 0, 0), false));
+            yield return JobStep.Of(Pass(m_wanted, buffers));
+            yield return JobStep.Of(buffers.Drain(m_state.Value.Written));
             long chunksEnd = buffers.Bytes;
-            yield return Work.Of(buffers.Write(m_format.Behind(), false));
+            yield return JobStep.Of(buffers.Write(m_format.Trailer(), false));
             long pointsEnd = buffers.Bytes;
             foreach (var (offset, bytes) in m_format.Tail)
-                yield return Work.Of(CopyTail(buffers, offset, bytes));
+                yield return JobStep.Of(CopyTail(buffers, offset, bytes));
             var state = m_state.Value;
-            yield return Work.Of(buffers.Write(m_format.Head(path, state, chunksEnd, pointsEnd), true));
+            yield return JobStep.Of(buffers.Write(m_format.Head(path, state, chunksEnd, pointsEnd), true));
             done(new ExportResult(m_format, state, buffers.Bytes));
         }
 
         /// <summary>Copies a part of the source's file, in pieces.</summary>
-        IEnumerator<Work> CopyTail(ExportBuffers buffers, long offset, long bytes)
+        IEnumerator<JobStep> CopyTail(ExportBuffers buffers, long offset, long bytes)
         {
             const int pieceBytes = 4 << 20;
             using var read = new StoreRead();
@@ -166,22 +167,22 @@ namespace FastPoints.Export
 
         /// <summary>Goes over all ranges, several in flight, and appends their points one behind another.</summary>
         /// <param name="buffers">Null to measure.</param>
-        IEnumerator<Work> Pass(PointSchema wanted, ExportBuffers buffers)
+        IEnumerator<JobStep> Pass(PointSchema wanted, ExportBuffers buffers)
         {
             int longest = ExportRange.Longest(m_ranges);
-            var ahead = SourceScan.AheadFor(m_reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => m_settings.AheadMs);
+            var limit = SourceScan.LimitFor(m_reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => m_settings.InFlightMs);
             var idle = new Stack<Slot>();
             var all = new List<Slot>();
             var inFlight = new Queue<Slot>();
             var last = default(JobHandle);
-            long pointsAhead = 0, read = 0, points = 0, bytes = 0;
+            long pointsInFlight = 0, read = 0, points = 0, bytes = 0;
             try
             {
                 for (int next = 0; next < m_ranges.Count || inFlight.Count > 0;)
                 {
                     bool hasRoom = next < m_ranges.Count && (buffers == null ||
-                        buffers.HasRoom(points, pointsAhead + m_ranges[next].Range.Count));
-                    if (hasRoom && inFlight.Count < ahead.Count)
+                        buffers.HasRoom(points, pointsInFlight + m_ranges[next].Range.Count));
+                    if (hasRoom && inFlight.Count < limit.Value)
                     {
                         if (idle.Count == 0)
                         {
@@ -190,7 +191,7 @@ namespace FastPoints.Export
                         }
                         var slot = idle.Pop();
                         last = slot.Begin(m_ranges[next], JobOf(buffers), last);
-                        pointsAhead += m_ranges[next++].Range.Count;
+                        pointsInFlight += m_ranges[next++].Range.Count;
                         inFlight.Enqueue(slot);
                         JobHandle.ScheduleBatchedJobs();
                         yield return default;
@@ -199,11 +200,11 @@ namespace FastPoints.Export
                     if (inFlight.Count > 0)
                     {
                         var slot = inFlight.Peek();
-                        ahead.Await();
+                        limit.Await();
                         yield return slot.Done;
-                        ahead.Resume(next < m_ranges.Count && hasRoom && last.IsCompleted);
+                        limit.Resume(next < m_ranges.Count && hasRoom && last.IsCompleted);
                         points = slot.Complete();
-                        pointsAhead -= slot.Read.Range.Count;
+                        pointsInFlight -= slot.Read.Range.Count;
                         read += slot.Read.Points.Count;
                         bytes += m_reader.BytesOfRange(slot.Read.Range);
                         idle.Push(inFlight.Dequeue());
@@ -348,7 +349,7 @@ namespace FastPoints.Export
                             To = to,
                             Scale = column.Scale,
                             Offset = column.Offset,
-                            Most = column.Most,
+                            Max = column.Max,
                         });
                 }
                 same = FieldCopyPlan.Make(fields.ToArray(), columns.ToArray());

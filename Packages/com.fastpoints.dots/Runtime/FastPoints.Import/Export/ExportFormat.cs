@@ -37,7 +37,7 @@ namespace FastPoints.Export
 
         /// <summary>All that comes before the points, of a length that is always the same.</summary>
         /// <param name="written">The points; none before they are written.</param>
-        /// <param name="chunksEnd">Where <see cref="Behind"/> begins.</param>
+        /// <param name="chunksEnd">Where <see cref="Trailer"/> begins.</param>
         /// <param name="pointsEnd">Where the tail begins.</param>
         public abstract byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd);
 
@@ -48,7 +48,7 @@ namespace FastPoints.Export
         public virtual void Written(int bytes) { }
 
         /// <summary>What follows the points.</summary>
-        public virtual byte[] Behind() => System.Array.Empty<byte>();
+        public virtual byte[] Trailer() => System.Array.Empty<byte>();
 
         /// <summary>A column for each axis, of the source's type and in its place.</summary>
         protected void SetAxes(AttributeType type)
@@ -71,12 +71,12 @@ namespace FastPoints.Export
         public string From;
         public PointField To;
 
-        /// <summary>Written = read * Scale + Offset, at most <see cref="Most"/>.</summary>
+        /// <summary>Written = read * Scale + Offset, at most <see cref="Max"/>.</summary>
         public double Scale = 1;
         public double Offset;
-        public double Most = double.PositiveInfinity;
+        public double Max = double.PositiveInfinity;
 
         public bool IsSame(AttributeType from) =>
-            from == To.Type && Scale == 1 && Offset == 0 && double.IsPositiveInfinity(Most);
+            from == To.Type && Scale == 1 && Offset == 0 && double.IsPositiveInfinity(Max);
     }
 }

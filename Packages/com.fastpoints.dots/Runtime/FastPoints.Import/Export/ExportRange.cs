@@ -109,13 +109,13 @@ namespace FastPoints.Export
             foreach (int block in order)
             {
                 int points = reader.PointsInBlock(block);
-                if (stored != null && IsLeft(clips, stored.CubeOf(block)))
+                if (stored != null && MayKeepAny(clips, stored.CubeOf(block)))
                 {
                     int own = stored.OwnPointsOf(block), level = stored.LevelOf(block);
                     ranges.Add(new ExportRange { Range = new BlockRange(block, 0, own), m_level = level });
                     ranges.Add(new ExportRange { Range = new BlockRange(block, own, points - own), m_level = level + 1 });
                 }
-                else if (stored == null && (nodeOfBlock[block] < 0 || IsLeft(clips, CubeOf(reader, nodeOfBlock[block]))))
+                else if (stored == null && (nodeOfBlock[block] < 0 || MayKeepAny(clips, CubeOf(reader, nodeOfBlock[block]))))
                 {
                     // What no node names is below all of them.
                     int level = !hasLevels ? 0 : nodeOfBlock[block] < 0 ? int.MaxValue : reader.Tree[nodeOfBlock[block]].Level;
@@ -134,12 +134,12 @@ namespace FastPoints.Export
         }
 
         /// <summary>Whether clips may leave something of a box.</summary>
-        static unsafe bool IsLeft(LocalClip[] clips, BoundsGeo box)
+        static unsafe bool MayKeepAny(LocalClip[] clips, BoundsGeo box)
         {
             // Writers round nodes' boxes: nothing is lost by a box that is a little larger.
             var half = box.Size * (0.5 + 1e-6) + math.abs(box.Center) * 1e-14;
             fixed (LocalClip* first = clips)
-                return LocalClip.Leave(first, clips.Length, box.Center, half);
+                return LocalClip.MayKeep(first, clips.Length, box.Center, half);
         }
     }
 
@@ -165,8 +165,8 @@ namespace FastPoints.Export
         /// an even share of any other source; 0 for all.</summary>
         public long Budget;
 
-        /// <summary>See <see cref="Convert.ConvertSettings.AheadMs"/>.</summary>
-        public double AheadMs;
+        /// <summary>See <see cref="Convert.ConvertSettings.InFlightMs"/>.</summary>
+        public double InFlightMs;
 
         public LocalClip[] LocalClips()
         {

@@ -15,13 +15,13 @@ namespace FastPoints.Export
     {
         const int BufferBytes = 1 << 20;
 
-        /// <summary>Coordinates without a grid get this step, or a finer one; degrees <see cref="UsualDegrees"/>.</summary>
-        const double UsualStep = 0.001, UsualDegrees = 1e-7;
+        /// <summary>Coordinates without a grid get this step, or a finer one; degrees <see cref="DefaultDegrees"/>.</summary>
+        const double DefaultStep = 0.001, DefaultDegrees = 1e-7;
 
         /// <summary>More bytes of records before the points than files have.</summary>
-        const long MostVlrBytes = 64 << 20;
+        const long MaxVlrBytes = 64 << 20;
 
-        const double MostSteps = uint.MaxValue - 1.0;
+        const double MaxSteps = uint.MaxValue - 1.0;
         const ushort WktEncodingBit = 1 << 4;
 
         readonly LasHeader m_header;
@@ -35,8 +35,8 @@ namespace FastPoints.Export
 
         /// <param name="reader">Any thread: its file is opened besides.</param>
         /// <param name="chosen">The attributes to keep beside the position; null for all.</param>
-        /// <param name="mostPoints">The most points that can come.</param>
-        public LasExport(PointReader reader, string[] chosen, long mostPoints)
+        /// <param name="maxPoints">The most points that can come.</param>
+        public LasExport(PointReader reader, string[] chosen, long maxPoints)
         {
             var info = reader.Info;
             m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
@@ -44,7 +44,7 @@ namespace FastPoints.Export
             var las = reader.Las;
             m_header = las != null ? HeaderOf(las) : new LasHeader { VersionMinor = 4 };
             m_header.GeneratingSoftware = "FastPoints";
-            if (mostPoints > uint.MaxValue && m_header.VersionMinor < 4)
+            if (maxPoints > uint.MaxValue && m_header.VersionMinor < 4)
                 m_header.VersionMinor = 4;
             m_header.HeaderBytes = LasHeader.BytesOf(m_header.VersionMinor);
             if (las == null)
@@ -53,7 +53,7 @@ namespace FastPoints.Export
             ReturnMask = format.IsExtended ? 15 : 7;
             RecordBytes = format.RecordBytes;
             if (las != null && chosen == null)
-                TakeRecords(las);
+                UseRecordsOf(las);
             else
                 MapColumns(info, format, chosen, las != null);
             if (RecordBytes > ushort.MaxValue)
@@ -122,7 +122,7 @@ namespace FastPoints.Export
             {
                 var size = measured.MaxStored - measured.MinStored;
                 double widest = math.cmax(new double3(size.X, size.Y, size.Z));
-                while (widest / Position.Divisor > MostSteps)
+                while (widest / Position.Divisor > MaxSteps)
                     Position.Divisor *= 10;
                 Position.Base = new Grid3(BaseOf(measured.MinStored.X, measured.MaxStored.X),
                     BaseOf(measured.MinStored.Y, measured.MaxStored.Y), BaseOf(measured.MinStored.Z, measured.MaxStored.Z));
@@ -139,7 +139,7 @@ namespace FastPoints.Export
             if (Position.Divisor == 1 && min >= int.MinValue && max <= int.MaxValue)
                 return 0;
             long middle = min + (max - min) / 2, round = (long)(1e6 * Position.Divisor), rounded = middle / round * round;
-            return (max - min) / Position.Divisor < MostSteps - 4e6 ? rounded : middle;
+            return (max - min) / Position.Divisor < MaxSteps - 4e6 ? rounded : middle;
         }
 
         void SetDecimalGrid(BoundsGeo box)
@@ -148,13 +148,13 @@ namespace FastPoints.Export
                 box = new BoundsGeo(default, default);
             double extent = Math.Min(double.MaxValue, math.cmax(box.Size));
             double farthest = math.cmax(math.max(math.abs(box.Min), math.abs(box.Max)));
-            double step = m_isOnDegrees ? UsualDegrees : UsualStep;
+            double step = m_isOnDegrees ? DefaultDegrees : DefaultStep;
             if (extent > 0)
                 step = Math.Min(step, Math.Pow(10, Math.Floor(Math.Log10(extent)) - 6));
             // Finer than the coordinates themselves is of no use.
             if (farthest > 0)
                 step = Math.Max(step, Math.Pow(10, Math.Ceiling(Math.Log10(farthest)) - 16));
-            while (extent / step > MostSteps - 4e6)
+            while (extent / step > MaxSteps - 4e6)
                 step *= 10;
             Position.To.Scale = new double3(step, step, step);
             for (int axis = 0; axis < 3; axis++)
@@ -218,7 +218,7 @@ namespace FastPoints.Export
         }
 
         /// <summary>Records with every byte of the source's.</summary>
-        void TakeRecords(LasFile las)
+        void UseRecordsOf(LasFile las)
         {
             RecordBytes = las.Layout.RecordBytes;
             foreach (var field in las.Layout.Fields)
@@ -240,7 +240,7 @@ namespace FastPoints.Export
                 if (standard.TryFind(attribute.Name, out column.To) && Fits(attribute, column))
                 {
                     if (column.To.IsBits && !isLas)
-                        column.Most = (1 << column.To.BitWidth) - 1;
+                        column.Max = (1 << column.To.BitWidth) - 1;
                     Columns.Add(column);
                     continue;
                 }
@@ -297,12 +297,12 @@ namespace FastPoints.Export
                     tail += length;
                     m_evlrs++;
                 }
-                else if ((bytes += length) <= MostVlrBytes)
+                else if ((bytes += length) <= MaxVlrBytes)
                 {
                     m_vlrs.Add(source.Read(vlr.Offset, (int)length, "VLR").Bytes);
                 }
             }
-            if (bytes > MostVlrBytes)
+            if (bytes > MaxVlrBytes)
                 Warnings.Add("records of more than 64 MiB lie before the points: what is beyond that is left out");
             // LAS 1.3 has no list of such records, only the place of this one.
             ulong waves = las.Header.WaveformOffset;

@@ -13,7 +13,7 @@ namespace FastPoints.Export
         readonly LazChunkForm m_form;
         readonly List<int> m_bytesOfChunk = new List<int>();
 
-        public LazExport(PointReader reader, string[] chosen, long mostPoints) : base(reader, chosen, mostPoints)
+        public LazExport(PointReader reader, string[] chosen, long maxPoints) : base(reader, chosen, maxPoints)
         {
             if (ExtraBytes > LazFormat.MaxExtraBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1, "extra bytes of a point in LAZ",
@@ -29,7 +29,7 @@ namespace FastPoints.Export
 
         public override void Written(int bytes) => m_bytesOfChunk.Add(bytes);
 
-        public override byte[] Behind() => LazChunkTable.ToBytes(m_bytesOfChunk);
+        public override byte[] Trailer() => LazChunkTable.ToBytes(m_bytesOfChunk);
 
         /// <summary>Behind the head of LAS stands where the table is.</summary>
         public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)

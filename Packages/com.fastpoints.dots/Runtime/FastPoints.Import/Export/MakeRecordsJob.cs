@@ -215,9 +215,9 @@ namespace FastPoints.Export
                 for (int i = 0; i < points; i++)
                 {
                     double value = values[i] * change.Scale + change.Offset;
-                    if (value > change.Most)
+                    if (value > change.Max)
                     {
-                        value = change.Most;
+                        value = change.Max;
                         state.Clamped++;
                     }
                     Put(to, change.To.Type, first + i, value);
@@ -305,7 +305,7 @@ namespace FastPoints.Export
         public double Offset;
 
         /// <summary>Larger values become this one, and are counted.</summary>
-        public double Most;
+        public double Max;
     }
 
     /// <summary>What an export has seen and written so far. Blittable.</summary>

@@ -12,8 +12,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>A converted cloud as a source: positions are the grid's whole numbers, a block is a node with its guests, in the
-    /// order of the files.</summary>
+    /// <summary>A converted cloud as a source: positions are the grid's whole numbers, a block is a node with its inlined leaves,
+    /// in the order of the files.</summary>
     internal sealed class StoredReader : PointReader
     {
         readonly CloudFolder m_folder;
@@ -22,7 +22,7 @@ namespace FastPoints.Export
         readonly List<NodeTable> m_tables = new List<NodeTable>();
         readonly List<string> m_paths = new List<string>();
         readonly List<StoredBlock> m_blocks = new List<StoredBlock>();
-        int m_mostPoints = 1;
+        int m_maxPoints = 1;
 
         StoredReader(CloudFolder folder) => m_folder = folder;
 
@@ -44,9 +44,9 @@ namespace FastPoints.Export
                 for (int n = 0; n < blockOfNode.Length; n++)
                 {
                     var node = m_tables[file].Nodes[n];
-                    bool isGuest = node.Host != n;
-                    blockOfNode[n] = isGuest ? blockOfNode[node.Host] : m_blocks.Count;
-                    if (!isGuest)
+                    bool isInlined = node.PlaneNode != n;
+                    blockOfNode[n] = isInlined ? blockOfNode[node.PlaneNode] : m_blocks.Count;
+                    if (!isInlined)
                         m_blocks.Add(new StoredBlock { File = file, Node = n, OwnPoints = node.PointCount });
                     var block = m_blocks[blockOfNode[n]];
                     block.Points += node.PointCount;
@@ -58,7 +58,7 @@ namespace FastPoints.Export
                     block.FirstPoint = first;
                     m_blocks[b] = block;
                     first += block.Points;
-                    m_mostPoints = Math.Max(m_mostPoints, block.Points);
+                    m_maxPoints = Math.Max(m_maxPoints, block.Points);
                 }
             }
             Info = Describe(folder, first);
@@ -86,19 +86,19 @@ namespace FastPoints.Export
 
         public override int BlockCount => m_blocks.Count;
 
-        public override int MaxPointsPerBlock => m_mostPoints;
+        public override int MaxPointsPerBlock => m_maxPoints;
 
         public override long FirstPointOfBlock(int block) => m_blocks[block].FirstPoint;
 
         public override int PointsInBlock(int block) => m_blocks[block].Points;
 
-        /// <summary>Points of the node itself, which come before those of its guests.</summary>
+        /// <summary>Points of the node itself, which come before those of its inlined leaves.</summary>
         public int OwnPointsOf(int block) => m_blocks[block].OwnPoints;
 
-        /// <summary>0 for the root. Guests are a level below.</summary>
+        /// <summary>0 for the root. Inlined leaves are a level below.</summary>
         public int LevelOf(int block) => Manifest.Root.SideLog2 - NodeOf(block).SideLog2;
 
-        /// <summary>The node's cube, which holds its guests too.</summary>
+        /// <summary>The node's cube, which holds its inlined leaves too.</summary>
         public BoundsGeo CubeOf(int block)
         {
             var cube = NodeOf(block).Cube;
@@ -229,13 +229,13 @@ namespace FastPoints.Export
                     Ranges = m_ranges,
                     Shapes = m_shapes,
                     Targets = m_targets,
-                    HostedBlocks = node.HostedBlocks,
+                    PlaneBlocks = node.PlaneBlocks,
                     Corner = node.Corner,
                     First = range.First,
                     Count = range.Count,
                     Columns = Points.Bytes,
                     Result = Result,
-                }.Schedule(Behind(m_file.Begin(m_reader.m_paths[block.File], first, (int)bytes)));
+                }.Schedule(DependencyOf(m_file.Begin(m_reader.m_paths[block.File], first, (int)bytes)));
             }
 
             protected override void EndRead()
@@ -281,7 +281,7 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         [ReadOnly] public NativeArray<StoredTarget> Targets;
-        public int HostedBlocks;
+        public int PlaneBlocks;
         public Grid3 Corner;
         public int First;
         public int Count;
@@ -295,7 +295,7 @@ namespace FastPoints.Export
             {
                 byte* plane = file + Ranges[p].OffsetBytes;
                 if (ContentHash.Of(plane, Ranges[p].LengthBytes) == Ranges[p].Hash &&
-                    PlaneView.IsSound(plane, Ranges[p].LengthBytes, Shapes[p], HostedBlocks))
+                    PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], PlaneBlocks))
                     continue;
                 Result.Value = new DecodeResult { Error = 1, ErrorOffset = Ranges[p].OffsetBytes };
                 return;
@@ -304,12 +304,12 @@ namespace FastPoints.Export
             for (int t = 0; t < Targets.Length; t++)
             {
                 var target = Targets[t];
-                var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], HostedBlocks);
+                var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], PlaneBlocks);
                 int size = target.To.Type.SizeOf();
                 byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
                 long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
                 int at = 0;
-                for (int b = 0; b < HostedBlocks && at < First + Count; b++)
+                for (int b = 0; b < PlaneBlocks && at < First + Count; b++)
                 {
                     int points = view.PointsOf(b), begin = math.max(0, First - at);
                     int end = math.min(points, First + Count - at);

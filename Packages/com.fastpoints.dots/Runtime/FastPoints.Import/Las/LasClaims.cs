@@ -25,7 +25,7 @@ namespace FastPoints.Las
             long room = Math.Max(0, fileBytes - start);
             if (claimed <= (ulong)(room / header.RecordBytes))
             {
-                CheckRest(header, start + (long)claimed * header.RecordBytes, fileBytes, info);
+                CheckTrailing(header, start + (long)claimed * header.RecordBytes, fileBytes, info);
                 return (long)claimed;
             }
 
@@ -34,13 +34,13 @@ namespace FastPoints.Las
             long bytes = Math.Max(0, end - start);
             long readable = bytes / header.RecordBytes;
             long cut = bytes % header.RecordBytes;
-            string story = "the header claims " + NumberText.Of(claimed) + " points, the file holds "
+            string detail = "the header claims " + NumberText.Of(claimed) + " points, the file holds "
                 + NumberText.Of((ulong)readable)
                 + (cut == 0 ? "" : " and " + NumberText.Of((ulong)cut) + " of the " + NumberText.Of((ulong)header.RecordBytes)
                     + " bytes of the next");
             if (readable == 0)
-                throw new PointCloudException(FailureCode.Truncated, info.Path, start, story);
-            info.Warn(header.PointsClaimedAt, story);
+                throw new PointCloudException(FailureCode.Truncated, info.Path, start, detail);
+            info.Warn(header.PointsClaimedAt, detail);
             return readable;
         }
 
@@ -100,7 +100,7 @@ namespace FastPoints.Las
         }
 
         /// <summary>Checks what lies between the last claimed point and the next part that the header names.</summary>
-        static void CheckRest(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
+        static void CheckTrailing(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
         {
             long end = fileBytes;
             Section(header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data", header, pointsEnd, ref end, info);

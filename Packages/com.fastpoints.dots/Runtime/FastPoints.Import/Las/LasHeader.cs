@@ -46,7 +46,7 @@ namespace FastPoints.Las
         public const int MaxMinorVersion = 5;
 
         /// <summary>Bytes of the header in LAS 1.0 to 1.2: no file has a shorter one.</summary>
-        public const int LeastBytes = 227;
+        public const int MinBytes = 227;
 
         const int TextBytes = 32;
         const byte CompressedBit = 0x80;
@@ -92,7 +92,7 @@ namespace FastPoints.Las
 
         /// <summary>Whether the version has the field that ends at <paramref name="end"/>, and the header is long enough for
         /// it.</summary>
-        public bool HasBytes(int end) => end <= BytesOf(VersionMinor) && (end <= LeastBytes || end <= HeaderBytes);
+        public bool HasBytes(int end) => end <= BytesOf(VersionMinor) && (end <= MinBytes || end <= HeaderBytes);
 
         public bool Has64BitCount => HasBytes(At.ByReturn);
 
@@ -107,10 +107,10 @@ namespace FastPoints.Las
         /// format.</exception>
         public static LasHeader Read(FileSource source)
         {
-            if (source.ReadAtMost(0, 4).Text(0, (int)Math.Min(4, source.Length), "signature") != Magic)
+            if (source.ReadUpTo(0, 4).Text(0, (int)Math.Min(4, source.Length), "signature") != Magic)
                 throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, 0, "signature", Magic, "something else");
-            source.Read(0, LeastBytes, "LAS header");
-            var bytes = source.ReadAtMost(0, BytesOf(MaxMinorVersion));
+            source.Read(0, MinBytes, "LAS header");
+            var bytes = source.ReadUpTo(0, BytesOf(MaxMinorVersion));
             int major = bytes.UInt8(At.VersionMajor, "version");
             int minor = bytes.UInt8(At.VersionMinor, "version");
             if (major != 1 || minor > MaxMinorVersion)
@@ -177,13 +177,13 @@ namespace FastPoints.Las
             if (PointFormat >= LasPointFormat.Count)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, path, At.PointFormat, "point format", "0 to 10",
                     formatByte);
-            int least = LasPointFormat.Of(PointFormat).RecordBytes;
-            if (RecordBytes < least)
+            int min = LasPointFormat.Of(PointFormat).RecordBytes;
+            if (RecordBytes < min)
                 throw PointCloudException.Wanted(FailureCode.BadInput, path, At.RecordBytes,
-                    "record length of point format " + PointFormat, "at least " + least, RecordBytes);
-            if (PointsOffset < LeastBytes)
+                    "record length of point format " + PointFormat, "at least " + min, RecordBytes);
+            if (PointsOffset < MinBytes)
                 throw PointCloudException.Wanted(FailureCode.BadInput, path, At.PointsOffset, "offset to point data",
-                    "at least " + LeastBytes, PointsOffset);
+                    "at least " + MinBytes, PointsOffset);
         }
 
         /// <summary>The header as bytes, with the length of its version.</summary>

@@ -7,7 +7,7 @@ namespace FastPoints.Las
     internal static class LasTransform
     {
         /// <summary>A hundredth of a unit, which is most common in LAS files.</summary>
-        const double UsualScale = 0.01;
+        const double TypicalScale = 0.01;
 
         static readonly string[] s_axes = { "x", "y", "z" };
 
@@ -29,7 +29,7 @@ namespace FastPoints.Las
                 double scale = header.Scale[axis];
                 if (IsUsable(scale))
                     continue;
-                double assumed = UsualScale;
+                double assumed = TypicalScale;
                 for (int other = 2; other >= 0; other--)
                     if (other != axis && IsUsable(header.Scale[other]))
                         assumed = header.Scale[other];

@@ -30,7 +30,7 @@ namespace FastPoints.Las
         public static LasVlrTable Read(FileSource source, LasHeader header, SourceInfo info)
         {
             var table = new LasVlrTable(source, info);
-            long start = Math.Max(header.HeaderBytes, LasHeader.LeastBytes);
+            long start = Math.Max(header.HeaderBytes, LasHeader.MinBytes);
             long end = Math.Min(header.PointsOffset, source.Length);
             table.Walk(start, end, header.VlrCount, false, LasHeader.At.VlrCount);
             if (header.EvlrCount == 0)
@@ -56,7 +56,7 @@ namespace FastPoints.Las
         public ByteReader Payload(LasVlr record)
         {
             if (record.DataBytes <= MaxPayloadBytes)
-                return m_source.ReadAtMost(record.DataOffset, (int)record.DataBytes);
+                return m_source.ReadUpTo(record.DataOffset, (int)record.DataBytes);
             m_info.Warn(record.Offset, record.UserId + "/" + NumberText.Of(record.RecordId) + ": wanted at most "
                 + NumberText.Of(MaxPayloadBytes) + " bytes, got " + NumberText.Of(record.DataBytes) + ": left out");
             return new ByteReader(Array.Empty<byte>(), m_source.Path, record.DataOffset);

@@ -137,7 +137,7 @@ namespace FastPoints.Las
                 m_stream.Flush(true);
                 m_stream.Dispose();
                 m_stream = null;
-                FileChanges.Insist(() => FileChanges.Replace(m_temporaryPath, m_path));
+                FileChanges.Retry(() => FileChanges.Replace(m_temporaryPath, m_path));
                 m_isComplete = true;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -155,7 +155,7 @@ namespace FastPoints.Las
             m_stream?.Dispose();
             m_stream = null;
             // The failure that led here is the one to report; a file that cannot be deleted could not be made either.
-            FileChanges.DeleteRemains(m_temporaryPath, () => false);
+            FileChanges.TryDelete(m_temporaryPath, () => false);
         }
 
         void Write(byte[] records, int count)

@@ -79,7 +79,7 @@ namespace FastPoints.Laz
                 wanted = left < wanted ? (int)left : wanted;
                 int got = Decode(input, state, wanted);
                 int placed = state.Placing.IsSame ? got : Place(state.Placing, got);
-                Keep(First + done, placed, ref result);
+                CopyTile(First + done, placed, ref result);
                 if (placed < got)
                 {
                     result.Error = LazError.OffGrid;
@@ -92,7 +92,8 @@ namespace FastPoints.Laz
                 {
                     Stop(ref result, state.ChunkOffset);
                     if (!IsLayered && !IsPlain)
-                        result.Points = result.Points > Pointwise->PointsInDoubt ? result.Points - Pointwise->PointsInDoubt : 0;
+                        result.Points = result.Points > Pointwise->UncertainPoints ? result.Points - Pointwise->UncertainPoints
+                            : 0;
                 }
                 else if (state.ChunkDone == state.ChunkPoints)
                     state.ChunkOffset = IsPlain ? state.End : IsLayered ? state.ChunkEnd
@@ -133,7 +134,7 @@ namespace FastPoints.Laz
         }
 
         /// <summary>Copies the tile's points to the columns, except those before the range.</summary>
-        void Keep(long first, int count, ref DecodeResult result)
+        void CopyTile(long first, int count, ref DecodeResult result)
         {
             int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
             if (count <= skipped)
@@ -177,7 +178,7 @@ namespace FastPoints.Laz
         /// <returns>Whether the file is like the reader's other nodes.</returns>
         bool ReadHeader(byte* input, ref LazFileState state)
         {
-            if (InputBytes < LasHeader.LeastBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
+            if (InputBytes < LasHeader.MinBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
                 return false;
             const int CompressionBits = 0xC0;
             if ((input[LasHeader.At.PointFormat] & ~CompressionBits) != PointFormat
@@ -197,7 +198,7 @@ namespace FastPoints.Laz
             state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset)
                 + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetBytes);
             state.End = EndOfChunks(input, state.ChunkOffset);
-            return ReadVlrs(input, headerBytes > LasHeader.LeastBytes ? headerBytes : LasHeader.LeastBytes, ref state);
+            return ReadVlrs(input, headerBytes > LasHeader.MinBytes ? headerBytes : LasHeader.MinBytes, ref state);
         }
 
         /// <summary>The chunk table's offset, if there is one: it ends the last chunk, whatever a count claims.</summary>

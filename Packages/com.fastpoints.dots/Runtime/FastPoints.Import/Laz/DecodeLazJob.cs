@@ -70,7 +70,7 @@ namespace FastPoints.Laz
             if (IsFirst && IsLayered && !IsContinued)
             {
                 LayeredChunk.Start((LayeredChunk*)state, input, inputBytes, HasAllLayers, InputPoints);
-                if (!LayeredChunk.IsThere((LayeredChunk*)state, input, inputBytes, ChunkPoints, ChunkBytes))
+                if (!LayeredChunk.IsPlausible((LayeredChunk*)state, input, inputBytes, ChunkPoints, ChunkBytes))
                 {
                     result.Error = LazError.NoChunk;
                     result.ErrorOffset = FileOffset;
@@ -102,7 +102,7 @@ namespace FastPoints.Laz
                     // Layers are packed in the input: only the chunk knows where a byte of them lies in the file.
                     result.ErrorOffset = FileOffset + (IsLayered ? 0 : ((PointwiseChunk*)state)->InputOffset);
                     if (!IsLayered)
-                        DropDoubtful((PointwiseChunk*)state, ref result);
+                        DropUncertain((PointwiseChunk*)state, ref result);
                 }
             }
             if (IsToEnd && !IsLayered && result.Error == LazError.None && First + Count == Total)
@@ -118,18 +118,18 @@ namespace FastPoints.Laz
             result.ErrorOffset = FileOffset + chunk->InputOffset;
             result.Error = LazError.EndMismatch;
             if (chunk->InputOffset < inputBytes)
-                result.Error = LazError.GoesOn;
-            else if (chunk->PointsInDoubt > 0)
+                result.Error = LazError.TrailingBytes;
+            else if (chunk->UncertainPoints > 0)
             {
                 result.Error = LazError.Short;
-                DropDoubtful(chunk, ref result);
+                DropUncertain(chunk, ref result);
             }
         }
 
         /// <summary>Drops points that the stream's end does not confirm: a decoder makes some of no bytes.</summary>
-        static void DropDoubtful(PointwiseChunk* chunk, ref DecodeResult result)
+        static void DropUncertain(PointwiseChunk* chunk, ref DecodeResult result)
         {
-            int kept = result.Points - chunk->PointsInDoubt;
+            int kept = result.Points - chunk->UncertainPoints;
             result.Points = kept > 0 ? kept : 0;
         }
     }
@@ -146,7 +146,7 @@ namespace FastPoints.Laz
         public const int EndMismatch = 2;
 
         /// <summary>All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.</summary>
-        public const int GoesOn = 4;
+        public const int TrailingBytes = 4;
 
         /// <summary>There is no chunk here: neither its count nor its length matches the claims.</summary>
         public const int NoChunk = 3;

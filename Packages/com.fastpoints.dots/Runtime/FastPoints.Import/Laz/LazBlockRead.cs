@@ -26,7 +26,7 @@ namespace FastPoints.Laz
         readonly LazBlocks m_blocks;
         readonly LazFormat m_format;
         readonly int m_tilePoints;
-        readonly bool m_wantsAllLayers;
+        readonly bool m_needsAllLayers;
         readonly NativeFileRead m_file;
         NativeArray<byte> m_state;
         NativeArray<byte> m_tile;
@@ -56,7 +56,7 @@ namespace FastPoints.Laz
             m_format = blocks.Format;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
             m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator);
-            m_wantsAllLayers = ConfigureState(wanted, allocator);
+            m_needsAllLayers = ConfigureState(wanted, allocator);
             long inputBytes = Math.Max(blocks.MaxInputBytes(), SmallChunkBytes);
             m_file = new NativeFileRead(inputBytes + ExtraPadding, allocator);
             m_tile = new NativeArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator,
@@ -78,17 +78,17 @@ namespace FastPoints.Laz
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
                 return true;
             }
-            var isWanted = LazLayerChoice.Make(layers, m_blocks.Las.Layout.Fields, wanted);
+            var isWanted = LazLayerChoice.Choose(layers, m_blocks.Las.Layout.Fields, wanted);
             m_state = new NativeArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator,
                 NativeArrayOptions.UninitializedMemory);
             LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
-            bool wantsAll = true;
+            bool needsAll = true;
             for (int i = 0; i < layers.Length; i++)
             {
                 m_bytesPerPoint[i] = isWanted[i] ? layers[i].MaxInputBytesPerPoint : 0;
-                wantsAll &= isWanted[i];
+                needsAll &= isWanted[i];
             }
-            return wantsAll;
+            return needsAll;
         }
 
         public override bool TryKeepStates() => m_keepsStates = true;
@@ -170,15 +170,15 @@ namespace FastPoints.Laz
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;
-            long most = m_blocks.MaxInputBytes(decode.InputPoints);
+            long max = m_blocks.MaxInputBytes(decode.InputPoints);
             if (!m_format.IsLayered)
             {
                 bool isToEnd = block.IsToEnd && Range.First + Range.Count == block.Points;
-                decode.IsToEnd = isToEnd && bytes <= most && m_format.Compressor != LazCompressor.Pointwise;
-                return Read(start, Math.Min(bytes, most));
+                decode.IsToEnd = isToEnd && bytes <= max && m_format.Compressor != LazCompressor.Pointwise;
+                return Read(start, Math.Min(bytes, max));
             }
             bool isWhole = block.IsToEnd && decode.InputPoints == block.FirstInChunk + block.Points;
-            if (bytes <= SmallChunkBytes || m_wantsAllLayers && isWhole && bytes <= most)
+            if (bytes <= SmallChunkBytes || m_needsAllLayers && isWhole && bytes <= max)
                 return Read(start, bytes);
 
             decode.HasAllLayers = false;
@@ -203,13 +203,13 @@ namespace FastPoints.Laz
             m_plannedRead = AsyncReadManager.ReadDeferred(m_blocks.File.Open(), commands, planned);
             m_isPlanned = true;
             // The read follows the plan, but its handle does not promise to include it.
-            return Behind(JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle));
+            return DependencyOf(JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle));
         }
 
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            return Behind(m_file.Begin(m_blocks.File, offset, (int)bytes));
+            return DependencyOf(m_file.Begin(m_blocks.File, offset, (int)bytes));
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)

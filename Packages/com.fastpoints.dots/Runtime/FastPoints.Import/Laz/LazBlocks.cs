@@ -14,13 +14,13 @@ namespace FastPoints.Laz
         public const long MaxLayeredChunkBytes = 1L << 29;
 
         /// <summary>A block has at least this many points, however long its records are.</summary>
-        const int LeastLongChunkPoints = 1 << 16;
+        const int MinLongChunkPoints = 1 << 16;
 
         /// <summary>Limit for the records of a block: a slot holds its columns, whatever a file claims.</summary>
         const int MaxBlockBytes = 32 << 20;
 
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
-        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
 
         /// <summary>Whether each chunk is one block, so that no list of blocks is needed.</summary>
@@ -29,7 +29,7 @@ namespace FastPoints.Laz
 
         public LazBlocks(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
         {
-            LongChunkPoints = Math.Min(longChunkPoints, Math.Max(LeastLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes));
+            LongChunkPoints = Math.Min(longChunkPoints, Math.Max(MinLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes));
             Las = las;
             Format = format;
             Source = source;
@@ -108,15 +108,15 @@ namespace FastPoints.Laz
                 return m_maxInputBytes;
             if (m_areChunksBlocks)
                 return m_maxInputBytes = Math.Min(Chunks.MaxBytes, MaxInputBytes(Chunks.MaxPoints));
-            long most = 0;
+            long max = 0;
             foreach (var block in m_blocks)
             {
                 var checkpoint = CheckpointOf(block);
                 long start = checkpoint?.FileOffset ?? Chunks[block.Chunk].Offset;
                 long before = block.FirstInChunk - (checkpoint?.Point ?? 0);
-                most = Math.Max(most, Math.Min(block.EndOffset - start, MaxInputBytes(before + block.Points)));
+                max = Math.Max(max, Math.Min(block.EndOffset - start, MaxInputBytes(before + block.Points)));
             }
-            return m_maxInputBytes = most;
+            return m_maxInputBytes = max;
         }
 
         /// <summary>The most bytes that this many points of a chunk take: no more is read, however long the chunk claims to
@@ -129,12 +129,12 @@ namespace FastPoints.Laz
         /// block.</summary>
         public void WarnBroken(BlockRange range, DecodeResult result)
         {
-            if (!m_toldBlocks.Add(range.Block))
+            if (!m_reportedBlocks.Add(range.Block))
                 return;
             string chunk = "chunk " + NumberText.Of(this[range.Block].Chunk);
             Info.Warn(result.ErrorOffset, result.Error == LazError.EndMismatch
                 ? chunk + " does not end where its stream does: some of its points are not what was written"
-                : result.Error == LazError.GoesOn
+                : result.Error == LazError.TrailingBytes
                 ? chunk + " has bytes behind its last point: the file is cut or claims too few points, or some of them are not "
                     + "what was written"
                 : result.Error == LazError.NoChunk

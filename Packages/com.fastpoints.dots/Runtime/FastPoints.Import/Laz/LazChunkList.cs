@@ -163,7 +163,7 @@ namespace FastPoints.Laz
         /// <summary>Numbers in pages: growing copies none of them except those of the first page.</summary>
         sealed class Pages
         {
-            const int PageBits = 16, PageLength = 1 << PageBits, LeastLength = 16;
+            const int PageBits = 16, PageLength = 1 << PageBits, MinLength = 16;
 
             readonly List<uint[]> m_pages = new List<uint[]>();
 
@@ -174,7 +174,7 @@ namespace FastPoints.Laz
             public void Add(uint number)
             {
                 if (Count == m_pages.Count << PageBits)
-                    m_pages.Add(new uint[Count == 0 ? LeastLength : PageLength]);
+                    m_pages.Add(new uint[Count == 0 ? MinLength : PageLength]);
                 var page = m_pages[Count >> PageBits];
                 int place = Count & PageLength - 1;
                 if (place == page.Length)
@@ -194,7 +194,7 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>A stretch of a file that can be decoded on its own.</summary>
+    /// <summary>A segment of a file that can be decoded on its own.</summary>
     internal struct LazChunk
     {
         /// <summary>Offset in the file.</summary>

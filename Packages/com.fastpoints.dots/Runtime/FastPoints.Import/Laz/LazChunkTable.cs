@@ -22,7 +22,7 @@ namespace FastPoints.Laz
         const int TableHeaderBytes = 8;
 
         /// <summary>Bytes of a file's points when there are none: the table's offset, and the table.</summary>
-        public const int LeastBytes = TableOffsetBytes + TableHeaderBytes;
+        public const int MinBytes = TableOffsetBytes + TableHeaderBytes;
         const long OffsetAtFileEnd = -1;
 
         /// <summary>The most bytes of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.</summary>
@@ -65,8 +65,8 @@ namespace FastPoints.Laz
         public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
         {
             var table = new LazChunkTable(source, format, info, pointsOffset);
-            string trouble = table.Read(pointsOffset, out long at);
-            if (trouble == null)
+            string problem = table.Read(pointsOffset, out long at);
+            if (problem == null)
             {
                 table.Check();
                 return table;
@@ -75,7 +75,7 @@ namespace FastPoints.Laz
             bool canWalk = format.IsLayered || !format.HasVariableChunks;
             if (canWalk)
                 table.Chunks.Clear();
-            info.Warn(at, "chunk table: " + trouble + (canWalk
+            info.Warn(at, "chunk table: " + problem + (canWalk
                 ? ": the chunks are looked for one after the other"
                 : ": without it chunks of varying size cannot be told apart; " + NumberText.Of(table.Chunks.Count)
                     + " are known"));

@@ -20,7 +20,7 @@ namespace FastPoints.Laz
             m_form = form;
             m_layers = new NativeArray<LazLayer>(form.Layers, Allocator.Persistent);
             m_state = new NativeArray<byte>((int)form.StateBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            m_output = new NativeArray<byte>((int)form.MostBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            m_output = new NativeArray<byte>((int)form.MaxBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             if (!form.IsLayered)
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
         }
@@ -69,8 +69,8 @@ namespace FastPoints.Laz
     internal sealed class LazChunkForm
     {
         /// <summary>LASzip's usual size, and the most memory of a chunk's output.</summary>
-        const int UsualPoints = 50000;
-        const long MostOutputBytes = 32 << 20;
+        const int DefaultPoints = 50000;
+        const long MaxOutputBytes = 32 << 20;
 
         public readonly LazItem[] Items;
         public readonly LazLayer[] Layers;
@@ -83,7 +83,7 @@ namespace FastPoints.Laz
             IsLayered = pointFormat >= LasPointFormat.FirstExtended;
             Items = LazItems.Of(pointFormat, IsLayered ? 3 : 2, recordBytes - LasPointFormat.Of(pointFormat).RecordBytes);
             Layers = IsLayered ? LazLayer.Of(Items) : Array.Empty<LazLayer>();
-            ChunkPoints = (int)Math.Max(1, Math.Min(UsualPoints, MostOutputBytes * 1000 / BytesOf(1000)));
+            ChunkPoints = (int)Math.Max(1, Math.Min(DefaultPoints, MaxOutputBytes * 1000 / BytesOf(1000)));
         }
 
         public bool IsLayered { get; }
@@ -91,7 +91,7 @@ namespace FastPoints.Laz
         public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
 
         /// <summary>Of one chunk, and what encoders write behind it.</summary>
-        public long MostBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
+        public long MaxBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
 
         long BytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Items, RecordBytes, points);

@@ -107,7 +107,7 @@ namespace FastPoints.Laz
                 PointwiseChunk.Configure((PointwiseChunk*)m_decoder.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
                 return;
             }
-            var isWanted = LazLayerChoice.Make(m_format.Layers, m_las.Layout.Fields, wanted);
+            var isWanted = LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, wanted);
             long bytes = LayeredChunk.StateBytes(m_format.Layers, isWanted, m_format.RecordBytes);
             m_decoder = new NativeArray<byte>((int)bytes, allocator, NativeArrayOptions.UninitializedMemory);
             LayeredChunk.Configure((LayeredChunk*)m_decoder.GetUnsafePtr(), m_format.Layers, isWanted, m_format.RecordBytes);

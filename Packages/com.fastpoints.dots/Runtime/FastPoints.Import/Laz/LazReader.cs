@@ -46,14 +46,14 @@ namespace FastPoints.Laz
         /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
         public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
-        public override IEnumerator<Work> FindPrefixes()
+        public override IEnumerator<JobStep> FindPrefixes()
         {
             if (!HasPrefixes)
                 yield break;
             Forget();
             if (m_isTableLost)
             {
-                yield return Work.Of(new LazWalk(Blocks).WalkPrefix());
+                yield return JobStep.Of(new LazWalk(Blocks).WalkPrefix());
                 Source.Dispose();
             }
             for (int c = 0; c < Chunks.Count; c++)
@@ -64,7 +64,7 @@ namespace FastPoints.Laz
             }
         }
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (m_areBlocksKnown)
                 yield break;
@@ -72,7 +72,7 @@ namespace FastPoints.Laz
             var walk = new LazWalk(Blocks);
             try
             {
-                yield return Work.Of(walk.Run(m_isTableLost));
+                yield return JobStep.Of(walk.Run(m_isTableLost));
             }
             finally
             {
@@ -110,7 +110,7 @@ namespace FastPoints.Laz
                         Points = (long)Math.Min(Info.PointsClaimed, (ulong)LazChunk.MaxPoints(bytes)),
                     });
             }
-            else if (Info.PointsClaimed > 0 || Source.Length > start + LazChunkTable.LeastBytes)
+            else if (Info.PointsClaimed > 0 || Source.Length > start + LazChunkTable.MinBytes)
             {
                 var table = LazChunkTable.Read(Source, Format, Info, start);
                 Blocks.Chunks = table.Chunks;

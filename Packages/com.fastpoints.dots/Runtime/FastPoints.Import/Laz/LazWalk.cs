@@ -13,7 +13,7 @@ namespace FastPoints.Laz
     sealed class LazWalk
     {
         const int SlicePoints = 16384;
-        const int HeadersAtOnce = 64;
+        const int HeadersPerRead = 64;
 
         const long MaxCheckpointBytes = 64 << 20;
 
@@ -56,12 +56,12 @@ namespace FastPoints.Laz
             return new BlockRange(chunk, 0, 0);
         }
 
-        public IEnumerator<Work> Run(bool isTableLost) =>
+        public IEnumerator<JobStep> Run(bool isTableLost) =>
             !isTableLost ? WalkLongChunks() : m_format.IsLayered ? WalkHeaders() : WalkStreams(false);
 
         /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="PrefixPoints"/> points or a
         /// little more. A chunk that is too long for a block is assumed to have the maximum length, and not walked.</summary>
-        public IEnumerator<Work> WalkPrefix()
+        public IEnumerator<JobStep> WalkPrefix()
         {
             ulong claimed = m_blocks.Info.PointsClaimed;
             if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_blocks.LongChunkPoints)
@@ -74,22 +74,22 @@ namespace FastPoints.Laz
                     Bytes = m_source.Length - at,
                     Points = (long)Math.Min(claimed, m_format.ChunkPoints),
                 });
-            return NoSteps();
+            return NoWork();
         }
 
-        static IEnumerator<Work> NoSteps()
+        static IEnumerator<JobStep> NoWork()
         {
             yield break;
         }
 
-        IEnumerator<Work> WalkHeaders()
+        IEnumerator<JobStep> WalkHeaders()
         {
             int headerBytes = LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length);
             long at = m_firstChunk;
             ulong pointsLeft = m_blocks.Info.PointsClaimed;
             for (int walked = 0; pointsLeft > 0 && at + headerBytes <= m_source.Length; walked++)
             {
-                if (walked % HeadersAtOnce == HeadersAtOnce - 1)
+                if (walked % HeadersPerRead == HeadersPerRead - 1)
                     yield return default;
                 var header = m_source.Read(at, headerBytes, "chunk header");
                 long points = header.UInt32(m_format.RecordBytes, "points of a chunk");
@@ -114,7 +114,7 @@ namespace FastPoints.Laz
         }
 
         /// <param name="isBeginning">Whether to stop at <see cref="PrefixPoints"/>.</param>
-        IEnumerator<Work> WalkStreams(bool isBeginning)
+        IEnumerator<JobStep> WalkStreams(bool isBeginning)
         {
             long at = m_firstChunk;
             ulong pointsLeft = m_blocks.Info.PointsClaimed;
@@ -128,7 +128,7 @@ namespace FastPoints.Laz
                     long wanted = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
                     int firstCheckpoint = m_checkpoints.Count;
                     stream.StartChunk(at, m_source.Length);
-                    yield return Work.Of(WalkChunk(stream, wanted));
+                    yield return JobStep.Of(WalkChunk(stream, wanted));
                     if (stream.Point == 0)
                         break;
                     CloseChunk(m_chunks.Count, firstCheckpoint);
@@ -149,7 +149,7 @@ namespace FastPoints.Laz
         bool IsNoChunk(long at, int chunks)
         {
             const int TableHeaderBytes = 8;
-            var start = m_source.ReadAtMost(at, Math.Max(m_format.RecordBytes + 4, TableHeaderBytes));
+            var start = m_source.ReadUpTo(at, Math.Max(m_format.RecordBytes + 4, TableHeaderBytes));
             bool areZeros = true;
             foreach (byte value in start.Bytes)
                 areZeros &= value == 0;
@@ -158,7 +158,7 @@ namespace FastPoints.Laz
                 && start.UInt32(0, "chunk table version") == 0 && start.UInt32(4, "number of chunks") == chunks;
         }
 
-        IEnumerator<Work> WalkLongChunks()
+        IEnumerator<JobStep> WalkLongChunks()
         {
             using var stream = new LazWalkStream(m_blocks.File, m_format);
             for (int c = 0; c < m_chunks.Count; c++)
@@ -168,7 +168,7 @@ namespace FastPoints.Laz
                     continue;
                 int firstCheckpoint = m_checkpoints.Count;
                 stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
-                yield return Work.Of(WalkChunk(stream, chunk.Points));
+                yield return JobStep.Of(WalkChunk(stream, chunk.Points));
                 CloseChunk(c, firstCheckpoint);
                 if (stream.Point == chunk.Points)
                     continue;
@@ -179,7 +179,7 @@ namespace FastPoints.Laz
             }
         }
 
-        IEnumerator<Work> WalkChunk(LazWalkStream stream, long points)
+        IEnumerator<JobStep> WalkChunk(LazWalkStream stream, long points)
         {
             bool isLong = points > m_blocks.LongChunkPoints;
             int firstCheckpoint = m_checkpoints.Count;

@@ -101,7 +101,7 @@ namespace FastPoints.Laz
         {
             m_decode.Complete();
             var step = m_step.Value;
-            Point += step.Points - step.InDoubt;
+            Point += step.Points - step.UncertainPoints;
             FileOffset += step.Bytes;
             IsStopped = step.IsStopped;
         }

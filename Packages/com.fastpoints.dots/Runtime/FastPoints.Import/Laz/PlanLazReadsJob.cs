@@ -55,7 +55,7 @@ namespace FastPoints.Laz
                     // A size that exceeds the file or the buffer is wrong, and so is everything behind it.
                     bool isCut = read > ChunkEnd - inFile || read > BufferBytes - inBuffer;
                     if (isCut)
-                        read = Least(ChunkEnd - inFile, BufferBytes - inBuffer);
+                        read = Min(ChunkEnd - inFile, BufferBytes - inBuffer);
                     if (read > 0)
                     {
                         Add(ref count, inFile, inBuffer, read);
@@ -86,10 +86,10 @@ namespace FastPoints.Laz
             Commands[count++] = new ReadCommand { Buffer = Buffer + inBuffer, Offset = inFile, Size = bytes };
         }
 
-        static long Least(long a, long b)
+        static long Min(long a, long b)
         {
-            long least = a < b ? a : b;
-            return least > 0 ? least : 0;
+            long min = a < b ? a : b;
+            return min > 0 ? min : 0;
         }
     }
 }

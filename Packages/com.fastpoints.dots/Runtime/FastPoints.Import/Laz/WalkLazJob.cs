@@ -18,7 +18,7 @@ namespace FastPoints.Laz
         public bool IsStopped;
 
         /// <summary>Number of the chunk's points that its stream's end does not confirm, when it stopped.</summary>
-        public int InDoubt;
+        public int UncertainPoints;
     }
 
     /// <summary>Decodes points of a pointwise chunk only to find their end.</summary>
@@ -69,7 +69,7 @@ namespace FastPoints.Laz
                 step.Points += got;
                 step.IsStopped = got < wanted;
                 if (step.IsStopped)
-                    step.InDoubt = chunk->PointsInDoubt;
+                    step.UncertainPoints = chunk->UncertainPoints;
                 else
                     step.Bytes = chunk->InputOffset;
             }

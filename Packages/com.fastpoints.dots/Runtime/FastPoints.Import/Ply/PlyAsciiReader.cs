@@ -8,9 +8,9 @@ namespace FastPoints.Ply
 {
     /// <summary>An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over
     /// several lines, or several in one line, are not supported (nor are they by the usual readers).</summary>
-    /// <remarks>A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
+    /// <remarks>A block is a segment of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
     /// once. A range reads its whole block; decoding stops at the range's end.</remarks>
-    sealed class PlyAsciiReader : StretchReader
+    sealed class PlyAsciiReader : SegmentReader
     {
         const int MaxBlockBytes = 1 << 20;
 
@@ -20,7 +20,7 @@ namespace FastPoints.Ply
         /// <summary>Lines before the first vertex's, as claimed.</summary>
         readonly ulong m_rowsBefore;
         bool m_areAllFound;
-        AsciiStretches m_stretches;
+        AsciiSegments m_segments;
 
         public PlyAsciiReader(PlyFile ply)
         {
@@ -38,7 +38,7 @@ namespace FastPoints.Ply
             }
             if (ply.Vertex.Count == 0)
             {
-                Info.PointsReadable = Blocks.Take(Array.Empty<StretchBlock>());
+                Info.PointsReadable = Blocks.Take(Array.Empty<SegmentBlock>());
                 m_areAllFound = true;
             }
         }
@@ -48,21 +48,21 @@ namespace FastPoints.Ply
         /// <summary>Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look
         /// alike.</summary>
         public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
-            && Info.FileBytes - m_ply.Header.DataOffset >= AsciiStretches.LeastBytes;
+            && Info.FileBytes - m_ply.Header.DataOffset >= AsciiSegments.MinBytes;
 
         public override bool PrefixesAreSpread => true;
-        public override int MaxPrefixes => AsciiStretches.Count;
+        public override int MaxPrefixes => AsciiSegments.Count;
 
-        public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
+        public override IEnumerator<JobStep> FindPrefixes() => FindPrefixes(AsciiSegments.Count);
 
-        public override IEnumerator<Work> FindPrefixes(int places)
+        public override IEnumerator<JobStep> FindPrefixes(int places)
         {
-            m_stretches ??= new AsciiStretches(m_ply.Handle, Info.FileBytes, m_ply.Header.DataOffset);
-            yield return Work.Of(m_stretches.Find(places));
-            Info.PointsReadable = Blocks.Take(m_stretches.Blocks);
+            m_segments ??= new AsciiSegments(m_ply.Handle, Info.FileBytes, m_ply.Header.DataOffset);
+            yield return JobStep.Of(m_segments.Find(places));
+            Info.PointsReadable = Blocks.Take(m_segments.Blocks);
         }
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -70,7 +70,7 @@ namespace FastPoints.Ply
                 Sum(m_rowsBefore, m_ply.Vertex.Count));
             while (scan.Next(out var handle))
                 yield return handle;
-            m_ply.SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
+            m_ply.SetPointCount(scan.Points, Info.FileBytes, "the file ends before");
             Info.PointsReadable = Blocks.Take(scan.TakeBlocks());
             m_areAllFound = true;
             m_ply.ForgetBroken();

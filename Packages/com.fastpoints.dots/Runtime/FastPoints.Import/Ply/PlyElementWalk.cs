@@ -18,7 +18,7 @@ namespace FastPoints.Ply
         NativeArray<PlyWalkElement> m_elements;
         NativeArray<PlyStep> m_steps;
         NativeReference<PlyWalkState> m_state;
-        NativeList<StretchBlock> m_blocks;
+        NativeList<SegmentBlock> m_blocks;
         JobHandle m_walked;
 
         /// <param name="isIndexing">Whether the vertices are walked, too, and gathered into blocks.</param>
@@ -46,14 +46,14 @@ namespace FastPoints.Ply
             m_elements = new NativeArray<PlyWalkElement>(elements, Allocator.Persistent);
             m_steps = new NativeArray<PlyStep>(steps.ToArray(), Allocator.Persistent);
             m_state = new NativeReference<PlyWalkState>(new PlyWalkState { Position = header.DataOffset }, Allocator.Persistent);
-            m_blocks = new NativeList<StretchBlock>(16, Allocator.Persistent);
+            m_blocks = new NativeList<SegmentBlock>(16, Allocator.Persistent);
         }
 
         /// <summary>The progress of the walk. Do not read it while a job is in flight.</summary>
         public PlyWalkState State => m_state.Value;
 
         /// <summary>The blocks so far. Do not call this while a job is in flight.</summary>
-        public StretchBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
+        public SegmentBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
 
         /// <summary>Closes the previous window, whose handle must be complete, and starts the next.</summary>
         /// <returns>Whether there was a next one.</returns>

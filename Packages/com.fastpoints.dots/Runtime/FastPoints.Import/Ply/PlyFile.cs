@@ -16,8 +16,8 @@ namespace FastPoints.Ply
         int m_brokenWarning = -1;
         string m_firstBreak;
         long m_pointsLost;
-        bool m_hasToldMisfits;
-        bool m_hasToldExtraValues;
+        bool m_hasReportedMisfits;
+        bool m_hasReportedExtraValues;
 
         /// <param name="names">Attribute name of each property; null where it is none.</param>
         public PlyFile(PlyHeader header, SourceInfo info, string[] names)
@@ -84,7 +84,7 @@ namespace FastPoints.Ply
             for (int length = FirstHeaderBytes; ; length *= 4)
             {
                 length = Math.Min(length, PlyHeaderParser.MaxHeaderBytes);
-                byte[] bytes = source.ReadAtMost(0, length).Bytes;
+                byte[] bytes = source.ReadUpTo(0, length).Bytes;
                 var header = PlyHeaderParser.Parse(source.Path, bytes, bytes.Length, bytes.Length == source.Length);
                 if (header != null)
                     return header;
@@ -124,11 +124,12 @@ namespace FastPoints.Ply
                 : header.Encoding == PlyEncoding.BinaryBigEndian ? "binary, big endian" : "binary, little endian");
             foreach (var element in header.Elements)
                 info.Fact("element " + element.Name, element.Count + (element.HasLists ? ", with lists" : ""));
-            foreach (var remark in header.Remarks)
-                info.Fact(remark.Key, remark.Value);
-            if (header.OddLines > 0)
-                info.Warn(header.OddOffset, "header line: wanted format, element, property, comment, obj_info or end_header, " +
-                    "got " + PlyHeaderParser.Quote(header.OddLine) + " (" + header.OddLines + " such lines): left out");
+            foreach (var comment in header.Comments)
+                info.Fact(comment.Key, comment.Value);
+            if (header.UnknownLines > 0)
+                info.Warn(header.UnknownOffset,
+                    "header line: wanted format, element, property, comment, obj_info or end_header, " +
+                    "got " + PlyHeaderParser.Quote(header.UnknownLine) + " (" + header.UnknownLines + " such lines): left out");
             for (int i = header.VertexIndex + 1; i < header.Elements.Count; i++)
                 if (header.Elements[i].Name == "vertex")
                     info.Warn(header.Elements[i].LineOffset, "a second vertex element: it is left out");
@@ -136,13 +137,13 @@ namespace FastPoints.Ply
         }
 
         /// <summary>Settles the number of vertices: fewer than claimed is a warning, none at all a failure.</summary>
-        public void SettlePoints(long found, long endOffset, string why)
+        public void SetPointCount(long found, long endOffset, string reason)
         {
             Info.PointsReadable = found;
             if (Vertex.Count == (ulong)found)
                 return;
             string text = (m_isPcd ? "points" : "vertices") + ": wanted " + Vertex.Count + ", got " + found +
-                (why != null ? ": " + why : "");
+                (reason != null ? ": " + reason : "");
             if (found == 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, endOffset, text);
             Info.Warn(endOffset, text);
@@ -182,16 +183,16 @@ namespace FastPoints.Ply
         /// <summary>Reports, once for each file, values that were changed or skipped.</summary>
         public void WarnAnomalies(in PlyAnomalies anomalies)
         {
-            if (anomalies.Misfits > 0 && !m_hasToldMisfits)
+            if (anomalies.Misfits > 0 && !m_hasReportedMisfits)
             {
-                m_hasToldMisfits = true;
+                m_hasReportedMisfits = true;
                 Info.Warn(anomalies.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
                     "that it can was taken, without fraction (" + anomalies.Misfits +
                     " in this block; later blocks are not counted)");
             }
-            if (anomalies.LinesWithExtraValues > 0 && !m_hasToldExtraValues)
+            if (anomalies.LinesWithExtraValues > 0 && !m_hasReportedExtraValues)
             {
-                m_hasToldExtraValues = true;
+                m_hasReportedExtraValues = true;
                 Info.Warn(anomalies.FirstExtraOffset,
                     "more values in the line than the vertex has properties: they are left out (" +
                     anomalies.LinesWithExtraValues + " lines in this block; later blocks are not counted)");

@@ -51,7 +51,7 @@ namespace FastPoints.Ply
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -77,11 +77,12 @@ namespace FastPoints.Ply
 
         public override void CloseFile() => m_ply.Handle.Close();
 
-        void StartAt(long offset, string why)
+        void StartAt(long offset, string reason)
         {
             long room = Math.Max(0, Info.FileBytes - offset) / m_recordBytes;
             long points = m_ply.Vertex.Count < (ulong)room ? (long)m_ply.Vertex.Count : room;
-            m_ply.SettlePoints(points, Info.FileBytes, why ?? "the file ends before (" + m_recordBytes + " bytes each, from " +
+            m_ply.SetPointCount(points, Info.FileBytes,
+                reason ?? "the file ends before (" + m_recordBytes + " bytes each, from " +
                 "byte " + offset + ")");
             m_records = new FixedRecords(m_ply.Handle, m_ply.RecordFields(), offset, m_recordBytes, m_ply.IsBigEndian);
             m_points = points;

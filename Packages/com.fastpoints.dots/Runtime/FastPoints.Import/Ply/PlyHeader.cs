@@ -17,12 +17,12 @@ namespace FastPoints.Ply
         public readonly List<PlyElement> Elements = new List<PlyElement>();
 
         /// <summary>The comment and obj_info lines: keyword and text.</summary>
-        public readonly List<KeyValuePair<string, string>> Remarks = new List<KeyValuePair<string, string>>();
+        public readonly List<KeyValuePair<string, string>> Comments = new List<KeyValuePair<string, string>>();
 
         /// <summary>Lines that are none of the known, and declare nothing: the first one's word, and how many.</summary>
-        public string OddLine;
-        public long OddOffset;
-        public int OddLines;
+        public string UnknownLine;
+        public long UnknownOffset;
+        public int UnknownLines;
 
         /// <summary>First byte after the header.</summary>
         public long DataOffset;

@@ -114,7 +114,7 @@ namespace FastPoints.Ply
                 case "comment":
                 case "obj_info":
                     string text = line.Trim().Substring(words[0].Length).Trim();
-                    m_header.Remarks.Add(new KeyValuePair<string, string>(words[0], text));
+                    m_header.Comments.Add(new KeyValuePair<string, string>(words[0], text));
                     break;
                 case "format":
                     DeclareFormat(words, offset);
@@ -128,9 +128,9 @@ namespace FastPoints.Ply
                 default:
                     if (!LooksLikeDeclaration(words))
                     {
-                        m_header.OddLine ??= words[0];
-                        if (m_header.OddLines++ == 0)
-                            m_header.OddOffset = offset;
+                        m_header.UnknownLine ??= words[0];
+                        if (m_header.UnknownLines++ == 0)
+                            m_header.UnknownOffset = offset;
                         break;
                     }
                     throw Bad(offset, "header line", "format, element, property, comment, obj_info or end_header", words[0]);

@@ -8,7 +8,7 @@ namespace FastPoints.Ply
 {
     /// <summary>A binary PLY file whose vertices have lists: one walk through the file finds where blocks of them
     /// start.</summary>
-    sealed class PlyListReader : StretchReader
+    sealed class PlyListReader : SegmentReader
     {
         readonly PlyFile m_ply;
 
@@ -17,12 +17,12 @@ namespace FastPoints.Ply
             Info = ply.Info;
             m_ply = ply;
             if (ply.Vertex.Count == 0)
-                Info.PointsReadable = Blocks.Take(Array.Empty<StretchBlock>());
+                Info.PointsReadable = Blocks.Take(Array.Empty<SegmentBlock>());
         }
 
         public override bool BlocksAreKnown => Blocks.AreFound;
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -31,7 +31,7 @@ namespace FastPoints.Ply
                 yield return handle;
             var end = walk.State;
             bool isBroken = end.Error != PlyError.None;
-            m_ply.SettlePoints(end.PointsInBlocks, isBroken ? end.ErrorOffset : end.Position,
+            m_ply.SetPointCount(end.PointsInBlocks, isBroken ? end.ErrorOffset : end.Position,
                 isBroken ? PlyError.Text(end.Error) : null);
             Info.PointsReadable = Blocks.Take(walk.TakeBlocks());
         }

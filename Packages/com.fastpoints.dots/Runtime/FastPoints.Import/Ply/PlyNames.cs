@@ -44,12 +44,12 @@ namespace FastPoints.Ply
             var names = new string[properties.Count];
             var taken = new HashSet<string>();
             foreach (var group in s_groups)
-                TakeGroup(group, indexOfName, names, taken);
+                AssignGroup(group, indexOfName, names, taken);
             for (int i = 0; i < names.Length; i++)
             {
                 if (names[i] != null || properties[i].IsList)
                     continue;
-                names[i] = UsualNames.Of(properties[i].Name);
+                names[i] = CommonNames.Of(properties[i].Name);
                 if (names[i] != null && taken.Add(names[i]))
                     continue;
                 string name = properties[i].Name;
@@ -60,7 +60,7 @@ namespace FastPoints.Ply
             return names;
         }
 
-        static void TakeGroup(string[] group, Dictionary<string, int> indexOfName, string[] names, HashSet<string> taken)
+        static void AssignGroup(string[] group, Dictionary<string, int> indexOfName, string[] names, HashSet<string> taken)
         {
             for (int i = 0; i < group.Length; i += 2)
                 if (!indexOfName.ContainsKey(group[i]) || taken.Contains(group[i + 1]))

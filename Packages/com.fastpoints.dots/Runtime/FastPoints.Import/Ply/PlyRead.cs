@@ -14,12 +14,12 @@ namespace FastPoints.Ply
 
         readonly PointReader m_reader;
         readonly PlyFile m_ply;
-        readonly StretchBlocks m_blocks;
+        readonly SegmentBlocks m_blocks;
         readonly NativeFileRead m_file;
         NativeArray<PlyStep> m_steps;
         NativeReference<PlyAnomalies> m_anomalies;
 
-        public PlyRead(PointReader reader, PlyFile ply, StretchBlocks blocks, PointSchema wanted, int capacity,
+        public PlyRead(PointReader reader, PlyFile ply, SegmentBlocks blocks, PointSchema wanted, int capacity,
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
@@ -37,7 +37,7 @@ namespace FastPoints.Ply
             var block = m_blocks[range.Block];
             if (m_ply.Header.IsAscii)
                 return ScheduleLines(AsciiRange.Of(block, range, m_ply.Info.FileBytes, MaxLineBytes));
-            var read = Behind(m_file.Begin(m_ply.Handle, block.OffsetBytes, block.Bytes));
+            var read = DependencyOf(m_file.Begin(m_ply.Handle, block.OffsetBytes, block.Bytes));
             return new DecodePlyListsJob
             {
                 Input = m_file.Buffer,
@@ -60,7 +60,7 @@ namespace FastPoints.Ply
             Output = Points.Bytes,
             Result = Result,
             Anomalies = m_anomalies,
-        }.Schedule(Behind(m_file.Begin(m_ply.Handle, lines.Offset, lines.Bytes)));
+        }.Schedule(DependencyOf(m_file.Begin(m_ply.Handle, lines.Offset, lines.Bytes)));
 
         protected override void EndRead() => m_file.End();
 

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Steps through elements with lists as far as one stretch of the file reaches, reading only the lists' counts, and
+    /// <summary>Steps through elements with lists as far as one segment of the file reaches, reading only the lists' counts, and
     /// records a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.</summary>
     [BurstCompile]
     unsafe struct WalkPlyElementsJob : IJob
@@ -28,7 +28,7 @@ namespace FastPoints.Ply
         public bool IsBigEndian;
 
         public NativeReference<PlyWalkState> State;
-        public NativeList<StretchBlock> Blocks;
+        public NativeList<SegmentBlock> Blocks;
 
         public void Execute()
         {
@@ -113,7 +113,7 @@ namespace FastPoints.Ply
         {
             if (state.BlockPoints == 0)
                 return;
-            Blocks.Add(new StretchBlock
+            Blocks.Add(new SegmentBlock
             {
                 OffsetBytes = state.BlockStart,
                 Bytes = (int)(end - state.BlockStart),

@@ -79,7 +79,7 @@ namespace FastPoints.Reading
         public ByteReader Read(long offset, int count, string field)
         {
             CheckRange(offset, count, field);
-            return ReadAtMost(offset, count);
+            return ReadUpTo(offset, count);
         }
 
         /// <summary>Does the same into the caller's memory.</summary>
@@ -98,7 +98,7 @@ namespace FastPoints.Reading
 
         /// <summary>Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
         /// end.</summary>
-        public ByteReader ReadAtMost(long offset, int count)
+        public ByteReader ReadUpTo(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);
             var bytes = new byte[Math.Max(0, available)];

@@ -23,11 +23,11 @@ namespace FastPoints.Reading
         public virtual bool BlocksAreKnown => true;
 
         /// <summary>The most jobs that <see cref="FindBlocks"/> has in flight; 0 for as many as keep all workers busy.</summary>
-        public int MostJobs { get; set; }
+        public int MaxJobs { get; set; }
 
-        /// <summary>Work for a pump that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk
+        /// <summary>Coroutine that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk
         /// table.</summary>
-        public virtual IEnumerator<Work> FindBlocks()
+        public virtual IEnumerator<JobStep> FindBlocks()
         {
             yield break;
         }
@@ -36,10 +36,10 @@ namespace FastPoints.Reading
         /// does.</summary>
         public virtual bool HasPrefixes => false;
 
-        /// <summary>Work for a pump, of bounded time, that finds what can be read without a pass over the file. Afterwards these
+        /// <summary>Coroutine, of bounded time, that finds what can be read without a pass over the file. Afterwards these
         /// are the blocks, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> replaces them with all
         /// blocks while there are no slots.</summary>
-        public virtual IEnumerator<Work> FindPrefixes() => FindBlocks();
+        public virtual IEnumerator<JobStep> FindPrefixes() => FindBlocks();
 
         /// <summary>Whether <see cref="FindPrefixes()"/> finds points spread over the whole source, each as likely as any other,
         /// instead of its beginning.</summary>
@@ -50,7 +50,7 @@ namespace FastPoints.Reading
 
         /// <summary>Like <see cref="FindPrefixes()"/>, up to a number of examined places; call it again for more. The blocks come
         /// in an order of which every beginning is spread over the source, and earlier ones keep their numbers.</summary>
-        public virtual IEnumerator<Work> FindPrefixes(int places) => FindPrefixes();
+        public virtual IEnumerator<JobStep> FindPrefixes(int places) => FindPrefixes();
 
         /// <summary>Points of the whole source, after <see cref="FindPrefixes()"/>.</summary>
         internal virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
@@ -59,14 +59,14 @@ namespace FastPoints.Reading
         /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
         internal virtual SourceTree Tree => null;
 
-        /// <summary>Work for a pump that reads only those pages of <see cref="Tree"/> that its first levels need: afterwards the
+        /// <summary>Coroutine that reads only those pages of <see cref="Tree"/> that its first levels need: afterwards the
         /// blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
-        public IEnumerator<Work> FindLevels(int levels) => FindBelow(default, levels);
+        public IEnumerator<JobStep> FindLevels(int levels) => FindBelow(default, levels);
 
         /// <summary>The same for one node and what is below it. Never opens or reads a file on the main thread.</summary>
         /// <param name="node">Its <see cref="SourceNode.Key"/>.</param>
         /// <param name="levels">Levels of the tree, counted from its root.</param>
-        public virtual IEnumerator<Work> FindBelow(int4 node, int levels) => FindBlocks();
+        public virtual IEnumerator<JobStep> FindBelow(int4 node, int levels) => FindBlocks();
 
         /// <summary>Whether <see cref="FindBelow"/> has nothing to read.</summary>
         public virtual bool IsKnownBelow(int4 node, int levels) => BlocksAreKnown;
@@ -129,12 +129,12 @@ namespace FastPoints.Reading
         internal virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
             throw new NotSupportedException();
 
-        /// <summary>Work for a pump: reads ranges of points, in the file's order, into a batch, one behind the other. Of sources
+        /// <summary>Coroutine: reads ranges of points, in the file's order, into a batch, one behind the other. Of sources
         /// that have run reads.</summary>
         /// <param name="first">The first of the ranges that is read.</param>
         /// <param name="then">Schedules jobs that need all ranges, behind those that are given; they are complete in the
         /// end.</param>
-        internal IEnumerator<Work> ReadRuns(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
+        internal IEnumerator<JobStep> ReadRuns(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
             Func<JobHandle, JobHandle> then)
         {
             const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
@@ -171,7 +171,7 @@ namespace FastPoints.Reading
                     if (next == count)
                         behind = then(behind);
                     JobHandle.ScheduleBatchedJobs();
-                    // The pump looks at its budget.
+                    // The coroutine checks its budget.
                     yield return default;
                 }
                 yield return behind;

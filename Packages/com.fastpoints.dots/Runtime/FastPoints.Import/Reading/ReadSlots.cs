@@ -12,7 +12,7 @@ namespace FastPoints.Reading
     {
         readonly PointReader m_reader;
         readonly PointSchema m_wanted;
-        readonly WorkAhead m_ahead;
+        readonly InFlightLimit m_limit;
         readonly int m_longest;
         readonly JobHandle[] m_last;
         readonly List<BlockRead> m_reads = new List<BlockRead>();
@@ -23,12 +23,12 @@ namespace FastPoints.Reading
 
         /// <param name="longest">The most points of a read.</param>
         /// <param name="chains">The most reads whose jobs run side by side; 0 for all that are in flight.</param>
-        public ReadSlots(PointReader reader, PointSchema wanted, int longest, WorkAhead ahead, int chains)
+        public ReadSlots(PointReader reader, PointSchema wanted, int longest, InFlightLimit limit, int chains)
         {
             m_reader = reader;
             m_wanted = wanted;
             m_longest = longest;
-            m_ahead = ahead;
+            m_limit = limit;
             m_last = new JobHandle[chains];
         }
 
@@ -44,10 +44,10 @@ namespace FastPoints.Reading
             return m_keepsStates = m_reads[0].TryKeepStates();
         }
 
-        /// <summary>Work for a pump: reads from <paramref name="first"/> to before <paramref name="end"/>, and hands each to the
+        /// <summary>Coroutine: reads from <paramref name="first"/> to before <paramref name="end"/>, and hands each to the
         /// consumer.</summary>
         /// <param name="begin">Begins a read by its number.</param>
-        public IEnumerator<Work> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
+        public IEnumerator<JobStep> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
             StageProgress progress)
         {
             long pointsDone = 0, bytesDone = 0;
@@ -55,12 +55,12 @@ namespace FastPoints.Reading
             var newest = default(JobHandle);
             for (int next = first; next < end || m_inFlight.Count > 0;)
             {
-                if (next == end || m_inFlight.Count >= m_ahead.Count)
+                if (next == end || m_inFlight.Count >= m_limit.Value)
                 {
                     int done = m_inFlight.Peek();
-                    m_ahead.Await();
+                    m_limit.Await();
                     yield return m_consumed[done];
-                    m_ahead.Resume(next < end && newest.IsCompleted);
+                    m_limit.Resume(next < end && newest.IsCompleted);
                     m_inFlight.Dequeue();
                     m_spare.Push(done);
                     m_consumed[done].Complete();
@@ -77,12 +77,12 @@ namespace FastPoints.Reading
                 if (m_spare.Count == 0)
                 {
                     Add();
-                    // The pump looks at its budget.
+                    // The coroutine checks its budget.
                     yield return default;
                 }
                 int slot = m_spare.Pop();
                 if (m_last.Length > 0)
-                    m_reads[slot].After = m_last[next % m_last.Length];
+                    m_reads[slot].Dependency = m_last[next % m_last.Length];
                 begin(m_reads[slot], next);
                 m_consumed[slot] = newest = consumer.Schedule(m_reads[slot], slot, m_reads[slot].Decoded);
                 if (m_last.Length > 0)
@@ -94,8 +94,8 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Work for a pump: frees all, a slot a step, since large blocks take a millisecond.</summary>
-        public IEnumerator<Work> Free()
+        /// <summary>Coroutine: frees all, a slot a step, since large blocks take a millisecond.</summary>
+        public IEnumerator<JobStep> Free()
         {
             for (; m_reads.Count > 0; m_reads.RemoveAt(m_reads.Count - 1))
             {

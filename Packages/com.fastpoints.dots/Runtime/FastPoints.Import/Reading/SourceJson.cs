@@ -31,7 +31,7 @@ namespace FastPoints.Reading
             if (source.Length > MaxBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, 0, "bytes of a JSON index",
                     "at most " + MaxBytes, source.Length);
-            string text = Encoding.UTF8.GetString(source.ReadAtMost(0, (int)source.Length).Bytes).TrimStart('\uFEFF');
+            string text = Encoding.UTF8.GetString(source.ReadUpTo(0, (int)source.Length).Bytes).TrimStart('\uFEFF');
             return JsonMembers.Parse(text, source.Path, true, source.Length);
         }
     }

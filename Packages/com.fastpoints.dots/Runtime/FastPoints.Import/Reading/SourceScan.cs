@@ -35,45 +35,47 @@ namespace FastPoints.Reading
         /// <summary>Points that a worker takes in a millisecond at most: of records of one length, and of all others.</summary>
         const double RecordsPerMs = 8000, OthersPerMs = 2000;
 
-        /// <summary>Slots for a pump that is ticked: as many at first as are done in the time, or as one that awaits each needs,
-        /// and as many as memory allows where workers run out of them. See
+        /// <summary>Slots for a coroutine that is ticked: as many at first as are done in the time, or as one that awaits each
+        /// needs, and as many as memory allows where workers run out of them. See
         /// <see cref="SlotsFor(PointReader, PointSchema, int, long)"/>.</summary>
-        /// <param name="chains">As in <see cref="Run(PointReader, PointSchema, IBlockConsumer, WorkAhead, int, int, int,
+        /// <param name="chains">As in <see cref="Run(PointReader, PointSchema, IBlockConsumer, InFlightLimit, int, int, int,
         /// StageProgress)"/>.</param>
-        public static WorkAhead AheadFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes,
+        public static InFlightLimit LimitFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes,
             int chains, Func<double> ms)
         {
             if (reader.BlockCount == 0)
-                return new WorkAhead(1, 1, ms);
-            int least = chains > 0 ? Math.Min(DefaultSlots, 2 * chains) : DefaultSlots;
-            int first = WorkAhead.CountFor(least, ms(), (least + 1) / 2,
+                return new InFlightLimit(1, 1, ms);
+            int min = chains > 0 ? Math.Min(DefaultSlots, 2 * chains) : DefaultSlots;
+            int first = InFlightLimit.ValueFor(min, ms(), (min + 1) / 2,
                 reader.MaxPointsPerBlock / (reader.HasRunReads ? RecordsPerMs : OthersPerMs));
-            return new WorkAhead(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
+            return new InFlightLimit(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
         }
 
-        /// <summary>Work for a pump: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
+        /// <summary>Coroutine: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
         /// <param name="slots">Blocks in flight, which determine the memory.</param>
-        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
+        public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
             StageProgress progress) =>
-            Run(reader, wanted, consumer, new WorkAhead(slots, slots, () => 0), 0, 0, reader.BlockCount, progress);
+            Run(reader, wanted, consumer, new InFlightLimit(slots, slots, () => 0), 0, 0, reader.BlockCount, progress);
 
         /// <summary>The same for some blocks: from <paramref name="firstBlock"/> to before <paramref name="endBlock"/>.</summary>
-        /// <param name="ahead">Blocks in flight.</param>
+        /// <param name="limit">Blocks in flight.</param>
         /// <param name="chains">The most blocks whose jobs run side by side; 0 for all that are in flight.</param>
-        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, WorkAhead ahead,
+        public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer,
+            InFlightLimit limit,
             int chains, int firstBlock, int endBlock, StageProgress progress) =>
-            Run(reader, wanted, consumer, ahead, chains, firstBlock, endBlock,
+            Run(reader, wanted, consumer, limit, chains, firstBlock, endBlock,
                 block => new BlockRange(block, 0, reader.PointsInBlock(block)), reader.MaxPointsPerBlock, progress);
 
         /// <summary>The same for ranges of blocks.</summary>
         /// <param name="rangeOf">A range by its number, from <paramref name="first"/> to before <paramref name="end"/>.</param>
         /// <param name="longest">The most points of a range.</param>
-        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, WorkAhead ahead,
+        public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer,
+            InFlightLimit limit,
             int chains, int first, int end, Func<int, BlockRange> rangeOf, int longest, StageProgress progress)
         {
-            using var slots = new ReadSlots(reader, wanted, longest, ahead, chains);
-            yield return Work.Of(slots.Run(consumer, first, end, (read, n) => read.Begin(rangeOf(n)), progress));
-            yield return Work.Of(slots.Free());
+            using var slots = new ReadSlots(reader, wanted, longest, limit, chains);
+            yield return JobStep.Of(slots.Run(consumer, first, end, (read, n) => read.Begin(rangeOf(n)), progress));
+            yield return JobStep.Of(slots.Free());
         }
     }
 }

@@ -61,7 +61,7 @@ namespace FastPoints.Reading
             }
             catch
             {
-                FileChanges.DeleteRemains(temporary, () => false);
+                FileChanges.TryDelete(temporary, () => false);
                 throw;
             }
         }
@@ -101,7 +101,7 @@ namespace FastPoints.Reading
         {
             try
             {
-                FileChanges.Insist(() => FileChanges.Replace(temporary, m_path),
+                FileChanges.Retry(() => FileChanges.Replace(temporary, m_path),
                     () => !m_cancellation.IsCancellationRequested);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))

@@ -14,7 +14,7 @@ namespace FastPoints.Sampling
     internal sealed class DepthPlan
     {
         /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>
-        public const int MostSlicedBlocks = 128;
+        public const int MaxSlicedBlocks = 128;
 
         /// <summary>Ranges in a round, after which others can be thinned.</summary>
         const int RangesPerRound = 32;
@@ -33,7 +33,7 @@ namespace FastPoints.Sampling
         public DepthPlan(PointReader reader, bool canSlice, uint seed)
         {
             m_reader = reader;
-            IsSliced = canSlice && reader.BlockCount <= MostSlicedBlocks;
+            IsSliced = canSlice && reader.BlockCount <= MaxSlicedBlocks;
             m_taken = IsSliced ? new int[reader.BlockCount] : null;
             m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
         }

@@ -19,7 +19,7 @@ namespace FastPoints.Sampling
         public int Blocks;
 
         /// <summary>Number of places to examine in one call.</summary>
-        public int MostPlaces;
+        public int MaxPlaces;
 
         /// <summary>Number of points that each existing one stands for.</summary>
         public double Weight;
@@ -30,7 +30,7 @@ namespace FastPoints.Sampling
         public void Execute()
         {
             var state = State.Value;
-            int end = math.min(Strata.Count, state.Place + MostPlaces);
+            int end = math.min(Strata.Count, state.Place + MaxPlaces);
             while (state.Block < Blocks && state.Place < end)
             {
                 long endOfBlock = FirstPointOfBlock[state.Block + 1];
@@ -41,7 +41,7 @@ namespace FastPoints.Sampling
                 if (state.Gathered > state.Before)
                     Runs.Add(new SampleRun
                     {
-                        Stretch = Runs.Length,
+                        Segment = Runs.Length,
                         First = state.Before,
                         Count = state.Gathered - state.Before,
                         Weight = Weight,

@@ -35,7 +35,7 @@ namespace FastPoints.Sampling
                 int count = Plan.PointsOf(stratum, rank);
                 Runs.Add(new SampleRun
                 {
-                    Stretch = Runs.Length,
+                    Segment = Runs.Length,
                     First = Plan.PlaceOf(rank),
                     Count = count,
                     Weight = PointsInSource / ((double)RunCount * count),

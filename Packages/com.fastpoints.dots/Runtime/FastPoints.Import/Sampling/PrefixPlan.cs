@@ -11,7 +11,7 @@ namespace FastPoints.Sampling
     {
         /// <summary>Points that make starting a block worthwhile: if all blocks would get fewer, fewer blocks are
         /// chosen.</summary>
-        public const int LeastPoints = 50;
+        public const int MinPoints = 50;
 
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
@@ -66,8 +66,8 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Distributes <paramref name="wanted"/> points among the blocks, minus those taken before.</summary>
-        /// <param name="most">The most points that are taken in all.</param>
-        void Take(List<int> blocks, int wanted, int most, List<Prefix> prefixes)
+        /// <param name="max">The most points that are taken in all.</param>
+        void Take(List<int> blocks, int wanted, int max, List<Prefix> prefixes)
         {
             long points = PointsOf(blocks), before = 0;
             foreach (int block in blocks)
@@ -79,7 +79,7 @@ namespace FastPoints.Sampling
                 m_taken.TryGetValue(block, out int taken);
                 count = Math.Min(count, inBlock) - taken;
                 // If an earlier wave of fewer blocks took more than its share of some, the last ones wait for the next wave.
-                count = Math.Min(count, most - Taken);
+                count = Math.Min(count, max - Taken);
                 if (count <= 0)
                     continue;
                 prefixes.Add(new Prefix { Block = block, First = taken, Count = count, Place = Taken });
@@ -100,7 +100,7 @@ namespace FastPoints.Sampling
         static long Share(long part, long whole, int wanted) =>
             whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
 
-        /// <summary>Chooses blocks spread over the source: so many that each gets <see cref="LeastPoints"/>, and more if they do
+        /// <summary>Chooses blocks spread over the source: so many that each gets <see cref="MinPoints"/>, and more if they do
         /// not have as many.</summary>
         List<int> Choose(int wanted)
         {
@@ -111,7 +111,7 @@ namespace FastPoints.Sampling
             int places = isSpread ? m_reader.BlockCount : m_order.Places;
             for (int place = 0; place < places; place++)
             {
-                if (blocks.Count > wanted / LeastPoints && points >= wanted)
+                if (blocks.Count > wanted / MinPoints && points >= wanted)
                     break;
                 int block = isSpread ? place : m_order.StratumAt(place);
                 if (block < 0 || block >= m_reader.BlockCount)

@@ -34,21 +34,21 @@ namespace FastPoints.Sampling
             m_plan = new PrefixPlan(reader, seed);
         }
 
-        /// <summary>Work for a pump: finds as many as the wave is spread over, and more if these have too few points.</summary>
-        IEnumerator<Work> FindPrefixes(int wanted)
+        /// <summary>Coroutine: finds as many as the wave is spread over, and more if these have too few points.</summary>
+        IEnumerator<JobStep> FindPrefixes(int wanted)
         {
-            for (long places = wanted / PrefixPlan.LeastPoints + 1L; ; places *= 2)
+            for (long places = wanted / PrefixPlan.MinPoints + 1L; ; places *= 2)
             {
-                yield return Work.Of(Reader.FindPrefixes((int)Math.Min(places, Reader.MaxPrefixes)));
+                yield return JobStep.Of(Reader.FindPrefixes((int)Math.Min(places, Reader.MaxPrefixes)));
                 if (Reader.PointCount >= wanted || places >= Reader.MaxPrefixes)
                     break;
             }
         }
 
-        private protected override IEnumerator<Work> Read(int wanted, int next, int slots, StageProgress progress)
+        private protected override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
         {
             if (Reader.PrefixesAreSpread && !Reader.BlocksAreKnown)
-                yield return Work.Of(FindPrefixes(wanted));
+                yield return JobStep.Of(FindPrefixes(wanted));
             var prefixes = m_plan.Next(wanted);
             int longest = 0;
             foreach (var prefix in prefixes)
@@ -58,14 +58,14 @@ namespace FastPoints.Sampling
             int first = longest <= ShortPrefix ? SlotsForShortPrefixes : SourceScan.SlotsFor(Reader, Buffer.Points.Schema);
             m_progress = progress;
             m_slots = new ReadSlots(Reader, Buffer.Points.Schema, longest,
-                AheadFor(Reader, Buffer.Points.Schema, slots, first), 0);
-            yield return Work.Of(m_slots.Run(this, 0, prefixes.Count, (read, n) =>
+                LimitFor(Reader, Buffer.Points.Schema, slots, first), 0);
+            yield return JobStep.Of(m_slots.Run(this, 0, prefixes.Count, (read, n) =>
             {
                 m_begun = prefixes[n];
                 read.Begin(new BlockRange(m_begun.Block, m_begun.First, m_begun.Count));
             }, null));
             // Slots for prefixes of another length than in this wave are made.
-            yield return Work.Of(m_slots.Free());
+            yield return JobStep.Of(m_slots.Free());
             Free();
             EndPlace = m_plan.Taken;
             m_taken.AddRange(prefixes);
@@ -94,7 +94,7 @@ namespace FastPoints.Sampling
             Report(m_progress);
         }
 
-        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs, JobHandle after,
+        private protected override IEnumerator<JobStep> ListRuns(NativeList<SampleRun> runs, JobHandle after,
             Action<JobHandle> scheduled)
         {
             // This is the file's order, which is not that in which lines were found by jumping.
@@ -109,8 +109,8 @@ namespace FastPoints.Sampling
             bool isSpread = Reader.PrefixesAreSpread && !Reader.BlocksAreKnown;
             bool isOfPrefixes = false;
             runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);
-            int stretch = 0;
-            for (int first = 0, end; first < m_taken.Count; first = end, stretch++)
+            int segment = 0;
+            for (int first = 0, end; first < m_taken.Count; first = end, segment++)
             {
                 int block = m_taken[first].Block, taken = 0;
                 for (end = first; end < m_taken.Count && m_taken[end].Block == block; end++)
@@ -119,7 +119,7 @@ namespace FastPoints.Sampling
                 for (int i = first; i < end; i++)
                     runs.Add(new SampleRun
                     {
-                        Stretch = stretch,
+                        Segment = segment,
                         First = m_taken[i].Place,
                         Count = m_taken[i].Count,
                         Weight = scale * Reader.PointsInBlock(block) / taken,

@@ -43,7 +43,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Number of points among them that were only taken because no other point is near; each of the others stands
         /// for an equal number of the source's points.</summary>
-        public int Substitutes { get; internal set; }
+        public int Placeholders { get; internal set; }
 
         /// <summary>Whether they come from the source's beginning alone, because reading the rest takes a pass over all of
         /// it.</summary>
@@ -54,14 +54,14 @@ namespace FastPoints.Sampling
 
         /// <summary>Whether it is known what each point stands for: not for an octree's upper levels, a file's prefix, or points
         /// that were chosen without regard to the file's order.</summary>
-        public bool StandsForStretches { get; internal set; }
+        public bool HasKnownWeights { get; internal set; }
 
-        /// <summary>Whether the points of its stretches are prefixes of blocks that were not read to their ends (LAZ): they say
+        /// <summary>Whether the points of its segments are prefixes of blocks that were not read to their ends (LAZ): they say
         /// nothing about the ends.</summary>
         public bool IsOfBlockPrefixes { get; internal set; }
 
-        /// <summary>The points that lie together in the file, in its order, without substitutes; empty if each stands for a
-        /// stretch of its own.</summary>
+        /// <summary>The points that lie together in the file, in its order, without placeholders; empty if each stands for a
+        /// segment of its own.</summary>
         internal NativeArray<SampleRun> Runs => RunList.AsArray();
 
         /// <summary>The list for code that fills it.</summary>
@@ -86,7 +86,7 @@ namespace FastPoints.Sampling
         public static int MaxPoints(PointSchema schema) => (int)(MaxBytes / (schema.BytesPerPoint + 1));
 
         /// <summary>Sets how many points the source has, if that was an estimate or a part.</summary>
-        internal void StandFor(long pointsInSource)
+        internal void SetPointsInSource(long pointsInSource)
         {
             double scale = pointsInSource / (double)Math.Max(1, PointsInSource);
             for (int i = 0; i < Runs.Length; i++)
@@ -107,11 +107,11 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Points of a sample that lie together in the file: all that is known of one stretch of it.</summary>
+    /// <summary>Points of a sample that lie together in the file: all that is known of one segment of it.</summary>
     internal struct SampleRun
     {
-        /// <summary>Number of the stretch in the file's order; consecutive entries may have the same one.</summary>
-        public int Stretch;
+        /// <summary>Number of the segment in the file's order; consecutive entries may have the same one.</summary>
+        public int Segment;
 
         /// <summary>Index of the first point in the sample.</summary>
         public int First;

@@ -11,7 +11,7 @@ namespace FastPoints.Sampling
     /// <summary>Takes a sample of a source by reading little of it, in waves, coarse to fine, each a prefix of the next one and
     /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.</summary>
     /// <remarks>The sample is the same for the same source, seed and number of points, on any number of threads and slots and any
-    /// disk. All members belong to the thread of the pump.</remarks>
+    /// disk. All members belong to the thread of the coroutine.</remarks>
     internal abstract class PreviewSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
@@ -19,10 +19,10 @@ namespace FastPoints.Sampling
 
         /// <summary>A wave that comes this near to the end continues to it: another one would show hardly more, and may decode
         /// all prefixes again.</summary>
-        const double LeastShareOfLast = 0.75;
+        const double MinShareOfLast = 0.75;
 
         /// <summary>Where frames are farther apart, the machine was busy or the work was paused.</summary>
-        const double MostFrameMs = 250;
+        const double MaxFrameMs = 250;
 
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
@@ -34,11 +34,11 @@ namespace FastPoints.Sampling
             Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), placeCount);
             m_sample = Buffer.ShareSample(reader.Info.Transform);
             m_sample.Method = method;
-            m_sample.StandsForStretches = reader.Tree == null;
+            m_sample.HasKnownWeights = reader.Tree == null;
         }
 
-        /// <summary>Raised on the pump's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn from
-        /// then on.</summary>
+        /// <summary>Raised on the coroutine's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn
+        /// from then on.</summary>
         public event Action<SampleWave> WaveReady;
 
         /// <summary>The waves so far.</summary>
@@ -71,15 +71,15 @@ namespace FastPoints.Sampling
                 : new PrefixSampler(reader, wanted, seed);
         }
 
-        /// <summary>Reads in flight: so many, or at first as many as a pump needs that awaits each, and more where frames are so
-        /// far apart that workers run out of them.</summary>
-        internal static WorkAhead AheadFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
-            ? new WorkAhead(slots, slots, () => 0)
-            : new WorkAhead(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MostFrameMs);
+        /// <summary>Reads in flight: so many, or at first as many as a coroutine needs that awaits each, and more where frames
+        /// are so far apart that workers run out of them.</summary>
+        internal static InFlightLimit LimitFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
+            ? new InFlightLimit(slots, slots, () => 0)
+            : new InFlightLimit(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MaxFrameMs);
 
-        /// <summary>Takes the sample as work for a pump.</summary>
+        /// <summary>Takes the sample as a coroutine.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>
-        public IEnumerator<Work> Run(int slots, StageProgress progress)
+        public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
             try
@@ -89,10 +89,10 @@ namespace FastPoints.Sampling
                     int first = EndPlace;
                     int wanted = PlacesOf(wave);
                     bool isLast = wanted == Buffer.Places;
-                    yield return Work.Of(Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
+                    yield return JobStep.Of(Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
                     if (EndPlace > first)
                     {
-                        yield return Work.Of(Close(first));
+                        yield return JobStep.Of(Close(first));
                         RaiseWave();
                         Report(progress);
                         // The wave belongs to the code that steps the work until the next step.
@@ -109,38 +109,39 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>The places that a wave is to reach.</summary>
-        int PlacesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= LeastShareOfLast * Buffer.Places ? Buffer.Places
+        int PlacesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * Buffer.Places ? Buffer.Places
             : s_waves[wave];
 
-        /// <summary>Work for a pump: reads more points into the following places, and moves <see cref="EndPlace"/> behind
+        /// <summary>Coroutine: reads more points into the following places, and moves <see cref="EndPlace"/> behind
         /// them.</summary>
         /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
         /// <param name="next">The same of the wave after this one, which may be prepared; 0 for none.</param>
-        private protected abstract IEnumerator<Work> Read(int wanted, int next, int slots, StageProgress progress);
+        private protected abstract IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress);
 
         /// <summary>When <see cref="Filling"/> has ended.</summary>
         /// <exception cref="PointCloudException">A read failed.</exception>
         private protected virtual void EndReads() { }
 
-        /// <summary>Work for a pump: lists what the waves so far have read, by place.</summary>
+        /// <summary>Coroutine: lists what the waves so far have read, by place.</summary>
         /// <param name="runs">An empty list to fill.</param>
         /// <param name="after">What its jobs come behind.</param>
         /// <param name="scheduled">Receives the handle of all jobs.</param>
-        private protected abstract IEnumerator<Work> ListRuns(NativeList<SampleRun> runs, JobHandle after,
+        private protected abstract IEnumerator<JobStep> ListRuns(NativeList<SampleRun> runs, JobHandle after,
             Action<JobHandle> scheduled);
 
-        /// <summary>Work for a pump: all that makes a sample of a wave's places, in one chain behind what fills them.</summary>
-        IEnumerator<Work> Close(int first)
+        /// <summary>Coroutine: all that makes a sample of a wave's places, in one chain behind what fills them.</summary>
+        IEnumerator<JobStep> Close(int first)
         {
             var all = Filling;
             try
             {
-                yield return Work.Of(Buffer.ScheduleClose(Reader.Info.Transform, first, EndPlace, all, closed => all = closed));
-                if (m_sample.StandsForStretches)
+                yield return JobStep.Of(Buffer.ScheduleClose(Reader.Info.Transform, first, EndPlace, all, closed =>
+                    all = closed));
+                if (m_sample.HasKnownWeights)
                 {
                     m_sample.RunList.Clear();
-                    yield return Work.Of(ListRuns(m_sample.RunList, all, listed => all = listed));
-                    yield return Work.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace, EndPlace, all));
+                    yield return JobStep.Of(ListRuns(m_sample.RunList, all, listed => all = listed));
+                    yield return JobStep.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace, EndPlace, all));
                 }
                 yield return all;
             }

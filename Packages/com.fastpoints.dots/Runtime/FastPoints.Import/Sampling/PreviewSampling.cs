@@ -9,8 +9,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Takes the sample of a preview from an open source: it finds the blocks if necessary, and if that takes a pass over
-    /// the whole file, waves from prefixes come before. Owns the sample.</summary>
+    /// <summary>Takes the sample of a preview from an open source: it finds the blocks if necessary, and if that takes a pass
+    /// over the whole file, waves from prefixes come before. Owns the sample.</summary>
     public sealed class PreviewSampling : IDisposable
     {
         /// <summary>Stages that read all of a source: anything else that would read it may as well go first.</summary>
@@ -29,7 +29,7 @@ namespace FastPoints.Sampling
             m_fileBefore = FileNow();
         }
 
-        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it
+        /// <summary>Raised on the coroutine's thread when there is a sample to draw, coarse to fine. This object owns it, and it
         /// belongs to the wave only until the work's next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
@@ -38,26 +38,26 @@ namespace FastPoints.Sampling
         /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
-        /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="FindBlocksStage"/> and
+        /// <summary>Coroutine, with the stages <c>sample</c>, <see cref="FindBlocksStage"/> and
         /// <see cref="RefineStage"/>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<Work> Run(StageProgress progress)
+        public IEnumerator<JobStep> Run(StageProgress progress)
         {
             m_watch.Restart();
             if (m_reader.HasPrefixes && !m_options.Exact)
             {
-                yield return Work.Of(TakePrefixes(progress));
+                yield return JobStep.Of(TakePrefixes(progress));
                 if (!m_options.Quick && Sample.IsOfPrefix)
                     Drop();
             }
             if (Sample == null || !m_options.Quick && !Sample.IsWhole)
             {
-                yield return Work.Of(FindBlocks(progress));
+                yield return JobStep.Of(FindBlocks(progress));
                 progress?.Begin("sample");
-                yield return Work.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
+                yield return JobStep.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
             }
 
-            RaiseChanges();
+            ThrowIfChanged();
             progress?.End();
         }
 
@@ -69,7 +69,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Throws if the file has changed: a header and points of different files would give nonsense.</summary>
-        void RaiseChanges()
+        void ThrowIfChanged()
         {
             var now = FileNow();
             if (now.Equals(m_fileBefore))
@@ -83,11 +83,11 @@ namespace FastPoints.Sampling
         /// bare: whole blocks replace them.</summary>
         public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
 
-        IEnumerator<Work> Scan(StageProgress progress)
+        IEnumerator<JobStep> Scan(StageProgress progress)
         {
             using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
             {
-                yield return Work.Of(uniform.Run(0, progress));
+                yield return JobStep.Of(uniform.Run(0, progress));
                 Sample = uniform.TakeSample();
             }
             var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
@@ -95,34 +95,34 @@ namespace FastPoints.Sampling
             yield return default;
         }
 
-        IEnumerator<Work> TakeWaves(StageProgress progress)
+        IEnumerator<JobStep> TakeWaves(StageProgress progress)
         {
             bool refines = !m_options.Quick && Refines(m_reader);
             int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
             if (Sample == null)
-                yield return Work.Of(Take(wanted, progress));
+                yield return JobStep.Of(Take(wanted, progress));
             if (!refines || Sample.IsWhole)
                 yield break;
             var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
-            yield return Work.Of(ranges.Measure(Sample.Points, Sample.Transform, UpAxis.Z));
+            yield return JobStep.Of(ranges.Measure(Sample.Points, Sample.Transform, UpAxis.Z));
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
             progress?.Begin(RefineStage);
             using var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, ranges.Robust);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
-            yield return Work.Of(sampler.Run(0, progress));
+            yield return JobStep.Of(sampler.Run(0, progress));
             Sample.Dispose();
             Sample = sampler.TakeSample();
         }
 
         /// <summary>Takes a sample of the known blocks.</summary>
-        IEnumerator<Work> Take(int wanted, StageProgress progress)
+        IEnumerator<JobStep> Take(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
             using var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
-            yield return Work.Of(sampler.Run(0, progress));
+            yield return JobStep.Of(sampler.Run(0, progress));
             Sample = sampler.TakeSample();
         }
 
@@ -136,16 +136,16 @@ namespace FastPoints.Sampling
 
         /// <summary>Takes a sample of what can be read before the blocks are found, which takes a pass over the whole file: of
         /// its beginning, or spread all over it.</summary>
-        IEnumerator<Work> TakePrefixes(StageProgress progress)
+        IEnumerator<JobStep> TakePrefixes(StageProgress progress)
         {
             progress?.Begin("sample");
             // A sampler searches for as many spread prefixes as a wave needs.
-            yield return Work.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
-            yield return Work.Of(Take(m_options.Points, progress));
+            yield return JobStep.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
+            yield return JobStep.Of(Take(m_options.Points, progress));
             var estimate = m_reader.EstimatedPoints;
-            Sample.StandFor((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
+            Sample.SetPointsInSource((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
             Sample.IsOfPrefix = !Sample.IsWhole && !m_reader.PrefixesAreSpread;
-            Sample.StandsForStretches &= !Sample.IsOfPrefix;
+            Sample.HasKnownWeights &= !Sample.IsOfPrefix;
             if (m_reader.PrefixesAreSpread)
             {
                 Sample.Method = "lines of stretches all over the file";
@@ -164,12 +164,12 @@ namespace FastPoints.Sampling
                     + " % of the points, and shows nothing of the rest");
         }
 
-        IEnumerator<Work> FindBlocks(StageProgress progress)
+        IEnumerator<JobStep> FindBlocks(StageProgress progress)
         {
             if (m_reader.BlocksAreKnown)
                 yield break;
             progress?.Begin(FindBlocksStage);
-            yield return Work.Of(m_reader.FindBlocks());
+            yield return JobStep.Of(m_reader.FindBlocks());
         }
 
         void Drop()

@@ -13,7 +13,7 @@ namespace FastPoints.Sampling
     /// point.</summary>
     /// <remarks>Until then the sample has those of its points that were reached, and instead of the others the first point of
     /// each cell that would be empty although points in it were read (spatial thinning). It is the same for any number of threads
-    /// and slots. All members belong to the pump's thread; disposing the work stops at once and leaves the last wave's
+    /// and slots. All members belong to the coroutine's thread; disposing the work stops at once and leaves the last wave's
     /// sample.</remarks>
     internal sealed class RefiningSampler : IThrottledConsumer, IDisposable
     {
@@ -24,11 +24,11 @@ namespace FastPoints.Sampling
         /// <summary>From this share on, waves come at any cost; before it, only if this many points are decoded for one, which
         /// takes half a second.</summary>
         const double FirstShareOfAny = 0.2;
-        const long LeastPointsBeforeFifth = 2_000_000;
+        const long MinPointsBeforeFifth = 2_000_000;
 
         /// <summary>A first sample of this many points is always worth its time; one in so many if there are too many blocks to
         /// reach together.</summary>
-        const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
+        const int MinPointsBefore = 20_000, PointsPerPointBefore = 25;
 
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
@@ -43,7 +43,7 @@ namespace FastPoints.Sampling
         readonly Stack<DecoderState> m_freeStates = new Stack<DecoderState>();
         readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
         ReadSlots m_slots;
-        SubstitutePoints m_others;
+        PlaceholderPoints m_placeholders;
         StageProgress m_progress;
         readonly PreviewSample m_before;
         PreviewSample m_sample;
@@ -70,8 +70,8 @@ namespace FastPoints.Sampling
 
         /// <summary>Points of the first sample before this one: what it decodes is decoded again.</summary>
         public static int PointsBefore(PointReader reader, int wanted) => (int)Math.Min(wanted,
-            reader.BlockCount <= DepthPlan.MostSlicedBlocks ? LeastPointsBefore
-                : Math.Max(LeastPointsBefore, reader.PointCount / PointsPerPointBefore));
+            reader.BlockCount <= DepthPlan.MaxSlicedBlocks ? MinPointsBefore
+                : Math.Max(MinPointsBefore, reader.PointCount / PointsPerPointBefore));
 
         /// <summary>Raised after each wave.</summary>
         public event Action<SampleWave> WaveReady;
@@ -86,19 +86,19 @@ namespace FastPoints.Sampling
 
         bool IThrottledConsumer.IsReady => !IsPaused;
 
-        /// <summary>Takes the sample as work for a pump, once.</summary>
-        /// <param name="slots">Blocks in flight; 0 for what <see cref="PreviewSampler.AheadFor"/> says.</param>
-        public IEnumerator<Work> Run(int slots, StageProgress progress)
+        /// <summary>Takes the sample as a coroutine, once.</summary>
+        /// <param name="slots">Blocks in flight; 0 for what <see cref="PreviewSampler.LimitFor"/> says.</param>
+        public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
             try
             {
                 Allocate(slots);
                 if (!m_plan.IsSliced && m_before != null)
-                    yield return Work.Of(m_others.Append(m_before));
+                    yield return JobStep.Of(m_placeholders.Append(m_before));
                 foreach (double share in s_shares)
                 {
-                    if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
+                    if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < MinPointsBeforeFifth))
                         continue;
                     // A wave never shows less than what it follows.
                     if (share < 1 && m_plan.IsSliced && m_before != null && share * m_strata.Count < m_before.Count)
@@ -108,13 +108,13 @@ namespace FastPoints.Sampling
                     for (var next = NextRanges(share); next.Count > 0; next = NextRanges(share))
                     {
                         var ranges = next;
-                        yield return Work.Of(m_slots.Run(this, 0, ranges.Count, (read, n) => Begin(read, ranges[n]), null));
-                        while (!m_isLastWave && m_others.AreTooMany)
-                            yield return Work.Of(m_others.Coarsen(m_buffer));
+                        yield return JobStep.Of(m_slots.Run(this, 0, ranges.Count, (read, n) => Begin(read, ranges[n]), null));
+                        while (!m_isLastWave && m_placeholders.AreTooMany)
+                            yield return JobStep.Of(m_placeholders.Coarsen(m_buffer));
                     }
                     if (m_isLastWave)
-                        yield return Work.Of(m_slots.Free());
-                    yield return Work.Of(m_isLastWave ? Close() : Compose());
+                        yield return JobStep.Of(m_slots.Free());
+                    yield return JobStep.Of(m_isLastWave ? Close() : Compose());
                     RaiseWave();
                     // The wave belongs to the code that steps the work until the next step.
                     yield return default;
@@ -130,11 +130,11 @@ namespace FastPoints.Sampling
         {
             m_buffer = new SampleBuffer(m_schema, m_strata.Count);
             m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
-                PreviewSampler.AheadFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
-            bool canSlice = m_reader.BlockCount <= DepthPlan.MostSlicedBlocks && m_slots.TryKeepStates();
+                PreviewSampler.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
+            bool canSlice = m_reader.BlockCount <= DepthPlan.MaxSlicedBlocks && m_slots.TryKeepStates();
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
-            m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
+            m_placeholders = new PlaceholderPoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
         }
 
         /// <summary>A round of the wave, after which others can be thinned. In the last wave there are none: it is one round,
@@ -170,7 +170,7 @@ namespace FastPoints.Sampling
                 m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
             var chosen = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, decoded);
             // In the final sample no point stands in for another one.
-            return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_others.ScheduleAppend(read.Points,
+            return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_placeholders.ScheduleAppend(read.Points,
                 m_columnsOfSlot[slot], read.Result, read.Range.Count, read.FirstPoint, m_strata, decoded));
         }
 
@@ -188,21 +188,21 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Composes a sample of the points so far: its own points, and others where there are none.</summary>
-        IEnumerator<Work> Compose()
+        IEnumerator<JobStep> Compose()
         {
             // A point of the first sample may have been reached again.
             if (!m_plan.IsSliced)
-                yield return Work.Of(m_others.Thin(m_buffer));
+                yield return JobStep.Of(m_placeholders.Thin(m_buffer));
             // Consecutive points are chosen from at most as many strata as they span, plus one at either end.
             long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
-            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
+            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
             var gathered = new NativeReference<int>(Allocator.Persistent);
             var others = new NativeReference<DecodeResult>(Allocator.Persistent);
             var all = default(JobHandle);
             PreviewSample composed = null;
             try
             {
-                yield return Work.Of(Slices.Run(0, m_strata.Count, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Run(0, m_strata.Count, SampleBuffer.PlacesPerSlice, (first, end, after) =>
                     new GatherPlacesJob
                     {
                         Sample = m_buffer.Points.Bytes,
@@ -215,13 +215,13 @@ namespace FastPoints.Sampling
                         TargetFilled = drawn.Filled,
                         Gathered = gathered,
                     }.Schedule(after)));
-                others.Value = new DecodeResult { Points = Math.Min(m_others.Count, drawn.Places - gathered.Value) };
+                others.Value = new DecodeResult { Points = Math.Min(m_placeholders.Count, drawn.Places - gathered.Value) };
                 int ownPoints = gathered.Value, otherPoints = others.Value.Points;
-                yield return Work.Of(Slices.Schedule(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Schedule(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
                     new CopyPrefixJob
                     {
-                        Decoded = m_others.Points.Bytes,
-                        ColumnsOfDecoded = m_others.Columns,
+                        Decoded = m_placeholders.Points.Bytes,
+                        ColumnsOfDecoded = m_placeholders.Columns,
                         Result = others,
                         First = first,
                         End = end,
@@ -230,19 +230,19 @@ namespace FastPoints.Sampling
                         Sample = drawn.Points.Bytes,
                         Filled = drawn.Filled,
                     }.Schedule(after), 1, default, copied => all = copied));
-                yield return Work.Of(drawn.ScheduleClose(m_reader.Info.Transform, 0, ownPoints + otherPoints, all,
+                yield return JobStep.Of(drawn.ScheduleClose(m_reader.Info.Transform, 0, ownPoints + otherPoints, all,
                     closed => all = closed));
                 composed = drawn.ShareSample(m_reader.Info.Transform);
-                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, composed.RunList));
-                yield return Work.Of(drawn.MoveRuns(composed.RunList, composed.RunList.Length, ownPoints, all));
+                yield return JobStep.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, composed.RunList));
+                yield return JobStep.Of(drawn.MoveRuns(composed.RunList, composed.RunList.Length, ownPoints, all));
                 drawn.EndClose();
                 drawn.Measure(composed);
                 Replace(composed);
                 composed = null;
-                m_sample.StandsForStretches = true;
+                m_sample.HasKnownWeights = true;
                 m_sample.IsOfBlockPrefixes = m_plan.IsSliced;
                 m_sample.PointsInSource = m_reader.PointCount;
-                m_sample.Substitutes = otherPoints;
+                m_sample.Placeholders = otherPoints;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
             }
             finally
@@ -256,13 +256,13 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Closes the full scan's sample.</summary>
-        IEnumerator<Work> Close()
+        IEnumerator<JobStep> Close()
         {
-            yield return Work.Of(m_buffer.Close(m_reader.Info.Transform));
+            yield return JobStep.Of(m_buffer.Close(m_reader.Info.Transform));
             Replace(m_buffer.TakeSample(m_reader.Info.Transform));
             m_sample.PointsInSource = m_pointsFound;
             m_sample.IsFullScan = true;
-            m_sample.StandsForStretches = true;
+            m_sample.HasKnownWeights = true;
             m_sample.Method = "full scan, one point of each stratum";
         }
 
@@ -304,8 +304,8 @@ namespace FastPoints.Sampling
                 m_freeStates.Pop().Dispose();
             m_buffer?.Dispose();
             m_buffer = null;
-            m_others?.Dispose();
-            m_others = null;
+            m_placeholders?.Dispose();
+            m_placeholders = null;
         }
 
         public void Dispose()

@@ -13,7 +13,7 @@ namespace FastPoints.Sampling
     {
         /// <summary>Points of a usual run: reading a page of the file costs the same for one wanted point as for
         /// sixteen.</summary>
-        const int PointsPerUsualRun = 16;
+        const int PointsPerDefaultRun = 16;
 
         /// <summary>Bytes of the file that a usual run spans, if its stratum has as many: about two pages. Longer runs span
         /// proportionally more.</summary>
@@ -30,10 +30,10 @@ namespace FastPoints.Sampling
         /// <param name="points">Points of the source.</param>
         /// <param name="wanted">Points of the sample.</param>
         /// <param name="pointsPerRun">Points of each run.</param>
-        public RunPlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRun = PointsPerUsualRun)
+        public RunPlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRun = PointsPerDefaultRun)
         {
             wanted = (int)Math.Min(points, Math.Max(0, wanted));
-            int times = Math.Max(1, pointsPerRun / PointsPerUsualRun);
+            int times = Math.Max(1, pointsPerRun / PointsPerDefaultRun);
             m_spanPoints = Math.Max(pointsPerRun, Math.Min(MaxSpanPoints, SpanBytes / Math.Max(1, recordBytes)) * times);
             long runs = Math.Min((wanted + pointsPerRun - 1L) / pointsPerRun, Math.Max(1, points / m_spanPoints));
             m_strata = new SampleStrata(points, (int)runs, seed);
@@ -47,8 +47,8 @@ namespace FastPoints.Sampling
         /// <summary>Number of places in the sample: as many as its points, or a few more.</summary>
         public int PlaceCount => (int)m_places.Points;
 
-        /// <summary>Points of the longest run's stretch of the file.</summary>
-        public int MaxStretchPoints => RunCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
+        /// <summary>Points of the longest run's segment of the file.</summary>
+        public int MaxSegmentPoints => RunCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
 
         /// <summary>First place in the sample of the run with this rank in the order; <see cref="PlaceCount"/> for the one after
         /// the last.</summary>
@@ -61,7 +61,7 @@ namespace FastPoints.Sampling
         public int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
             m_strata.FirstOf(stratum + 1) - m_strata.FirstOf(stratum));
 
-        /// <summary>The run of a stratum in the file's order: one stretch, or two if it wraps around at its stratum's
+        /// <summary>The run of a stratum in the file's order: one segment, or two if it wraps around at its stratum's
         /// end.</summary>
         /// <param name="rank">The stratum's place among the runs.</param>
         /// <returns>Whether there is a second one.</returns>

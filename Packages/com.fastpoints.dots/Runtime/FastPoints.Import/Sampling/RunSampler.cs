@@ -41,7 +41,7 @@ namespace FastPoints.Sampling
         int m_endRank;
         int m_plannedEnd;
         int m_gapBytes;
-        long m_stretches;
+        long m_segments;
         long m_waveBegun;
         long m_waveEnded;
 
@@ -57,47 +57,47 @@ namespace FastPoints.Sampling
             m_plan = plan;
         }
 
-        private protected override IEnumerator<Work> Read(int wanted, int next, int slots, StageProgress progress)
+        private protected override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
         {
             if (m_reads == null)
             {
-                yield return Work.Of(Try());
+                yield return JobStep.Of(Try());
                 Allocate(slots < 1 ? m_pace.Slots : slots);
             }
             int end = m_plan.RunsFor(wanted);
             if (end == m_endRank)
                 yield break;
             if (m_plannedEnd != end)
-                yield return Work.Of(PlanWave(m_endRank, end));
+                yield return JobStep.Of(PlanWave(m_endRank, end));
             yield return Filling;
             Filling.Complete();
             (m_runs, m_nextRuns) = (m_nextRuns, m_runs);
             m_progress = progress;
-            yield return Work.Of(BeginReads());
+            yield return JobStep.Of(BeginReads());
             int nextEnd = m_plan.RunsFor(next);
             if (nextEnd > end)
-                yield return Work.Of(PlanWave(end, nextEnd));
+                yield return JobStep.Of(PlanWave(end, nextEnd));
             m_endRank = end;
             EndPlace = m_plan.PlaceOf(end);
         }
 
-        /// <summary>Work for a pump: reads the first runs of the usual plan, and changes to the other one if that is
+        /// <summary>Coroutine: reads the first runs of the usual plan, and changes to the other one if that is
         /// slow.</summary>
-        IEnumerator<Work> Try()
+        IEnumerator<JobStep> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);
-            if (m_plan.RunCount < ReadPace.Tries || m_plan.PlaceCount >= Reader.PointCount)
+            if (m_plan.RunCount < ReadPace.TrialReads || m_plan.PlaceCount >= Reader.PointCount)
                 yield break;
-            m_reads = new RunRead[ReadPace.Tries];
+            m_reads = new RunRead[ReadPace.TrialReads];
             m_runs = new NativeList<PointRun>(Allocator.Persistent);
-            for (int rank = 0, place = 0; rank < ReadPace.Tries; place++)
+            for (int rank = 0, place = 0; rank < ReadPace.TrialReads; place++)
             {
                 int stratum = m_plan.Order.StratumAt(place);
                 if (stratum < 0)
                     continue;
                 m_plan.RunOf(stratum, rank, out var run, out _);
                 m_runs.Add(run);
-                m_reads[rank] = Reader.CreateRunRead(Buffer.Points, 1, m_plan.MaxStretchPoints * Reader.Info.RecordBytes,
+                m_reads[rank] = Reader.CreateRunRead(Buffer.Points, 1, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes,
                     Allocator.Persistent);
                 m_reads[rank].Begin(m_runs.AsArray(), rank, 1, 0);
                 rank++;
@@ -130,15 +130,15 @@ namespace FastPoints.Sampling
             m_ring = new SlotRing(slots);
         }
 
-        /// <summary>Work for a pump: schedules what finds the next wave's runs, in the file's order, and what comes of
+        /// <summary>Coroutine: schedules what finds the next wave's runs, in the file's order, and what comes of
         /// it.</summary>
-        IEnumerator<Work> PlanWave(int firstRank, int endRank)
+        IEnumerator<JobStep> PlanWave(int firstRank, int endRank)
         {
             var runs = m_nextRuns;
             runs.Clear();
             m_plannedEnd = endRank;
             var planned = default(JobHandle);
-            yield return Work.Of(Slices.Schedule(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
+            yield return JobStep.Of(Slices.Schedule(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
             {
                 Order = m_plan.Order,
                 NextPlace = m_nextPlace,
@@ -146,7 +146,7 @@ namespace FastPoints.Sampling
                 EndRank = end,
                 Ranks = m_ranks,
             }.Schedule(after), 1, default, ranked => planned = ranked));
-            yield return Work.Of(Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
+            yield return JobStep.Of(Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
             {
                 Plan = m_plan,
                 FirstRank = firstRank,
@@ -160,13 +160,13 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Begins to read the planned runs into their places.</summary>
-        IEnumerator<Work> BeginReads()
+        IEnumerator<JobStep> BeginReads()
         {
             var runs = m_runs.AsArray();
-            int most = m_pace.RunsPerRequest(runs.Length, m_reads.Length, MinRunsPerRequest, MaxRunsPerRequest);
-            int slotBytes = Math.Max(SlotBytes, m_plan.MaxStretchPoints * Reader.Info.RecordBytes);
+            int max = m_pace.RunsPerRequest(runs.Length, m_reads.Length, MinRunsPerRequest, MaxRunsPerRequest);
+            int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes);
             m_waveBegun = m_waveEnded = ReadClock.Now;
-            m_stretches = 0;
+            m_segments = 0;
             for (int next = 0; next < runs.Length;)
             {
                 if (m_ring.IsFull)
@@ -178,10 +178,10 @@ namespace FastPoints.Sampling
                 int slot = m_ring.Begin();
                 var read = m_reads[slot] ??= Reader.CreateRunRead(Buffer.Points, MaxRunsPerRequest, slotBytes,
                     Allocator.Persistent);
-                next += read.Begin(runs, next, most, m_gapBytes);
+                next += read.Begin(runs, next, max, m_gapBytes);
                 Filling = JobHandle.CombineDependencies(Filling, read.Decoded);
                 JobHandle.ScheduleBatchedJobs();
-                // The pump looks at its budget.
+                // The coroutine checks its budget.
                 yield return default;
             }
         }
@@ -192,7 +192,7 @@ namespace FastPoints.Sampling
             oldest.Complete();
             m_ring.End();
             BytesRead += oldest.BytesRead;
-            m_stretches += oldest.Stretches;
+            m_segments += oldest.Segments;
             m_waveEnded = Math.Max(m_waveEnded, oldest.Ended);
             Report(m_progress);
         }
@@ -201,14 +201,14 @@ namespace FastPoints.Sampling
         {
             while (!m_ring.IsEmpty)
                 EndRead();
-            // The first wave is measured, whose runs lie far apart: when gaps are read along, a stretch takes longer for its
+            // The first wave is measured, whose runs lie far apart: when gaps are read along, a segment takes longer for its
             // bytes.
             if (m_isFirstWave)
-                m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(m_waveBegun, m_waveEnded) / m_stretches);
+                m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(m_waveBegun, m_waveEnded) / m_segments);
             m_isFirstWave = false;
         }
 
-        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs, JobHandle after,
+        private protected override IEnumerator<JobStep> ListRuns(NativeList<SampleRun> runs, JobHandle after,
             Action<JobHandle> scheduled)
         {
             runs.Capacity = Math.Max(runs.Capacity, m_endRank);

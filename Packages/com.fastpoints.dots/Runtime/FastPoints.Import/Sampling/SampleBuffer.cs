@@ -67,13 +67,13 @@ namespace FastPoints.Sampling
             return decoded;
         }
 
-        /// <summary>Work for a pump: closes the gaps, after everything that fills places.</summary>
-        public IEnumerator<Work> Close(PositionTransform transform)
+        /// <summary>Coroutine: closes the gaps, after everything that fills places.</summary>
+        public IEnumerator<JobStep> Close(PositionTransform transform)
         {
             var all = default(JobHandle);
             try
             {
-                yield return Work.Of(ScheduleClose(transform, 0, Places, default, closed => all = closed));
+                yield return JobStep.Of(ScheduleClose(transform, 0, Places, default, closed => all = closed));
                 yield return all;
             }
             finally
@@ -83,10 +83,10 @@ namespace FastPoints.Sampling
             EndClose();
         }
 
-        /// <summary>Work for a pump: schedules the same for the places after those that are closed.</summary>
+        /// <summary>Coroutine: schedules the same for the places after those that are closed.</summary>
         /// <param name="after">What its jobs come behind.</param>
         /// <param name="scheduled">Receives the handle of all; when it has ended, call <see cref="EndClose"/>.</param>
-        public IEnumerator<Work> ScheduleClose(PositionTransform transform, int begin, int end, JobHandle after,
+        public IEnumerator<JobStep> ScheduleClose(PositionTransform transform, int begin, int end, JobHandle after,
             Action<JobHandle> scheduled) => Slices.Schedule(begin, end, PlacesPerSlice, (first, stop, before) =>
                 new CompactSampleJob
                 {
@@ -102,26 +102,26 @@ namespace FastPoints.Sampling
 
         public void EndClose() => Points.Count = m_state.Value.Kept;
 
-        /// <summary>Work for a pump: runs of places become runs of points; after
+        /// <summary>Coroutine: runs of places become runs of points; after
         /// <see cref="Close(PositionTransform)"/>.</summary>
         /// <param name="runs">Runs within the closed places.</param>
-        /// <param name="most">The most that there may be of them.</param>
+        /// <param name="max">The most that there may be of them.</param>
         /// <param name="end">The end of these places.</param>
         /// <param name="after">What its jobs come behind; it is complete in the end.</param>
-        public IEnumerator<Work> MoveRuns(NativeList<SampleRun> runs, int most, int end, JobHandle after)
+        public IEnumerator<JobStep> MoveRuns(NativeList<SampleRun> runs, int max, int end, JobHandle after)
         {
             var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             pointOfPlace[0] = 0;
             try
             {
-                yield return Work.Of(Slices.Schedule(0, end, PlacesPerSlice, (first, stop, before) => new NumberPlacesJob
+                yield return JobStep.Of(Slices.Schedule(0, end, PlacesPerSlice, (first, stop, before) => new NumberPlacesJob
                 {
                     Filled = m_filled,
                     First = first,
                     End = stop,
                     PointOfPlace = pointOfPlace,
                 }.Schedule(before), 1, after, numbered => after = numbered));
-                yield return Work.Of(Slices.Run(0, most, PlacesPerSlice, (first, stop, before) => new MoveRunsJob
+                yield return JobStep.Of(Slices.Run(0, max, PlacesPerSlice, (first, stop, before) => new MoveRunsJob
                 {
                     PointOfPlace = pointOfPlace,
                     First = first,

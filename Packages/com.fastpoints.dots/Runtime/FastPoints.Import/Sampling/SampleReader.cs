@@ -104,10 +104,10 @@ namespace FastPoints.Sampling
                 Points.Dispose();
         }
 
-        /// <summary>Work for a pump: copies a sample in jobs. The sample must not change before the work has ended.</summary>
+        /// <summary>Coroutine: copies a sample in jobs. The sample must not change before the work has ended.</summary>
         /// <param name="path">Path of the source, for messages.</param>
         /// <param name="copied">Receives the reader and owns it.</param>
-        public static IEnumerator<Work> Copy(PreviewSample sample, string path, Action<SampleReader> copied)
+        public static IEnumerator<JobStep> Copy(PreviewSample sample, string path, Action<SampleReader> copied)
         {
             var points = RoomFor(sample);
             JobHandle copying = default;

@@ -13,17 +13,17 @@ namespace FastPoints.Sampling
         const int PointsPerSampled = 8;
 
         /// <param name="reader">A reader whose blocks are known.</param>
-        /// <param name="mostRuns">The most runs; fewer and longer ones if only prefixes of blocks are cheap.</param>
+        /// <param name="maxRuns">The most runs; fewer and longer ones if only prefixes of blocks are cheap.</param>
         /// <param name="runPoints">Records of a run.</param>
         /// <returns>The runs in the order of the source. None is empty.</returns>
-        public static List<BlockRange> Choose(PointReader reader, long mostRuns, int runPoints)
+        public static List<BlockRange> Choose(PointReader reader, long maxRuns, int runPoints)
         {
             var runs = new List<BlockRange>();
             long points = reader.PointCount;
             int blocks = reader.BlockCount;
             if (points == 0)
                 return runs;
-            long wanted = Math.Max(MinRuns, Math.Min(mostRuns, points / (PointsPerSampled * runPoints)));
+            long wanted = Math.Max(MinRuns, Math.Min(maxRuns, points / (PointsPerSampled * runPoints)));
             long length = Math.Max(1, Math.Min(runPoints, (points + wanted - 1) / wanted));
             if (!reader.HasFixedStride)
             {

@@ -40,13 +40,13 @@ namespace FastPoints.Sampling
         /// <summary>Runs in the file's order: each stands for the points up to the next one.</summary>
         public NativeArray<SampleRun> Runs => m_runs.AsArray();
 
-        /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
-        /// <param name="aheadMs">See <see cref="WorkAhead"/>.</param>
+        /// <summary>Coroutine: reads the sample. The reader's blocks are known.</summary>
+        /// <param name="inFlightMs">See <see cref="InFlightLimit"/>.</param>
         /// <param name="chains">The most runs that are decoded side by side; 0 for all in flight.</param>
         /// <param name="maxBytes">The most bytes of reads in flight.</param>
         /// <param name="measure">Schedules jobs on the positions, behind those that load them.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
-        public static IEnumerator<Work> Read(PointReader reader, Func<double> aheadMs, int chains, long maxBytes,
+        public static IEnumerator<JobStep> Read(PointReader reader, Func<double> inFlightMs, int chains, long maxBytes,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure, Action<SourceSample> take)
         {
             var sample = new SourceSample();
@@ -59,14 +59,14 @@ namespace FastPoints.Sampling
             {
                 if (reader.HasRunReads)
                 {
-                    yield return Work.Of(sample.ReadRuns(reader, runs, positions, measure));
+                    yield return JobStep.Of(sample.ReadRuns(reader, runs, positions, measure));
                 }
                 else
                 {
                     int longest = LongestOf(runs);
-                    var ahead = SourceScan.AheadFor(reader, positions, 0, maxBytes, chains, aheadMs);
+                    var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
                     using var consumer = new Appending(sample, reader, runs, longest);
-                    yield return Work.Of(SourceScan.Run(reader, positions, consumer, ahead, chains, 0, runs.Count,
+                    yield return JobStep.Of(SourceScan.Run(reader, positions, consumer, limit, chains, 0, runs.Count,
                         r => runs[r], longest, null));
                     measured = measure(sample.Stored, default);
                     yield return measured;
@@ -91,7 +91,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<Work> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions,
+        IEnumerator<JobStep> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
             int points = 0;
@@ -103,7 +103,7 @@ namespace FastPoints.Sampling
             var stored = Stored;
             try
             {
-                yield return Work.Of(reader.ReadRuns(runs, 0, runs.Count, batch, read =>
+                yield return JobStep.Of(reader.ReadRuns(runs, 0, runs.Count, batch, read =>
                 {
                     for (int first = 0; first < points; first += PointsOfSlice)
                         read = Load(batch, decoded, first,
@@ -143,7 +143,7 @@ namespace FastPoints.Sampling
 
         void AddRun(int first, int count, long pointsStoodFor) => m_runs.Add(new SampleRun
         {
-            Stretch = m_runs.Length,
+            Segment = m_runs.Length,
             First = first,
             Count = count,
             Weight = pointsStoodFor / (double)Math.Max(1, count),

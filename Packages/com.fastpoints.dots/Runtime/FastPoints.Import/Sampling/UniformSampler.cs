@@ -32,9 +32,9 @@ namespace FastPoints.Sampling
             m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
         }
 
-        /// <summary>Takes the sample as work for a pump; call <see cref="TakeSample"/> afterwards.</summary>
+        /// <summary>Takes the sample as a coroutine; call <see cref="TakeSample"/> afterwards.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
-        public IEnumerator<Work> Run(int slots, StageProgress progress)
+        public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             if (slots < 1)
                 slots = SourceScan.SlotsFor(m_reader, m_schema);
@@ -42,14 +42,14 @@ namespace FastPoints.Sampling
             try
             {
                 m_buffer = new SampleBuffer(m_schema, m_strata.Count);
-                yield return Work.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
-                yield return Work.Of(m_buffer.Close(m_reader.Info.Transform));
+                yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
+                yield return JobStep.Of(m_buffer.Close(m_reader.Info.Transform));
 
                 m_sample = m_buffer.TakeSample(m_reader.Info.Transform);
                 m_sample.PointsInSource = m_pointsFound;
                 m_sample.BytesRead = m_bytesRead;
                 m_sample.IsFullScan = true;
-                m_sample.StandsForStretches = true;
+                m_sample.HasKnownWeights = true;
                 m_sample.Method = "full scan, one point of each stratum";
             }
             finally

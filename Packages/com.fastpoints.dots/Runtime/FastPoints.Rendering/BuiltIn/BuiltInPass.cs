@@ -60,7 +60,7 @@ namespace FastPoints.Rendering.BuiltIn
             var scene = PointScene.Current;
             if (scene == null || !isDrawn)
                 return;
-            scene.Announce(camera);
+            scene.AddView(camera);
             RenderTargetIdentifier set = BuiltinRenderTextureType.CameraTarget;
             var target = CameraTarget.Of(camera, set, set, camera.stereoEnabled && IsEyeTextureForBoth);
             target.MayBeScreen = true;

@@ -35,7 +35,7 @@ namespace FastPoints.Rendering.Hdrp
             var camera = ctx.hdCamera.camera;
             if (scene == null || !PointScene.IsDrawn(camera))
                 return;
-            scene.Announce(camera);
+            scene.AddView(camera);
             bool hasBothEyes = camera.stereoEnabled && ctx.cameraColorBuffer.rt.volumeDepth > 1;
             var target = CameraTarget.Of(camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, hasBothEyes);
             if (!hasBothEyes)

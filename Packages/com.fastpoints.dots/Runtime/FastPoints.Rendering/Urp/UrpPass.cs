@@ -118,7 +118,7 @@ namespace FastPoints.Rendering.Urp
             bool hasData = camera.TryGetComponent<UniversalAdditionalCameraData>(out var cameraData);
             if (!PointScene.IsDrawn(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
                 return;
-            scene.Announce(camera);
+            scene.AddView(camera);
             if (s_pass == null)
                 s_pass = new UrpPass();
             s_pass.m_camera = camera;

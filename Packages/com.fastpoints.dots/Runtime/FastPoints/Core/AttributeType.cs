@@ -38,11 +38,11 @@ namespace FastPoints.Core
             (AttributeType)(2 * math.tzcnt((uint)bytes) + (isSigned ? 1 : 0));
 
         /// <summary>What an integer type of 32 bits and less holds; of any other type what 32 bits hold.</summary>
-        public static void RangeOf(this AttributeType type, out long least, out long most)
+        public static void RangeOf(this AttributeType type, out long min, out long max)
         {
             long values = 1L << 8 * math.min(4, type.SizeOf());
-            least = type.IsSigned() ? -values / 2 : 0;
-            most = least + values - 1;
+            min = type.IsSigned() ? -values / 2 : 0;
+            max = min + values - 1;
         }
 
         /// <summary>The narrowest type that holds the values of both; 64-bit floats if none does.</summary>

@@ -12,7 +12,7 @@ namespace FastPoints.Core
         };
 
         /// <summary>The first class that users may define.</summary>
-        public const int FirstOfUsers = 64;
+        public const int FirstUserDefined = 64;
 
         /// <returns>Null for numbers that are reserved or defined by the user.</returns>
         public static string Of(int classification) =>

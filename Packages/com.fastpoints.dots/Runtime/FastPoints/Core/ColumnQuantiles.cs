@@ -7,7 +7,7 @@ namespace FastPoints.Core
     /// values (4 sigma of a binomial at a half), whatever the outliers.</remarks>
     internal struct ColumnQuantiles
     {
-        const int MaxValuesTaken = 65536;
+        const int MaxSampledValues = 65536;
 
         public ColumnRange Range;
 
@@ -16,19 +16,19 @@ namespace FastPoints.Core
         public double High;
 
         /// <summary>A quarter of the values lies below the first, a quarter above the second.</summary>
-        public double LowQuarter;
-        public double HighQuarter;
+        public double LowerQuartile;
+        public double UpperQuartile;
 
         /// <summary>Number of values sorted for a column of this length, which is the length of the scratch memory.</summary>
-        public static int ValuesTaken(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
+        public static int SampledValues(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
-        static int Step(int count) => (count - 1) / MaxValuesTaken + 1;
+        static int Step(int count) => (count - 1) / MaxSampledValues + 1;
 
         /// <summary>The result before any value was examined.</summary>
         public static ColumnQuantiles Empty => new ColumnQuantiles { Range = ColumnRange.Empty };
 
         /// <param name="stored">Range of the column.</param>
-        /// <param name="keys">Scratch memory for <see cref="ValuesTaken"/> values, as is <paramref name="keyScratch"/>.</param>
+        /// <param name="keys">Scratch memory for <see cref="SampledValues"/> values, as is <paramref name="keyScratch"/>.</param>
         public static unsafe ColumnQuantiles Measure(in ColumnRange stored, byte* column, AttributeType type, int count,
             double scale, double offset, double lowShare, double highShare, ulong* keys, ulong* keyScratch)
         {
@@ -38,8 +38,8 @@ namespace FastPoints.Core
                 Range = stored,
                 Low = double.NaN,
                 High = double.NaN,
-                LowQuarter = double.NaN,
-                HighQuarter = double.NaN
+                LowerQuartile = double.NaN,
+                UpperQuartile = double.NaN
             };
             if (stored.IsEmpty)
                 return found;
@@ -56,15 +56,15 @@ namespace FastPoints.Core
             }
             if (taken == 0)
             {
-                found.Low = found.LowQuarter = found.Range.Min;
-                found.High = found.HighQuarter = found.Range.Max;
+                found.Low = found.LowerQuartile = found.Range.Min;
+                found.High = found.UpperQuartile = found.Range.Max;
                 return found;
             }
             RadixSort.Sort(keys, null, keyScratch, null, taken);
             found.Low = ColumnValues.FromOrderedBits(keys[Rank(lowShare, taken)]);
             found.High = ColumnValues.FromOrderedBits(keys[Rank(highShare, taken)]);
-            found.LowQuarter = ColumnValues.FromOrderedBits(keys[Rank(0.25, taken)]);
-            found.HighQuarter = ColumnValues.FromOrderedBits(keys[Rank(0.75, taken)]);
+            found.LowerQuartile = ColumnValues.FromOrderedBits(keys[Rank(0.25, taken)]);
+            found.UpperQuartile = ColumnValues.FromOrderedBits(keys[Rank(0.75, taken)]);
             return found;
         }
 

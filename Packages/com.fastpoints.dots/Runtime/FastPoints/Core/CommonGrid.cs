@@ -11,7 +11,7 @@ namespace FastPoints.Core
         public const long Limit = 1L << 60;
 
         /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
-        public const long Nowhere = long.MinValue;
+        public const long InvalidPosition = long.MinValue;
 
         // Finds common steps of decimal scales: 0.01 and 0.025 meet at 0.005.
         static readonly int[] s_divisors =

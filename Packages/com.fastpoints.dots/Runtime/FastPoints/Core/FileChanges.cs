@@ -12,9 +12,9 @@ namespace FastPoints.Core
     internal static class FileChanges
     {
         /// <summary>How long what is refused is tried again.</summary>
-        public const int PatienceMs = 10000;
+        public const int RetryTimeoutMs = 10000;
 
-        const int PauseMs = 20;
+        const int RetryDelayMs = 20;
         const string DeletedSuffix = ".deleted";
         const int DiskFull = unchecked((int)0x80070070);
         const int HandleDiskFull = unchecked((int)0x80070027);
@@ -26,27 +26,27 @@ namespace FastPoints.Core
 
         /// <summary>Hears of each change before it is made, and may refuse it as the system would: for hosts whose own system
         /// refuses less.</summary>
-        internal static Action<FileChange, string, string> Before;
+        internal static Action<FileChange, string, string> Intercept;
 
         /// <summary>Opens a file to read. Others may write, replace and delete it meanwhile, as far as the system lets
         /// them.</summary>
         public static FileStream OpenToRead(string path, int bufferBytes)
         {
-            Before?.Invoke(FileChange.Open, path, null);
+            Intercept?.Invoke(FileChange.Open, path, null);
             return new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferBytes);
         }
 
         /// <summary>Opens a file to write, which others may read meanwhile unless it is new.</summary>
         public static FileStream OpenToWrite(string path, FileMode mode)
         {
-            Before?.Invoke(FileChange.Write, path, null);
+            Intercept?.Invoke(FileChange.Write, path, null);
             return new FileStream(path, mode, FileAccess.Write, mode == FileMode.CreateNew ? FileShare.None : FileShare.Read, 1);
         }
 
         /// <summary>Gives a file another's name; the other goes, if there is one.</summary>
         public static void Replace(string from, string to)
         {
-            Before?.Invoke(FileChange.Replace, from, to);
+            Intercept?.Invoke(FileChange.Replace, from, to);
             if (File.Exists(to))
                 File.Replace(from, to, null);
             else
@@ -56,14 +56,14 @@ namespace FastPoints.Core
         /// <summary>Moves a folder to a name that is free.</summary>
         public static void MoveFolder(string from, string to)
         {
-            Before?.Invoke(FileChange.MoveFolder, from, to);
+            Intercept?.Invoke(FileChange.MoveFolder, from, to);
             Directory.Move(from, to);
         }
 
         /// <summary>Deletes a file, if it exists.</summary>
         public static void Delete(string path)
         {
-            Before?.Invoke(FileChange.Delete, path, null);
+            Intercept?.Invoke(FileChange.Delete, path, null);
             File.Delete(path);
         }
 
@@ -72,16 +72,16 @@ namespace FastPoints.Core
         {
             if (!Directory.Exists(path))
                 return;
-            Before?.Invoke(FileChange.DeleteFolder, path, null);
+            Intercept?.Invoke(FileChange.DeleteFolder, path, null);
             Directory.Delete(path, true);
         }
 
-        /// <summary>Deletes a file or a folder whose remains do no harm. It waits like <see cref="Insist"/>.</summary>
-        public static void DeleteRemains(string path, Func<bool> isWanted = null)
+        /// <summary>Deletes a file or a folder whose remains do no harm. It waits like <see cref="Retry"/>.</summary>
+        public static void TryDelete(string path, Func<bool> isWanted = null)
         {
             try
             {
-                Insist(() =>
+                Retry(() =>
                 {
                     if (Directory.Exists(path))
                         DeleteFolder(path);
@@ -100,34 +100,35 @@ namespace FastPoints.Core
         /// <param name="moved">Hears, on any thread, that the name is free, or why the folder keeps it.</param>
         public static void BeginDelete(string folder, Action<Exception> moved)
         {
-            string gone = folder + DeletedSuffix;
-            for (int number = 2; Directory.Exists(gone); number++)
-                gone = folder + DeletedSuffix + NumberText.Of(number);
-            if (TryMove(folder, gone, () => false, out _))
+            string renamed = folder + DeletedSuffix;
+            for (int number = 2; Directory.Exists(renamed); number++)
+                renamed = folder + DeletedSuffix + NumberText.Of(number);
+            if (TryMove(folder, renamed, () => false, out _))
             {
                 moved(null);
-                BeginDeleting(() => DeleteGone(Path.GetDirectoryName(Path.GetFullPath(folder)), Path.GetFileName(folder)));
+                BeginDeleting(() => DeleteLeftovers(Path.GetDirectoryName(Path.GetFullPath(folder)), Path.GetFileName(folder)));
                 return;
             }
             BeginDeleting(() =>
             {
-                bool isMoved = TryMove(folder, gone, null, out var failure);
+                bool isMoved = TryMove(folder, renamed, null, out var failure);
                 moved(failure);
                 if (isMoved)
-                    DeleteGone(Path.GetDirectoryName(Path.GetFullPath(folder)), Path.GetFileName(folder));
+                    DeleteLeftovers(Path.GetDirectoryName(Path.GetFullPath(folder)), Path.GetFileName(folder));
             });
         }
 
         /// <summary>Deletes, on a thread of the pool, what processes left that ended before they were through.</summary>
         /// <param name="names">Of the folders as they were, with wildcards.</param>
-        public static void BeginDeleteGone(string parent, string names) => BeginDeleting(() => DeleteGone(parent, names));
+        public static void BeginDeleteLeftovers(string parent, string names) =>
+            BeginDeleting(() => DeleteLeftovers(parent, names));
 
-        static void DeleteGone(string parent, string names)
+        static void DeleteLeftovers(string parent, string names)
         {
             try
             {
-                foreach (string gone in Directory.GetDirectories(parent, names + DeletedSuffix + "*"))
-                    DeleteRemains(gone);
+                foreach (string folder in Directory.GetDirectories(parent, names + DeletedSuffix + "*"))
+                    TryDelete(folder);
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
@@ -140,7 +141,7 @@ namespace FastPoints.Core
             failure = null;
             try
             {
-                Insist(() => MoveFolder(from, to), isWanted);
+                Retry(() => MoveFolder(from, to), isWanted);
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
@@ -150,7 +151,7 @@ namespace FastPoints.Core
         }
 
         /// <summary>Deletes a folder whose remains do no harm, on a thread of the pool.</summary>
-        public static void BeginDeleteRemains(string folder) => BeginDeleting(() => DeleteRemains(folder));
+        public static void BeginTryDelete(string folder) => BeginDeleting(() => TryDelete(folder));
 
         static void BeginDeleting(Action delete)
         {
@@ -170,20 +171,20 @@ namespace FastPoints.Core
             Task.WaitAll(deletes);
         }
 
-        /// <summary>Makes a change, and tries again for <see cref="PatienceMs"/> where it is refused. It waits in between, so it
-        /// is not for the main thread of an editor.</summary>
+        /// <summary>Makes a change, and tries again for <see cref="RetryTimeoutMs"/> where it is refused. It waits in between, so
+        /// it is not for the main thread of an editor.</summary>
         /// <param name="change">It may be begun again after any of its steps.</param>
         /// <param name="isWanted">Whether to go on trying; null for as long as there is patience.</param>
-        public static void Insist(Action change, Func<bool> isWanted = null)
+        public static void Retry(Action change, Func<bool> isWanted = null)
         {
-            for (var watch = Stopwatch.StartNew(); ; Thread.Sleep(PauseMs))
+            for (var watch = Stopwatch.StartNew(); ; Thread.Sleep(RetryDelayMs))
             {
                 try
                 {
                     change();
                     return;
                 }
-                catch (Exception e) when (MayPass(e) && watch.ElapsedMilliseconds < PatienceMs &&
+                catch (Exception e) when (IsTransient(e) && watch.ElapsedMilliseconds < RetryTimeoutMs &&
                     (isWanted == null || isWanted()))
                 {
                     // Whoever has it open may be done with it soon.
@@ -192,7 +193,7 @@ namespace FastPoints.Core
         }
 
         /// <summary>Whether a change may be possible later: something was refused, and nothing is missing or full.</summary>
-        public static bool MayPass(Exception e) => e is UnauthorizedAccessException || e is IOException &&
+        public static bool IsTransient(Exception e) => e is UnauthorizedAccessException || e is IOException &&
             !(e is FileNotFoundException || e is DirectoryNotFoundException || e is PathTooLongException || IsDiskFull(e));
 
         /// <summary>Whether it says that the disk is full.</summary>

@@ -10,10 +10,11 @@ namespace FastPoints.Core
         /// Linux: it would be read on after another has its name, and keep its place on the disk after it was deleted. Main
         /// thread.</summary>
         /// <param name="commands">They stay where they are until the read has ended, as does the memory that they name.</param>
-        public static ReadHandle Once(string path, ReadCommand* commands, int count) => Once(path, commands, count, out _);
+        public static ReadHandle BeginOneShot(string path, ReadCommand* commands, int count) =>
+            BeginOneShot(path, commands, count, out _);
 
         /// <param name="closed">Ends when nothing has the file open any more.</param>
-        public static ReadHandle Once(string path, ReadCommand* commands, int count, out JobHandle closed)
+        public static ReadHandle BeginOneShot(string path, ReadCommand* commands, int count, out JobHandle closed)
         {
             var file = AsyncReadManager.OpenFileAsync(path);
             var read = AsyncReadManager.Read(file, new ReadCommandArray { ReadCommands = commands, CommandCount = count });

@@ -26,7 +26,7 @@ namespace FastPoints.Core
         public unsafe void Execute()
         {
             byte* column = (byte*)Bytes.GetUnsafeReadOnlyPtr() + Column.OffsetBytes;
-            int capacity = ColumnQuantiles.ValuesTaken(Count);
+            int capacity = ColumnQuantiles.SampledValues(Count);
             var keys = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
             var scratch = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
             Found.Value = ColumnQuantiles.Measure(Found.Value.Range, column, Column.Type, Count, Scale, Offset, LowShare,

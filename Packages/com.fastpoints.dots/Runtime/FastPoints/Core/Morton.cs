@@ -18,8 +18,8 @@ namespace FastPoints.Core
         /// <summary>Bits of one coordinate.</summary>
         public const int BitsPerAxis = 21;
 
-        /// <summary>Bits of one coordinate that <see cref="EncodeFew"/> takes.</summary>
-        public const int FewBits = 7;
+        /// <summary>Bits of one coordinate that <see cref="EncodeShort"/> takes.</summary>
+        public const int ShortBits = 7;
 
         // One bit for each of three numbers of 21 bits.
         const ulong Lanes = 1 | 1UL << 21 | 1UL << 42;
@@ -31,15 +31,15 @@ namespace FastPoints.Core
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
 
-        /// <summary>Interleaves coordinates of at most <see cref="FewBits"/> bits: three of them fit one number.</summary>
+        /// <summary>Interleaves coordinates of at most <see cref="ShortBits"/> bits: three of them fit one number.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static int EncodeFew(uint x, uint y, uint z)
+        public static int EncodeShort(uint x, uint y, uint z)
         {
             ulong v = x | (ulong)y << 21 | (ulong)z << 42;
             v = (v | v << 8) & 0x700FUL * Lanes;
             v = (v | v << 4) & 0x430C3UL * Lanes;
             v = (v | v << 2) & 0x49249UL * Lanes;
-            return (int)(v | v >> 20 | v >> 40) & (1 << 3 * FewBits) - 1;
+            return (int)(v | v >> 20 | v >> 40) & (1 << 3 * ShortBits) - 1;
         }
 
         /// <summary>The codes of many positions: coordinates relative to a corner, shifted right. Burst makes vectors of
@@ -50,11 +50,11 @@ namespace FastPoints.Core
                 codes[i] = Encode(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
         }
 
-        /// <summary>The same for coordinates that have at most <see cref="FewBits"/> bits when shifted.</summary>
-        public static void EncodeFew(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, uint* codes)
+        /// <summary>The same for coordinates that have at most <see cref="ShortBits"/> bits when shifted.</summary>
+        public static void EncodeShort(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, uint* codes)
         {
             for (int i = 0; i < count; i++)
-                codes[i] = (uint)EncodeFew(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
+                codes[i] = (uint)EncodeShort(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -44,7 +44,7 @@ namespace FastPoints.Core
         }
 
         /// <summary>The message; for an unexpected failure, followed by the exception that was thrown, with its stack.</summary>
-        public string Story => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
+        public string FullMessage => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
 
         /// <summary>Whether the input itself is at fault, and not the system around it.</summary>
         public bool IsBadInput =>

@@ -55,8 +55,8 @@ namespace FastPoints.Drawing
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
             int level = cloud->Pages[drawn.Page].Places[drawn.Node].Level;
             int levelAbove = cloud->Pages[above.Page].Places[above.Node].Level;
-            var place = cloud->Cubes.PlaceIn(cloud->Pages + drawn.Page, drawn.Node);
-            var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PlaceIn(cloud->Pages + above.Page, above.Node), levelAbove);
+            var place = cloud->Cubes.PointIn(cloud->Pages + drawn.Page, drawn.Node);
+            var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PointIn(cloud->Pages + above.Page, above.Node), levelAbove);
             if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(place, levelAbove) != inAbove))
                 return AddRoot(link);
             int at = NodeOfDrawn[drawn.Parent];

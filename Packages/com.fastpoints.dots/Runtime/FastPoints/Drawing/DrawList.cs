@@ -89,7 +89,7 @@ namespace FastPoints.Drawing
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud == null || cloud.IsLeaving || c >= m_looks.Count || m_looks[c].Plane < 0)
+                if (cloud == null || cloud.IsRemoving || c >= m_looks.Count || m_looks[c].Plane < 0)
                 {
                     m_listed.Add(default);
                     m_clouds.Add(default);

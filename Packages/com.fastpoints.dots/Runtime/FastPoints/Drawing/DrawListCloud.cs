@@ -23,8 +23,8 @@ namespace FastPoints.Drawing
         /// <summary>Number of streamed planes.</summary>
         public int PlaneCount;
 
-        public readonly bool Sees(double3 center, double3 half) =>
-            View.Sees(center, half) || (HasBothEyes && RightView.Sees(center, half));
+        public readonly bool IntersectsFrustum(double3 center, double3 half) =>
+            View.IntersectsFrustum(center, half) || (HasBothEyes && RightView.IntersectsFrustum(center, half));
 
         /// <summary>The node's record without its first instance, tint and place in the size tree.</summary>
         /// <param name="firstWord">First word of the node's planes in its bank.</param>
@@ -36,7 +36,7 @@ namespace FastPoints.Drawing
             var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
             var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
-            var cubeCorner = Cubes.CornerAt(Cubes.PlaceIn(from, node), place.Level);
+            var cubeCorner = Cubes.CornerAt(Cubes.PointIn(from, node), place.Level);
             var cubeSize = Cubes.SizeAt(place.Level);
             var fromEye = Placement.OriginWorld - EyeWorld;
             return new GpuNode

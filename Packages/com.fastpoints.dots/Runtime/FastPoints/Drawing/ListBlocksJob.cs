@@ -59,7 +59,7 @@ namespace FastPoints.Drawing
                 if (cloud->Pages == null)
                     continue;
                 var node = cloud->Pages[drawn.Page].Nodes + drawn.Node;
-                if (!cloud->Sees(node->Center, node->Half))
+                if (!cloud->IntersectsFrustum(node->Center, node->Half))
                     continue;
                 while (InstanceOfBank.Length <= drawn.Range.Bank)
                     InstanceOfBank.Add(0);

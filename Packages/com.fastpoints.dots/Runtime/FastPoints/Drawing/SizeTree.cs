@@ -13,7 +13,7 @@ namespace FastPoints.Drawing
     public sealed unsafe class SizeTree : IDisposable
     {
         /// <summary>The most levels below a node that are searched: a float cannot resolve more.</summary>
-        public const int MostLevels = 22;
+        public const int MaxLevels = 22;
 
         NativeList<SizeTreeCloud> m_clouds;
         NativeList<GpuSizeNode> m_nodes;
@@ -83,7 +83,7 @@ namespace FastPoints.Drawing
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
         {
-            for (int level = 0; level < MostLevels; level++)
+            for (int level = 0; level < MaxLevels; level++)
             {
                 place *= 2;
                 var upper = place >= 1;

@@ -9,13 +9,13 @@ namespace FastPoints.Picking
         public Measurement(StreamPick from, StreamPick to)
         {
             PickedPoint a = from.Point, b = to.Point;
-            WorldLength = math.distance(a.PlaceWorld, b.PlaceWorld);
+            WorldLength = math.distance(a.PositionWorld, b.PositionWorld);
             IsGeo = from.Path == to.Path || from.Crs.IsSameAs(to.Crs);
             bool isSameGrid = a.Grid.Origin.Equals(b.Grid.Origin) && a.Grid.Step.Equals(b.Grid.Step);
             // Whole steps are subtracted exactly; large coordinates are not.
-            var steps = b.Place - a.Place;
+            var steps = b.Position - a.Position;
             DeltaGeo = !IsGeo ? new double3(double.NaN, double.NaN, double.NaN)
-                : isSameGrid ? new double3(steps.X, steps.Y, steps.Z) * a.Grid.Step : b.PlaceGeo - a.PlaceGeo;
+                : isSameGrid ? new double3(steps.X, steps.Y, steps.Z) * a.Grid.Step : b.PositionGeo - a.PositionGeo;
             double metres = from.MetresPerUnit;
             MetresPerUnit = IsGeo && metres > 0 && metres <= double.MaxValue ? metres : double.NaN;
             Up = from.Up;

@@ -17,8 +17,8 @@ namespace FastPoints.Picking
         readonly StreamedCloud m_cloud;
         readonly List<Plane> m_planes = new List<Plane>();
         PickHit m_hit;
-        NodeMaker m_maker;
-        bool m_isMaking;
+        NodeTranscoder m_transcoder;
+        bool m_isTranscoding;
 
         sealed class Plane
         {
@@ -33,12 +33,12 @@ namespace FastPoints.Picking
         public PickDetails(StreamedCloud cloud)
         {
             m_cloud = cloud;
-            int count = Source.MakesNodes ? Source.Layout.Planes.Count : Source.Planes.Length;
+            int count = Source.TranscodesNodes ? Source.Layout.Planes.Count : Source.Planes.Length;
             for (int p = 1; p < count; p++)
                 m_planes.Add(new Plane
                 {
                     Number = p,
-                    Of = Source.Layout.Planes[Source.MakesNodes ? p : Source.Planes[p]],
+                    Of = Source.Layout.Planes[Source.TranscodesNodes ? p : Source.Planes[p]],
                     Values = new NativeArray<ulong>(PlaneShape.MaxColumns, Allocator.Persistent),
                     IsDamaged = new NativeReference<bool>(Allocator.Persistent),
                 });
@@ -53,12 +53,12 @@ namespace FastPoints.Picking
         {
             m_hit = hit;
             Done = default;
-            if (Source.MakesNodes)
+            if (Source.TranscodesNodes)
             {
-                m_maker ??= Source.CreateWholeMaker();
-                m_maker.Begin(m_cloud.Pages[hit.Page], hit.Node);
-                m_isMaking = true;
-                Done = m_maker.Done;
+                m_transcoder ??= Source.CreateFullTranscoder();
+                m_transcoder.Begin(m_cloud.Pages[hit.Page], hit.Node);
+                m_isTranscoding = true;
+                Done = m_transcoder.Done;
                 return;
             }
             foreach (var plane in m_planes)
@@ -71,15 +71,15 @@ namespace FastPoints.Picking
 
         /// <summary>Continues with the planes that were made, if any. After <see cref="Done"/> it can then be ended.</summary>
         /// <exception cref="PointCloudException">The node cannot be read, or is damaged.</exception>
-        public void GoOn()
+        public void Continue()
         {
-            if (!m_isMaking)
+            if (!m_isTranscoding)
                 return;
-            m_isMaking = false;
-            m_maker.EndOrThrow();
+            m_isTranscoding = false;
+            m_transcoder.EndOrThrow();
             Done = default;
             foreach (var plane in m_planes)
-                Schedule(plane, m_maker.PlaneOf(plane.Number), 0, default);
+                Schedule(plane, m_transcoder.PlaneOf(plane.Number), 0, default);
         }
 
         /// <returns>The values in the order of the source's attributes.</returns>
@@ -112,9 +112,9 @@ namespace FastPoints.Picking
             Done.Complete();
             foreach (var plane in m_planes)
                 plane.Read.Abandon();
-            if (m_isMaking)
-                m_maker.End(out _);
-            m_isMaking = false;
+            if (m_isTranscoding)
+                m_transcoder.End(out _);
+            m_isTranscoding = false;
         }
 
         public void Dispose()
@@ -127,7 +127,7 @@ namespace FastPoints.Picking
                 plane.IsDamaged.Dispose();
             }
             m_planes.Clear();
-            m_maker?.Dispose();
+            m_transcoder?.Dispose();
         }
 
         unsafe void Schedule(Plane plane, NativeArray<byte> bytes, ulong hash, JobHandle inputDeps) =>
@@ -136,7 +136,7 @@ namespace FastPoints.Picking
                 Plane = bytes,
                 Shape = plane.Of.Shape,
                 Hash = hash,
-                IsMade = Source.MakesNodes,
+                IsTranscoded = Source.TranscodesNodes,
                 BlockCount = m_cloud.Pages[m_hit.Page].Nodes[m_hit.Node].BlockCount,
                 Block = m_hit.Block,
                 Index = m_hit.Index,
@@ -154,7 +154,7 @@ namespace FastPoints.Picking
         public ulong Hash;
 
         /// <summary>Whether the plane was made in memory, so that there is no hash.</summary>
-        public bool IsMade;
+        public bool IsTranscoded;
         public int BlockCount;
         public int Block;
 
@@ -168,8 +168,8 @@ namespace FastPoints.Picking
         public void Execute()
         {
             void* start = Plane.GetUnsafeReadOnlyPtr();
-            IsDamaged.Value = (!IsMade && ContentHash.Of(start, Plane.Length) != Hash) ||
-                !PlaneView.IsSound(start, Plane.Length, Shape, BlockCount);
+            IsDamaged.Value = (!IsTranscoded && ContentHash.Of(start, Plane.Length) != Hash) ||
+                !PlaneView.IsValid(start, Plane.Length, Shape, BlockCount);
             if (IsDamaged.Value)
                 return;
             var view = new PlaneView(start, Shape, BlockCount);

@@ -9,7 +9,7 @@ namespace FastPoints.Picking
         public double Distance;
 
         /// <summary>Squared distance from the ray.</summary>
-        public double BesideSq;
+        public double RayDistanceSq;
 
         /// <summary>On the cloud's grid.</summary>
         public Grid3 Place;
@@ -32,8 +32,8 @@ namespace FastPoints.Picking
         {
             if (Distance != other.Distance)
                 return Distance < other.Distance;
-            if (BesideSq != other.BesideSq)
-                return BesideSq < other.BesideSq;
+            if (RayDistanceSq != other.RayDistanceSq)
+                return RayDistanceSq < other.RayDistanceSq;
             if (Place.X != other.Place.X)
                 return Place.X < other.Place.X;
             if (Place.Y != other.Place.Y)

@@ -10,8 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Finds the first hit of a ray among the points of one node and its guests, at most a few times 50,000, block by
-    /// block. It checks what was read before unpacking it.</summary>
+    /// <summary>Finds the first hit of a ray among the points of one node and its inlined leaves, at most a few times 50,000,
+    /// block by block. It checks what was read before unpacking it.</summary>
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {
@@ -28,7 +28,7 @@ namespace FastPoints.Picking
         public int BlockCount;
 
         /// <summary>Whether the planes were made in memory, so that there are no hashes.</summary>
-        public bool IsMade;
+        public bool IsTranscoded;
 
         public PickSpace Space;
         [ReadOnly] public NativeArray<LocalClip> Clips;
@@ -36,7 +36,7 @@ namespace FastPoints.Picking
         /// <summary>CRS units of a grid step.</summary>
         public double3 Step;
         public Grid3 RootCorner;
-        public NodePlace Place;
+        public NodeAddress Place;
         public int Page;
         public int Node;
 
@@ -47,24 +47,25 @@ namespace FastPoints.Picking
         public void Execute()
         {
             bool hides = !Hidden.IsEmpty;
-            var positions = View(Positions, PositionShape, PositionHash, out bool isSound);
-            var classes = hides && isSound ? View(Classes, ClassShape, ClassHash, out isSound) : default;
-            IsDamaged.Value = !isSound;
-            if (!isSound)
+            var positions = View(Positions, PositionShape, PositionHash, out bool isValid);
+            var classes = hides && isValid ? View(Classes, ClassShape, ClassHash, out isValid) : default;
+            IsDamaged.Value = !isValid;
+            if (!isValid)
                 return;
             var best = Best.Value;
             ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             for (int block = 0; block < BlockCount; block++)
-                if (Space.Meets(BoxOf(positions, block, out var half), half, out double distance) && distance <= best.Distance)
+                if (Space.IntersectsBox(BoxOf(positions, block, out var half), half, out double distance) &&
+                    distance <= best.Distance)
                     Search(positions, classes, block, values, ref best);
             Best.Value = best;
         }
 
-        PlaneView View(NativeArray<byte> bytes, PlaneShape shape, ulong hash, out bool isSound)
+        PlaneView View(NativeArray<byte> bytes, PlaneShape shape, ulong hash, out bool isValid)
         {
             void* start = bytes.GetUnsafeReadOnlyPtr();
-            isSound = (IsMade || ContentHash.Of(start, bytes.Length) == hash) &&
-                PlaneView.IsSound(start, bytes.Length, shape, BlockCount);
+            isValid = (IsTranscoded || ContentHash.Of(start, bytes.Length) == hash) &&
+                PlaneView.IsValid(start, bytes.Length, shape, BlockCount);
             return new PlaneView(start, shape, BlockCount);
         }
 
@@ -97,13 +98,13 @@ namespace FastPoints.Picking
                 var steps = new Grid3((long)(values[i] - minX), (long)(values[stride + i] - minY),
                     (long)(values[2 * stride + i] - minZ));
                 var offset = ToDouble(steps) * Step;
-                if (!Space.Hits(fromRay + Space.Turned(offset), out double distance, out double besideSq) ||
+                if (!Space.IntersectsPoint(fromRay + Space.Rotate(offset), out double distance, out double rayDistanceSq) ||
                     distance > best.Distance)
                     continue;
                 var hit = new PickHit
                 {
                     Distance = distance,
-                    BesideSq = besideSq,
+                    RayDistanceSq = rayDistanceSq,
                     Place = RootCorner + corner + steps,
                     Page = Page,
                     Node = Node,
@@ -112,7 +113,7 @@ namespace FastPoints.Picking
                 };
                 if (!hit.IsBefore(best) || (!Hidden.IsEmpty && Hidden.Has((byte)classes.ValueAt(block, 0, i))))
                     continue;
-                if (Clips.Length == 0 || LocalClip.Leave(clips, Clips.Length, cornerLocal + offset, 0))
+                if (Clips.Length == 0 || LocalClip.MayKeep(clips, Clips.Length, cornerLocal + offset, 0))
                     best = hit;
             }
         }

@@ -20,8 +20,8 @@ namespace FastPoints.Picking
         NativeReference<PickHit> m_best;
         NativeReference<bool> m_isDamaged;
         PickCandidate m_candidate;
-        NodeMaker m_maker;
-        bool m_isMaking;
+        NodeTranscoder m_transcoder;
+        bool m_isTranscoding;
 
         /// <summary>The search of the node that is being made.</summary>
         PickNodeJob m_job;
@@ -49,10 +49,10 @@ namespace FastPoints.Picking
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
-            if (candidate.IsPage || !Source.MakesNodes)
+            if (candidate.IsPage || !Source.TranscodesNodes)
                 return true;
-            m_maker = Source.TakeMaker(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
-            return m_maker != null;
+            m_transcoder = Source.RentTranscoder(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
+            return m_transcoder != null;
         }
 
         /// <summary>Begins to read a page.</summary>
@@ -60,7 +60,7 @@ namespace FastPoints.Picking
         {
             Bytes = 0;
             Done = default;
-            if (Source.MakesNodes)
+            if (Source.TranscodesNodes)
                 return;
             var table = Source.TableOf(m_candidate.Page);
             m_first.Begin(table.Path, table.OffsetBytes, Bytes = table.LengthBytes);
@@ -70,12 +70,12 @@ namespace FastPoints.Picking
         /// <summary>Continues with what was read or made, if there is more to do. After <see cref="Done"/> it can then be
         /// ended.</summary>
         /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
-        public void GoOn()
+        public void Continue()
         {
             if (m_candidate.IsPage)
                 BuildPage();
-            else if (m_maker != null)
-                SearchMade();
+            else if (m_transcoder != null)
+                SearchTranscoded();
         }
 
         /// <exception cref="PointCloudException">The table is damaged.</exception>
@@ -102,7 +102,7 @@ namespace FastPoints.Picking
                 ClassShape = m_cloud.ShapeOf(page, node, m_classPlane),
                 Hidden = hidden,
                 BlockCount = m_cloud.Pages[page].Nodes[node].BlockCount,
-                IsMade = m_maker != null,
+                IsTranscoded = m_transcoder != null,
                 Space = space,
                 Clips = clips,
                 Step = Source.Grid.Step,
@@ -114,8 +114,8 @@ namespace FastPoints.Picking
                 IsDamaged = m_isDamaged,
             };
             m_best.Value = best;
-            if (m_maker != null)
-                BeginMaking();
+            if (m_transcoder != null)
+                BeginTranscoding();
             else
                 BeginReading();
         }
@@ -127,7 +127,7 @@ namespace FastPoints.Picking
             Done.Complete();
             m_first.Complete();
             m_classes.Complete();
-            GiveMaker();
+            ReturnTranscoder();
             if (m_isDamaged.Value)
                 throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
                     m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane).OffsetBytes,
@@ -141,7 +141,7 @@ namespace FastPoints.Picking
             Done.Complete();
             m_first.Abandon();
             m_classes.Abandon();
-            GiveMaker();
+            ReturnTranscoder();
             if (m_built.Value.Nodes != null)
                 m_built.Value.Free();
             m_built.Value = default;
@@ -160,7 +160,7 @@ namespace FastPoints.Picking
             m_isDamaged.Dispose();
         }
 
-        NativeArray<byte> Table => Source.MakesNodes ? default : m_first.Bytes;
+        NativeArray<byte> Table => Source.TranscodesNodes ? default : m_first.Bytes;
 
         void BuildPage()
         {
@@ -189,31 +189,31 @@ namespace FastPoints.Picking
             Done = m_job.Schedule(read);
         }
 
-        unsafe void BeginMaking()
+        unsafe void BeginTranscoding()
         {
-            m_maker.Begin(m_cloud.Pages[m_candidate.Page], m_candidate.Node);
-            m_isMaking = true;
-            Bytes = m_maker.BytesRead;
-            Done = m_maker.Done;
+            m_transcoder.Begin(m_cloud.Pages[m_candidate.Page], m_candidate.Node);
+            m_isTranscoding = true;
+            Bytes = m_transcoder.BytesRead;
+            Done = m_transcoder.Done;
         }
 
-        void SearchMade()
+        void SearchTranscoded()
         {
-            m_isMaking = false;
-            m_maker.EndOrThrow();
-            m_job.Positions = m_maker.PlaneOf(StoreLayout.PositionPlane);
-            m_job.Classes = m_maker.PlaneOf(m_classPlane);
+            m_isTranscoding = false;
+            m_transcoder.EndOrThrow();
+            m_job.Positions = m_transcoder.PlaneOf(StoreLayout.PositionPlane);
+            m_job.Classes = m_transcoder.PlaneOf(m_classPlane);
             Done = m_job.Schedule();
         }
 
-        void GiveMaker()
+        void ReturnTranscoder()
         {
-            if (m_isMaking)
-                m_maker.End(out _);
-            m_isMaking = false;
-            if (m_maker != null)
-                Source.GiveMaker(m_maker);
-            m_maker = null;
+            if (m_isTranscoding)
+                m_transcoder.End(out _);
+            m_isTranscoding = false;
+            if (m_transcoder != null)
+                Source.ReturnTranscoder(m_transcoder);
+            m_transcoder = null;
         }
     }
 }

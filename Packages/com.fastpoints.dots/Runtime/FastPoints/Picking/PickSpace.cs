@@ -38,25 +38,25 @@ namespace FastPoints.Picking
         public double3 FromRay(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
         /// <summary>The same for a difference of places.</summary>
-        public double3 Turned(double3 local) => math.mul(m_linear, local);
+        public double3 Rotate(double3 local) => math.mul(m_linear, local);
 
         /// <summary>Whether a position is hit.</summary>
         /// <param name="fromRay">See <see cref="FromRay"/>.</param>
         /// <param name="distance">Distance along the ray.</param>
-        /// <param name="besideSq">Squared distance from the ray.</param>
-        public bool Hits(double3 fromRay, out double distance, out double besideSq)
+        /// <param name="rayDistanceSq">Squared distance from the ray.</param>
+        public bool IntersectsPoint(double3 fromRay, out double distance, out double rayDistanceSq)
         {
             distance = math.dot(fromRay, m_ray.DirectionWorld);
             // Pythagoras would lose half of the digits in the difference of two squares.
-            besideSq = math.lengthsq(fromRay - distance * m_ray.DirectionWorld);
+            rayDistanceSq = math.lengthsq(fromRay - distance * m_ray.DirectionWorld);
             double radius = m_ray.RadiusAt(distance);
-            return distance >= m_ray.From && distance <= m_ray.To && radius >= 0 && besideSq <= radius * radius;
+            return distance >= m_ray.From && distance <= m_ray.To && radius >= 0 && rayDistanceSq <= radius * radius;
         }
 
         /// <summary>Whether the ray might hit a position within a box. It may be true for a box without hits.</summary>
         /// <param name="center">CRS units from the corner of the root cube.</param>
         /// <param name="distance">No hit in the box is nearer.</param>
-        public bool Meets(double3 center, double3 half, out double distance)
+        public bool IntersectsBox(double3 center, double3 half, out double distance)
         {
             var direction = m_ray.DirectionWorld;
             var at = FromRay(center);

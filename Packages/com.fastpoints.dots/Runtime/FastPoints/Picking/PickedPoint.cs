@@ -10,25 +10,25 @@ namespace FastPoints.Picking
         internal PickedPoint(Grid3 place, CloudGrid grid, double3 world, double distance,
             IReadOnlyList<PickedAttribute> attributes)
         {
-            Place = place;
+            Position = place;
             Grid = grid;
-            PlaceWorld = world;
+            PositionWorld = world;
             Distance = distance;
             Attributes = attributes;
         }
 
         /// <summary>Exact position in whole steps of <see cref="Grid"/>.</summary>
-        public Grid3 Place { get; }
+        public Grid3 Position { get; }
 
         /// <summary>The grid of the point's cloud.</summary>
         public CloudGrid Grid { get; }
 
         /// <summary>Georeferenced position in CRS units: the exact one, rounded as every use of the file's own numbers rounds
         /// it.</summary>
-        public double3 PlaceGeo => Grid.ToGeo(Place);
+        public double3 PositionGeo => Grid.ToGeo(Position);
 
         /// <summary>Position in the world as the cloud stood when it was picked.</summary>
-        public double3 PlaceWorld { get; }
+        public double3 PositionWorld { get; }
 
         /// <summary>Distance along the ray in world units.</summary>
         public double Distance { get; }
@@ -43,7 +43,7 @@ namespace FastPoints.Picking
         /// <summary>Null if nothing was hit.</summary>
         public PickedPoint Point { get; internal set; }
 
-        /// <summary>Whether the search ended at <see cref="PickOptions.MostBytes"/>, so that there may be a nearer
+        /// <summary>Whether the search ended at <see cref="PickOptions.MaxBytes"/>, so that there may be a nearer
         /// point.</summary>
         public bool IsPartial { get; internal set; }
 

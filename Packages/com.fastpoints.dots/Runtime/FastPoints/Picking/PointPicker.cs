@@ -18,7 +18,7 @@ namespace FastPoints.Picking
         const int SlotCount = 8;
 
         /// <summary>Tables of chunks are kept between searches up to this size.</summary>
-        const long MostHierarchyBytes = 64 << 20;
+        const long MaxHierarchyBytes = 64 << 20;
 
         readonly StreamedCloud m_cloud;
         readonly PickQueue m_queue = new PickQueue();
@@ -53,16 +53,16 @@ namespace FastPoints.Picking
 
         public NodeSource Source => m_cloud.Source;
 
-        /// <summary>Searches as work for a pump, one search at a time.</summary>
+        /// <summary>Searches as a coroutine, one search at a time.</summary>
         /// <param name="placement">Where the cloud stands; one without volume is never hit.</param>
         /// <param name="options">Null for the defaults; must not change until the work is done.</param>
         /// <param name="result">A new object that receives the result.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or is damaged.</exception>
-        public IEnumerator<Work> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
+        public IEnumerator<JobStep> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
         {
             if (m_isSearching)
                 throw new InvalidOperationException(Source.Path + ": is searched already");
-            if (!placement.IsSound)
+            if (!placement.IsValid)
                 yield break;
             m_isSearching = true;
             m_ray = ray;
@@ -83,13 +83,13 @@ namespace FastPoints.Picking
                 {
                     while (!ArePagesKnown())
                         yield return Source.Reading;
-                    bool goesOn = Begin(clips);
-                    yield return Awaited();
-                    if (goesOn)
+                    bool hasMore = Begin(clips);
+                    yield return PendingJobs();
+                    if (hasMore)
                     {
                         for (int i = 0; i < m_taken.Count; i++)
-                            m_slots[i].GoOn();
-                        yield return Awaited();
+                            m_slots[i].Continue();
+                        yield return PendingJobs();
                     }
                     End();
                 }
@@ -97,7 +97,7 @@ namespace FastPoints.Picking
                 {
                     m_details.Begin(m_best);
                     yield return m_details.Done;
-                    m_details.GoOn();
+                    m_details.Continue();
                     yield return m_details.Done;
                     result.Point = new PickedPoint(m_best.Place, Source.Grid, WorldOf(m_best.Place, placement),
                         m_best.Distance, m_details.End());
@@ -109,12 +109,12 @@ namespace FastPoints.Picking
                     slot.Abandon();
                 m_details.Abandon();
                 clips.Dispose();
-                LeaveTables();
+                ReleaseTables();
                 m_isSearching = false;
             }
         }
 
-        /// <summary>Awaits unfinished work. A search in progress must be ended by its pump first.</summary>
+        /// <summary>Awaits unfinished work. A search in progress must be ended by its coroutine first.</summary>
         public void Dispose()
         {
             foreach (var slot in m_slots)
@@ -129,7 +129,7 @@ namespace FastPoints.Picking
             m_taken.Clear();
             while (m_taken.Count < SlotCount && m_queue.Count > 0 && m_queue.Next.Distance <= m_best.Distance)
             {
-                if (m_result.BytesRead > m_options.MostBytes)
+                if (m_result.BytesRead > m_options.MaxBytes)
                 {
                     m_result.IsPartial = true;
                     break;
@@ -156,7 +156,7 @@ namespace FastPoints.Picking
         /// <returns>Whether there is more to do before it can be ended.</returns>
         bool Begin(NativeArray<LocalClip> clips)
         {
-            bool goesOn = Source.MakesNodes;
+            bool hasMore = Source.TranscodesNodes;
             var hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default;
             for (int i = 0; i < m_taken.Count; i++)
             {
@@ -164,13 +164,13 @@ namespace FastPoints.Picking
                     m_slots[i].BeginPage();
                 else
                     m_slots[i].BeginNode(m_space, clips, hidden, m_classPlane, m_best);
-                goesOn |= m_taken[i].IsPage;
+                hasMore |= m_taken[i].IsPage;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
-            return goesOn;
+            return hasMore;
         }
 
-        JobHandle Awaited()
+        JobHandle PendingJobs()
         {
             var awaited = default(JobHandle);
             for (int i = 0; i < m_taken.Count; i++)
@@ -223,7 +223,7 @@ namespace FastPoints.Picking
         unsafe void PushNode(int page, int index, double spacingAbove)
         {
             var node = m_cloud.Pages[page].Nodes[index];
-            // A guest's points are searched with its host's.
+            // A inlined leaf's points are searched with its parent's.
             if (node.PointCount == 0)
                 return;
             // The node only holds others together.
@@ -236,7 +236,7 @@ namespace FastPoints.Picking
         /// <param name="spacingAbove">Spacing of the points above, in CRS units.</param>
         void Push(int page, int node, double3 center, double3 half, double spacingAbove)
         {
-            if (!m_space.Meets(center, half, out double distance) || distance > m_best.Distance ||
+            if (!m_space.IntersectsBox(center, half, out double distance) || distance > m_best.Distance ||
                 spacingAbove * m_largestScale < m_options.FinestSpacing * m_ray.RadiusAt(distance))
                 return;
             m_queue.Push(new PickCandidate { Distance = distance, Page = page, Node = node, SpacingAbove = spacingAbove });
@@ -248,9 +248,9 @@ namespace FastPoints.Picking
             return math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * Source.Grid.Step) + placement.OriginWorld;
         }
 
-        unsafe void LeaveTables()
+        unsafe void ReleaseTables()
         {
-            if (m_cloud.HierarchyBytes <= MostHierarchyBytes)
+            if (m_cloud.HierarchyBytes <= MaxHierarchyBytes)
                 return;
             for (int page = 1; page < m_cloud.PageCount; page++)
                 if (m_cloud.Pages[page].IsLoaded)
@@ -272,6 +272,6 @@ namespace FastPoints.Picking
         public double FinestSpacing = 0.1;
 
         /// <summary>A search that has read this many bytes ends with what it has found.</summary>
-        public long MostBytes = 256 << 20;
+        public long MaxBytes = 256 << 20;
     }
 }

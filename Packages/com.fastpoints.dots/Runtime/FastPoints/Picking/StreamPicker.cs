@@ -26,9 +26,9 @@ namespace FastPoints.Picking
         readonly List<Target> m_targets = new List<Target>();
         readonly PickOptions m_options = new PickOptions();
         int m_target;
-        WorkPump m_opening;
+        JobCoroutine m_opening;
         NodeSource m_opened;
-        WorkPump m_search;
+        JobCoroutine m_search;
         PickResult m_found;
         PickRay m_ray;
 
@@ -43,7 +43,7 @@ namespace FastPoints.Picking
         public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
             Func<int, bool> isSearched = null)
         {
-            BreakOff();
+            Abort();
             m_ray = ray;
             m_targets.Clear();
             m_target = 0;
@@ -55,7 +55,7 @@ namespace FastPoints.Picking
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud == null || cloud.IsLeaving || !ray.Mask.Sees(cloud.Placement.SeenBy) ||
+                if (cloud == null || cloud.IsRemoving || !ray.Mask.Shows(cloud.Placement.Visibility) ||
                     isSearched != null && !isSearched(c))
                     continue;
                 m_targets.Add(new Target
@@ -105,7 +105,7 @@ namespace FastPoints.Picking
 
         public void Dispose()
         {
-            BreakOff();
+            Abort();
             foreach (var picker in m_pickers.Values)
                 picker.Dispose();
             m_pickers.Clear();
@@ -129,8 +129,8 @@ namespace FastPoints.Picking
             {
                 m_options.HiddenClasses = target.HiddenClasses;
                 m_found = new PickResult();
-                var placement = target.Placement.Along(target.Source, picker.Source);
-                m_search = new WorkPump(picker.Find(m_ray, placement, m_options, m_found));
+                var placement = target.Placement.ForVersion(target.Source, picker.Source);
+                m_search = new JobCoroutine(picker.Find(m_ray, placement, m_options, m_found));
             }
             if (!m_search.Tick(budgetMs))
                 return false;
@@ -144,7 +144,7 @@ namespace FastPoints.Picking
         /// <returns>Whether <see cref="m_opened"/> is ready, or will never be.</returns>
         bool TryOpen(NodeSource streamed, double budgetMs)
         {
-            m_opening ??= new WorkPump(streamed.OpenForPicking(opened => m_opened = opened));
+            m_opening ??= new JobCoroutine(streamed.OpenForPicking(opened => m_opened = opened));
             if (!m_opening.Tick(budgetMs))
                 return false;
             m_opening = null;
@@ -163,7 +163,7 @@ namespace FastPoints.Picking
             m_ray.To = m_found.Point.Distance;
         }
 
-        void BreakOff()
+        void Abort()
         {
             m_search?.Cancel();
             m_search = null;

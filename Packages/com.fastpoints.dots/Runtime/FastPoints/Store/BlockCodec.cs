@@ -135,7 +135,7 @@ namespace FastPoints.Store
         }
 
         /// <summary>The smallest and the largest value.</summary>
-        internal static void FindRange(uint* values, int count, out uint least, out uint most)
+        internal static void FindRange(uint* values, int count, out uint min, out uint max)
         {
             int first = 0;
             if (X86.Avx2.IsAvx2Supported && count >= Lanes)
@@ -151,27 +151,27 @@ namespace FastPoints.Store
                 uint* found = stackalloc uint[2 * Lanes];
                 X86.Avx.mm256_storeu_si256(found, low);
                 X86.Avx.mm256_storeu_si256(found + Lanes, high);
-                FindRangePlain(found, 0, 2 * Lanes, found[0], found[0], out least, out most);
+                FindRangePlain(found, 0, 2 * Lanes, found[0], found[0], out min, out max);
             }
             else
             {
-                least = most = values[0];
+                min = max = values[0];
             }
-            FindRangePlain(values, first, count, least, most, out least, out most);
+            FindRangePlain(values, first, count, min, max, out min, out max);
         }
 
         /// <summary>The same for some of the values and a range that is known: Burst makes vectors of it.</summary>
-        internal static void FindRangePlain(uint* values, int first, int end, uint knownLeast, uint knownMost, out uint least,
-            out uint most)
+        internal static void FindRangePlain(uint* values, int first, int end, uint knownMin, uint knownMax, out uint min,
+            out uint max)
         {
-            uint low = knownLeast, high = knownMost;
+            uint low = knownMin, high = knownMax;
             for (int i = first; i < end; i++)
             {
                 low = math.min(low, values[i]);
                 high = math.max(high, values[i]);
             }
-            least = low;
-            most = high;
+            min = low;
+            max = high;
         }
     }
 }

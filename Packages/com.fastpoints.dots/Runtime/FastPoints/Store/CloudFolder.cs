@@ -23,7 +23,7 @@ namespace FastPoints.Store
 
         /// <summary>Whether the folder is about to change: it is being built, or does not have its final name yet, which will
         /// change all paths in it.</summary>
-        public bool IsInTheMaking => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+        public bool IsUnfinished => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 
         /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
@@ -76,7 +76,7 @@ namespace FastPoints.Store
             for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
                 files.Add((folder.ChunkPath(chunk), folder.Chunks[chunk].NodeCount));
             folder.Checked = CheckedPlanes.Of(folder.Manifest.CloudId, folder.Layout.Planes.Count, files,
-                folder.IsInTheMaking ? null : folder.FolderPath);
+                folder.IsUnfinished ? null : folder.FolderPath);
             return folder;
         }
 

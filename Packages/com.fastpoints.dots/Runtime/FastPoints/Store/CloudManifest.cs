@@ -160,7 +160,7 @@ namespace FastPoints.Store
             var json = JsonMembers.Parse(text, path);
             if (json.Text("format") != FormatName)
                 throw json.Bad("format", "\"" + FormatName + "\"");
-            json.NeedVersion(StoreFormat.Version);
+            json.RequireVersion(StoreFormat.Version);
             var files = json.Object("files");
             var result = new CloudManifest
             {
@@ -258,8 +258,8 @@ namespace FastPoints.Store
         }
     }
 
-    /// <summary>Where nearly all points of a cloud and their values are, strays apart: what displays frame and colour by. From a
-    /// sample of the octree's upper levels.</summary>
+    /// <summary>Where nearly all points of a cloud and their values are, outliers apart: what displays frame and colour by. From
+    /// a sample of the octree's upper levels.</summary>
     internal struct ShownRanges
     {
         /// <summary>Georeferenced.</summary>
@@ -271,7 +271,7 @@ namespace FastPoints.Store
         /// <summary>Stored values; both 0 where there is no intensity.</summary>
         public CloudManifest.Range Intensity;
 
-        /// <summary>Whether there is colour, and more than strays have it.</summary>
+        /// <summary>Whether there is colour, and more than outliers have it.</summary>
         public bool HasColor;
     }
 }

@@ -43,14 +43,14 @@ namespace FastPoints.Store
 
         /// <summary>The node whose planes hold the points: itself, or, for a tiny leaf, its parent. Positions count from the
         /// host's corner.</summary>
-        [FieldOffset(72)] public int Host;
+        [FieldOffset(72)] public int PlaneNode;
 
-        /// <summary>The node's blocks in the host's planes.</summary>
+        /// <summary>The node's blocks in the plane node's planes.</summary>
         [FieldOffset(76)] public int FirstBlock;
         [FieldOffset(80)] public int BlockCount;
 
-        /// <summary>Blocks in this node's planes, including its guests'; 0 for a guest.</summary>
-        [FieldOffset(84)] public int HostedBlocks;
+        /// <summary>Blocks in this node's planes, including its inlined leaves'; 0 for an inlined leaf.</summary>
+        [FieldOffset(84)] public int PlaneBlocks;
         [FieldOffset(88)] public byte SideLog2;
 
         /// <summary>Edge of the cells, each of which gave one point, for nodes that are not leaves: 2^this grid steps.</summary>

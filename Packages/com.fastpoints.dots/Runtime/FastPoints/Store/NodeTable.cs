@@ -21,7 +21,7 @@ namespace FastPoints.Store
         public int PlaneCount { get; }
         public NativeArray<NodeRecord> Nodes => m_nodes;
 
-        /// <summary>Indexed by node times <see cref="PlaneCount"/>, plus plane. A guest's ranges are empty: its host's
+        /// <summary>Indexed by node times <see cref="PlaneCount"/>, plus plane. A inlined leaf's ranges are empty: its parent's
         /// apply.</summary>
         public NativeArray<PlaneRange> Planes => m_planes;
 
@@ -92,15 +92,15 @@ namespace FastPoints.Store
                     return what + "wanted " + PlaneShape.BlocksOf(node.PointCount) + " blocks, got " + node.BlockCount;
                 case TableFault.Bounds:
                     return what + "bounds are turned round";
-                case TableFault.Guest:
-                    return what + "is no guest of node " + node.Host;
+                case TableFault.InlinedLeaf:
+                    return what + "is no guest of node " + node.PlaneNode;
                 case TableFault.FirstBlock:
                     return what + "its own blocks begin at " + node.FirstBlock;
-                case TableFault.GuestBlocks:
+                case TableFault.InlinedBlocks:
                     return what + "is a guest: wanted blocks from " + problem.Wanted + ", got " + problem.Got;
-                case TableFault.HostedBlocks:
+                case TableFault.PlaneBlocks:
                     return what + "wanted " + problem.Wanted + " hosted blocks, got " + problem.Got;
-                case TableFault.GuestPlane:
+                case TableFault.InlinedPlane:
                     return what + "a guest with a plane of its own";
                 default:
                     var range = check.Planes[(long)problem.Node * check.PlaneCount + problem.Got];

@@ -3,7 +3,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>One plane of one node in memory, which <see cref="IsSound"/> has checked. Blittable, for jobs.</summary>
+    /// <summary>One plane of one node in memory, which <see cref="IsValid"/> has checked. Blittable, for jobs.</summary>
     internal unsafe struct PlaneView
     {
         [NativeDisableUnsafePtrRestriction] public uint* Words;
@@ -61,13 +61,13 @@ namespace FastPoints.Store
 
         /// <summary>Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its
         /// columns can have. Check this for everything read from disk before unpacking it.</summary>
-        public static bool IsSound(void* bytes, long lengthBytes, PlaneShape shape, int blockCount)
+        public static bool IsValid(void* bytes, long lengthBytes, PlaneShape shape, int blockCount)
         {
             long descriptorWords = (long)blockCount * shape.DescriptorWords;
             if (blockCount < 0 || lengthBytes % PlaneShape.AlignmentBytes != 0 ||
                 PlaneShape.LengthBytes(descriptorWords) > lengthBytes)
                 return false;
-            uint most0 = MostWidth(shape, 0), most1 = MostWidth(shape, 1), most2 = MostWidth(shape, 2);
+            uint max0 = MaxWidth(shape, 0), max1 = MaxWidth(shape, 1), max2 = MaxWidth(shape, 2);
             long word = descriptorWords;
             bool isWrong = false;
             // Without a branch: it runs for everything that is uploaded.
@@ -76,14 +76,14 @@ namespace FastPoints.Store
             {
                 uint widths = descriptor[1], width0 = widths & 0xFF, width1 = widths >> 8 & 0xFF, width2 = widths >> 16 & 0xFF;
                 uint points = (widths >> 24) + 1;
-                isWrong |= descriptor[0] != word | points > PlaneShape.MaxPointsPerBlock | width0 > most0 | width1 > most1 |
-                    width2 > most2;
+                isWrong |= descriptor[0] != word | points > PlaneShape.MaxPointsPerBlock | width0 > max0 | width1 > max1 |
+                    width2 > max2;
                 word += ((points * width0 + 31) >> 5) + ((points * width1 + 31) >> 5) + ((points * width2 + 31) >> 5);
             }
             return !isWrong && PlaneShape.LengthBytes(word) == lengthBytes;
         }
 
-        static uint MostWidth(PlaneShape shape, int column) =>
+        static uint MaxWidth(PlaneShape shape, int column) =>
             column >= shape.ColumnCount ? 0u : shape.IsWide(column) ? 64u : 32u;
     }
 }

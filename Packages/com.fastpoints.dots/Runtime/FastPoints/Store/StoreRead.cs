@@ -41,7 +41,7 @@ namespace FastPoints.Store
                     NativeArrayOptions.UninitializedMemory);
             }
             m_command[0] = new ReadCommand { Buffer = m_bytes.GetUnsafePtr(), Offset = offset, Size = m_count };
-            m_read = FileReads.Once(path, (ReadCommand*)m_command.GetUnsafePtr(), 1);
+            m_read = FileReads.BeginOneShot(path, (ReadCommand*)m_command.GetUnsafePtr(), 1);
             m_isReading = true;
             Done = m_read.JobHandle;
         }

@@ -37,7 +37,7 @@ namespace FastPoints.Store
             {
                 var problem = FindInTree(i, ref nextChild);
                 if (problem.IsNone)
-                    problem = FindInHost(i);
+                    problem = FindInPlaneNode(i);
                 if (problem.IsNone)
                     problem = FindInPlanes(i);
                 if (!problem.IsNone)
@@ -79,14 +79,15 @@ namespace FastPoints.Store
             return default;
         }
 
-        TableProblem FindInHost(int index)
+        TableProblem FindInPlaneNode(int index)
         {
             var node = Nodes[index];
-            if (node.Host != index)
+            if (node.PlaneNode != index)
             {
-                bool isGuest = node.Host == node.Parent && node.Host >= 0 && node.ChildCount == 0 && node.HostedBlocks == 0 &&
-                    node.ChunkCount == 0 && Nodes[node.Host].Host == node.Host;
-                return isGuest ? default : new TableProblem(TableFault.Guest, index);
+                bool isInlined = node.PlaneNode == node.Parent && node.PlaneNode >= 0 && node.ChildCount == 0 &&
+                    node.PlaneBlocks == 0 &&
+                    node.ChunkCount == 0 && Nodes[node.PlaneNode].PlaneNode == node.PlaneNode;
+                return isInlined ? default : new TableProblem(TableFault.InlinedLeaf, index);
             }
             if (node.FirstBlock != 0)
                 return new TableProblem(TableFault.FirstBlock, index);
@@ -95,14 +96,14 @@ namespace FastPoints.Store
             long end = math.min(NodeCount, (long)node.FirstChild + node.ChildCount);
             for (long child = node.FirstChild; child < end; child++)
             {
-                if (Nodes[child].Host != index)
+                if (Nodes[child].PlaneNode != index)
                     continue;
                 if (Nodes[child].FirstBlock != blocks)
-                    return new TableProblem(TableFault.GuestBlocks, (int)child, blocks, Nodes[child].FirstBlock);
+                    return new TableProblem(TableFault.InlinedBlocks, (int)child, blocks, Nodes[child].FirstBlock);
                 blocks += Nodes[child].BlockCount;
             }
-            return blocks == node.HostedBlocks ? default
-                : new TableProblem(TableFault.HostedBlocks, index, blocks, node.HostedBlocks);
+            return blocks == node.PlaneBlocks ? default
+                : new TableProblem(TableFault.PlaneBlocks, index, blocks, node.PlaneBlocks);
         }
 
         TableProblem FindInPlanes(int index)
@@ -111,14 +112,14 @@ namespace FastPoints.Store
             for (int p = 0; p < PlaneCount; p++)
             {
                 var range = Planes[(long)index * PlaneCount + p];
-                if (node.Host != index)
+                if (node.PlaneNode != index)
                 {
                     if (range.LengthBytes != 0)
-                        return new TableProblem(TableFault.GuestPlane, index);
+                        return new TableProblem(TableFault.InlinedPlane, index);
                     continue;
                 }
                 var shape = p == StoreLayout.PositionPlane && node.IsWide ? new PlaneShape(3, 7) : Shapes[p];
-                long shortest = PlaneShape.LengthBytes((long)node.HostedBlocks * shape.DescriptorWords);
+                long shortest = PlaneShape.LengthBytes((long)node.PlaneBlocks * shape.DescriptorWords);
                 if (range.OffsetBytes < FileHeader.SizeBytes || range.OffsetBytes % PlaneShape.AlignmentBytes != 0 ||
                     range.LengthBytes < shortest || range.LengthBytes % PlaneShape.AlignmentBytes != 0 ||
                     range.OffsetBytes > DataBytes - range.LengthBytes)

@@ -40,11 +40,11 @@ namespace FastPoints.Store
         PointCount,
         BlockCount,
         Bounds,
-        Guest,
+        InlinedLeaf,
         FirstBlock,
-        GuestBlocks,
-        HostedBlocks,
-        GuestPlane,
+        InlinedBlocks,
+        PlaneBlocks,
+        InlinedPlane,
         Plane,
     }
 }

@@ -59,7 +59,7 @@ namespace FastPoints.Streaming
 
         public override string Path => m_folder.FolderPath;
         public override CloudCrs Crs => m_folder.Manifest.Crs;
-        public override bool HasAllPoints => !m_folder.IsInTheMaking;
+        public override bool HasAllPoints => !m_folder.IsUnfinished;
         public override CloudGrid Grid => m_folder.Manifest.Grid;
         public override GridCube Root => m_folder.Manifest.Root;
         public override NodeCubes Cubes => new NodeCubes { Size = Root.Side * Grid.Step, Step = Grid.Step };
@@ -79,7 +79,7 @@ namespace FastPoints.Streaming
                 (int*)m_planes.GetUnsafeReadOnlyPtr(), m_planes.Length, m_grid, pages + 1, ref pages[0]);
         }
 
-        internal override bool KeepsFilesOpen => !m_folder.IsInTheMaking;
+        internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;
 
         public override string PathOf(int page) => m_pathOfPage[page];
 
@@ -107,10 +107,10 @@ namespace FastPoints.Streaming
         public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
             NodeTable.Describe(problem, JobFor(page, table, default, default).Check);
 
-        public override IEnumerator<Work> OpenForPicking(Action<NodeSource> opened)
+        public override IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened)
         {
             string path = Path;
-            return PoolWork.Run<FolderSource>(path, () => OpenWhole(path), opened, unwanted => unwanted.Dispose());
+            return PoolTask.Run<FolderSource>(path, () => OpenWhole(path), opened, unwanted => unwanted.Dispose());
         }
 
         public override void Dispose()

@@ -24,7 +24,7 @@ namespace FastPoints.Streaming
         public int CachedNodes;
         public long PoolBytes;
         public long HierarchyBytes;
-        public int ReadsUnderWay;
+        public int ReadsInFlight;
 
         /// <summary>Whether all selected nodes are drawn and nothing is missing or in flight.</summary>
         public bool IsSettled;

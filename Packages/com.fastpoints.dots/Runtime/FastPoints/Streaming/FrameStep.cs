@@ -26,7 +26,7 @@ namespace FastPoints.Streaming
             long start = Stopwatch.GetTimestamp();
             stream.Pool.BeginFrame();
             stream.Uploads.TryEnd(ref stats);
-            stream.TidyUp();
+            stream.Trim();
             stream.UpdateSources();
             stream.Reads.Receive(ref stats);
             stats.ReceiveMs = MsSince(start);
@@ -42,19 +42,19 @@ namespace FastPoints.Streaming
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud != null && !cloud.IsLeaving)
+                if (cloud != null && !cloud.IsRemoving)
                     selector.Add(c, cloud.Pages, cloud.Placement);
             }
             selector.Choose(views, settings.Selection);
-            if (stream.Motion.TryForesee(views, settings.FramesAhead))
-                selector.Forecast(stream.Motion.Ahead, settings.Selection,
-                    (long)(settings.Selection.PointBudget * settings.ShareAhead));
+            if (stream.Motion.TryPredictView(views, settings.PrefetchFrames))
+                selector.Prefetch(stream.Motion.Predicted, settings.Selection,
+                    (long)(settings.Selection.PointBudget * settings.PrefetchShare));
 
-            new UseNodesJob
+            new TouchNodesJob
             {
                 Clouds = stream.CloudPages,
                 Selected = selector.Selected,
-                Forecasted = selector.Forecasted,
+                Prefetched = selector.Prefetched,
                 Pinned = stream.Cache.Pinned,
                 Frame = selector.Frame,
                 Order = stream.Cache.Order,
@@ -105,8 +105,8 @@ namespace FastPoints.Streaming
             stats.CachedNodes = stream.Cache.Count;
             stats.PoolBytes = stream.Pool.AllocatedBytes;
             stats.HierarchyBytes = stream.HierarchyBytes;
-            stats.ReadsUnderWay = stream.Reads.UnderWay;
-            stats.IsSettled = totals.IsAll && stats.ReadsUnderWay == 0 && !stream.Uploads.IsUnderWay && !stream.HasLeaving &&
+            stats.ReadsInFlight = stream.Reads.InFlightCount;
+            stats.IsSettled = totals.IsAll && stats.ReadsInFlight == 0 && !stream.Uploads.IsInFlight && !stream.IsRemovingAny &&
                 stream.Selector.Missing.Length == 0;
             stats.ListMs = MsSince(start);
         }

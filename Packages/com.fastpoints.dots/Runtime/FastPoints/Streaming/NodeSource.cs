@@ -9,8 +9,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes
     /// in pages, the first one with the source itself. A node's planes are pieces of its page's file, packed in blocks, and are
-    /// shown as they lie there. If they are not stored like that (<see cref="MakesNodes"/>), a <see cref="NodeMaker"/> makes
-    /// them.</summary>
+    /// shown as they lie there. If they are not stored like that (<see cref="TranscodesNodes"/>), a <see cref="NodeTranscoder"/>
+    /// makes them.</summary>
     public abstract class NodeSource : IDisposable
     {
         /// <summary>The path for messages.</summary>
@@ -38,7 +38,7 @@ namespace FastPoints.Streaming
         /// <summary>Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far.
         /// Then <see cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members about
         /// files and tables have no meaning.</summary>
-        public virtual bool MakesNodes => false;
+        public virtual bool TranscodesNodes => false;
 
         /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
         /// <param name="pages">Must have room for <see cref="PageCount"/> pages.</param>
@@ -75,7 +75,7 @@ namespace FastPoints.Streaming
         public virtual bool CanBuild(int page) => true;
 
         /// <summary>For sources that make nodes: registers a page that was built, and numbers the pages attached to it.</summary>
-        public virtual void Adopt(int page, in HierarchyPage built) { }
+        public virtual void RegisterPage(int page, in HierarchyPage built) { }
 
         /// <summary>For sources that make nodes: the box of a page that was not built yet.</summary>
         public virtual HierarchyPage EmptyPage(int page) => default;
@@ -90,22 +90,22 @@ namespace FastPoints.Streaming
         /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
         public virtual JobHandle Reading => default;
 
-        /// <summary>For sources that make nodes: lends an idle maker. Null while enough are busy.</summary>
+        /// <summary>For sources that make nodes: lends an idle transcoder. Null while enough are busy.</summary>
         /// <param name="points">Number of points of the node that it shall make.</param>
-        public virtual NodeMaker TakeMaker(int points) => null;
+        public virtual NodeTranscoder RentTranscoder(int points) => null;
 
-        public virtual void GiveMaker(NodeMaker maker) { }
+        public virtual void ReturnTranscoder(NodeTranscoder transcoder) { }
 
-        /// <summary>For sources that make nodes: creates a maker of every plane of <see cref="Layout"/>, whichever are streamed.
-        /// The caller owns it and disposes it before the source.</summary>
-        public virtual NodeMaker CreateWholeMaker() => throw new NotSupportedException();
+        /// <summary>For sources that make nodes: creates a transcoder of every plane of <see cref="Layout"/>, whichever are
+        /// streamed. The caller owns it and disposes it before the source.</summary>
+        public virtual NodeTranscoder CreateFullTranscoder() => throw new NotSupportedException();
 
-        /// <summary>Opens the same cloud once more to examine single points, as work for a pump: with positions and classes, and
-        /// all other planes of attributes if they lie in files or <see cref="CreateWholeMaker"/> makes them. It opens files on
-        /// another thread. It has no result if the cloud was in memory alone and its source is disposed.</summary>
+        /// <summary>Opens the same cloud once more to examine single points, as a coroutine: with positions and classes, and
+        /// all other planes of attributes if they lie in files or <see cref="CreateFullTranscoder"/> makes them. It opens files
+        /// on another thread. It has no result if the cloud was in memory alone and its source is disposed.</summary>
         /// <param name="opened">Receives the source and owns it.</param>
         /// <exception cref="PointCloudException">The cloud no longer exists, or is damaged.</exception>
-        public abstract IEnumerator<Work> OpenForPicking(Action<NodeSource> opened);
+        public abstract IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened);
 
         public abstract void Dispose();
     }

@@ -32,7 +32,7 @@ namespace FastPoints.Streaming
         public StreamSettings Settings => m_state.Settings;
         public NodePool Pool => m_state.Pool;
         internal NodeCache Cache => m_state.Cache;
-        internal NodeSelector Selector => m_state.Selector;
+        internal LodSelector Selector => m_state.Selector;
         internal NodeReads Reads { get; }
         internal StreamFiles Files => m_state.Files;
         internal NodeUploads Uploads { get; }
@@ -63,7 +63,7 @@ namespace FastPoints.Streaming
         public bool IsDisposed { get; private set; }
 
         /// <summary>Whether a removed cloud still has reads or uploads in flight.</summary>
-        public bool HasLeaving => m_state.Clouds.Exists(c => c != null && c.IsLeaving);
+        public bool IsRemovingAny => m_state.Clouds.Exists(c => c != null && c.IsRemoving);
 
         /// <summary>Whether a source reads what its pages are built of, which no read of the stream's is.</summary>
         internal bool IsReadingHierarchy => m_state.Clouds.Exists(c => c != null && c.Source.IsReading);
@@ -93,14 +93,14 @@ namespace FastPoints.Streaming
         /// have ended.</summary>
         public void Remove(int cloud)
         {
-            var leaving = m_state.Clouds[cloud];
-            if (leaving == null || leaving.IsLeaving)
+            var removing = m_state.Clouds[cloud];
+            if (removing == null || removing.IsRemoving)
                 return;
-            leaving.IsLeaving = true;
-            Reads.Cancel(leaving);
+            removing.IsRemoving = true;
+            Reads.Cancel(removing);
             for (int slot = 0; slot < Cache.SlotCount; slot++)
                 if (Cache[slot].Phase != CachePhase.Free && Cache[slot].Cloud == cloud)
-                    ReleaseIfStill(slot);
+                    ReleaseIfIdle(slot);
             Drawn.Clear();
         }
 
@@ -111,20 +111,20 @@ namespace FastPoints.Streaming
         public void UpdateSources()
         {
             for (int c = 0; c < m_state.Clouds.Count; c++)
-                if (m_state.Clouds[c] != null && !m_state.Clouds[c].IsLeaving &&
+                if (m_state.Clouds[c] != null && !m_state.Clouds[c].IsRemoving &&
                     m_state.Clouds[c].Source.Update() is PointCloudException failure)
                     Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
         }
 
         /// <summary>Ends clouds that leave and frees what exceeds limits, except memory that a job writes to.</summary>
-        public void TidyUp()
+        public void Trim()
         {
             for (int c = 0; c < m_state.Clouds.Count; c++)
-                if (m_state.Clouds[c] != null && m_state.Clouds[c].IsLeaving)
-                    EndLeaving(c);
+                if (m_state.Clouds[c] != null && m_state.Clouds[c].IsRemoving)
+                    EndRemoval(c);
             m_state.Files.CloseIdle(Selector.Frame);
             if (Pool.AllocatedBytes > Pool.LimitBytes)
-                LeaveBanks();
+                VacateBanks();
             UnloadPage();
         }
 
@@ -153,13 +153,13 @@ namespace FastPoints.Streaming
             DrawnTotals.Dispose();
         }
 
-        void ReleaseIfStill(int slot)
+        void ReleaseIfIdle(int slot)
         {
             if (Cache[slot].Phase != CachePhase.Uploading)
                 Release(slot);
         }
 
-        void EndLeaving(int index)
+        void EndRemoval(int index)
         {
             var cloud = m_state.Clouds[index];
             bool isUsed = Reads.IsUsing(cloud);
@@ -168,7 +168,7 @@ namespace FastPoints.Streaming
                 if (Cache[slot].Phase == CachePhase.Free || Cache[slot].Cloud != index)
                     continue;
                 isUsed |= Cache[slot].Phase == CachePhase.Uploading;
-                ReleaseIfStill(slot);
+                ReleaseIfIdle(slot);
             }
             if (isUsed)
                 return;
@@ -177,12 +177,12 @@ namespace FastPoints.Streaming
             m_state.Clouds[index] = null;
         }
 
-        void LeaveBanks()
+        void VacateBanks()
         {
             int limit = Pool.BankLimit;
             for (int slot = 0; slot < Cache.SlotCount; slot++)
-                if (Cache[slot].Phase != CachePhase.Free && Cache[slot].Run.Bank >= limit)
-                    ReleaseIfStill(slot);
+                if (Cache[slot].Phase != CachePhase.Free && Cache[slot].Range.Bank >= limit)
+                    ReleaseIfIdle(slot);
             Pool.FreeEmptyBanks();
         }
 
@@ -203,7 +203,7 @@ namespace FastPoints.Streaming
                 return;
             }
             var page = m_state.Clouds[m_unloadCloud].Pages + m_unloadPage;
-            if (page->IsLoaded && page->NodesInCache == 0 && Selector.Frame - page->SeenFrame > FramesToUnload)
+            if (page->IsLoaded && page->NodesInCache == 0 && Selector.Frame - page->VisitedFrame > FramesToUnload)
                 m_state.Clouds[m_unloadCloud].Unload(m_unloadPage);
         }
 

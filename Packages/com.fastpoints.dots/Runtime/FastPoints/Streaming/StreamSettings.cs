@@ -3,10 +3,10 @@ namespace FastPoints.Streaming
     /// <summary>How much streaming may do at once. The settings may change from frame to frame.</summary>
     public sealed class StreamSettings
     {
-        public SelectionSettings Selection = SelectionSettings.Default;
+        public LodSettings Selection = LodSettings.Default;
 
         /// <summary>The most reads in flight, including those that wait to be copied: each keeps its memory that long.</summary>
-        public int MostReads = 24;
+        public int MaxReads = 24;
 
         /// <summary>Bytes of one read, unless a single node has more: neighbours in a file are read together.</summary>
         public int BytesPerRead = 1 << 20;
@@ -20,7 +20,7 @@ namespace FastPoints.Streaming
         public int UploadNodesPerFrame = 512;
 
         /// <summary>After this many consecutive failures, a file or a damaged node becomes a hole.</summary>
-        public int MostTries = 3;
+        public int MaxTries = 3;
 
         /// <summary>Frames before a failed read is retried.</summary>
         public int FramesToRetry = 30;
@@ -29,10 +29,10 @@ namespace FastPoints.Streaming
         public int FramesToCancel = 10;
 
         /// <summary>The camera's motion is extrapolated by this many frames for reading ahead; 0 for none.</summary>
-        public int FramesAhead = 20;
+        public int PrefetchFrames = 20;
 
         /// <summary>Points that are read ahead, as a share of the budget.</summary>
-        public float ShareAhead = 0.25f;
+        public float PrefetchShare = 0.25f;
 
         /// <summary>Bytes of hierarchy pages that are kept even if they have been out of view for a while.</summary>
         public long HierarchyBytes = 256L << 20;

@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
         public CloudPlacement Placement { get; set; }
 
         /// <summary>Whether it is no longer shown; it goes when its reads and uploads have ended.</summary>
-        public bool IsLeaving { get; set; }
+        public bool IsRemoving { get; set; }
 
         /// <summary>Number of reads and uploads that still need the source.</summary>
         public int Users { get; set; }
@@ -53,17 +53,17 @@ namespace FastPoints.Streaming
             : Source.Shapes[Source.Planes[plane]];
 
         /// <summary>Records the lengths of a node that was made.</summary>
-        public void SetLengths(int page, int node, NodeMaker made)
+        public void SetLengths(int page, int node, NodeTranscoder made)
         {
             for (int p = 0; p < Source.Planes.Length; p++)
                 Pages[page].Planes[node * Source.Planes.Length + p].LengthBytes = made.LengthOf(p);
-            Pages[page].States[node].WasMade = true;
+            Pages[page].States[node].WasTranscoded = true;
         }
 
         /// <summary>Takes over the nodes of a page.</summary>
         public void Load(int page, in HierarchyPage built)
         {
-            Source.Adopt(page, built);
+            Source.RegisterPage(page, built);
             var to = Pages + page;
             to->Nodes = built.Nodes;
             to->States = built.States;

@@ -9,7 +9,7 @@ namespace FastPoints.Samples.AttributeColours
     static class AttributeColoursScene
     {
         [MenuItem("FastPoints/Samples/Attribute colours")]
-        static void Make() => SampleScene.Make(asset =>
+        static void Make() => SampleScene.Create(asset =>
         {
             var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
             cloud.Color = ColorMode.Classification;

@@ -7,6 +7,6 @@ namespace FastPoints.Samples.EntitiesOnly
     static class EntitiesOnlyScene
     {
         [MenuItem("FastPoints/Samples/Entities only")]
-        static void Make() => SampleScene.Make(asset => SampleScene.Add<EntitiesOnlyStart>("Start").Cloud = asset);
+        static void Make() => SampleScene.Create(asset => SampleScene.Add<EntitiesOnlyStart>("Start").Cloud = asset);
     }
 }

@@ -9,7 +9,7 @@ namespace FastPoints.Samples.FirstCloud
     static class FirstCloudScene
     {
         [MenuItem("FastPoints/Samples/First cloud")]
-        static void Make() => SampleScene.Make(asset =>
+        static void Make() => SampleScene.Create(asset =>
         {
             PointCloudDrops.Show(asset, Vector3.zero, null);
             // Points and meshes hide each other because they share the camera's depth.

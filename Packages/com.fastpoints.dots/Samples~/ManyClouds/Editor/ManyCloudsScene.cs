@@ -7,6 +7,6 @@ namespace FastPoints.Samples.ManyClouds
     static class ManyCloudsScene
     {
         [MenuItem("FastPoints/Samples/Many clouds")]
-        static void Make() => SampleScene.Make(asset => SampleScene.Add<CloudGrid>("Grid of clouds").Cloud = asset);
+        static void Make() => SampleScene.Create(asset => SampleScene.Add<CloudGrid>("Grid of clouds").Cloud = asset);
     }
 }

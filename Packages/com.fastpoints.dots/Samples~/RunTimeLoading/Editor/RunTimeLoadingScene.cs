@@ -7,6 +7,6 @@ namespace FastPoints.Samples.RunTimeLoading
     static class RunTimeLoadingScene
     {
         [MenuItem("FastPoints/Samples/Run-time loading")]
-        static void Make() => SampleScene.Make(_ => SampleScene.Add<LoadFromDisk>("Cloud from disk"));
+        static void Make() => SampleScene.Create(_ => SampleScene.Add<LoadFromDisk>("Cloud from disk"));
     }
 }

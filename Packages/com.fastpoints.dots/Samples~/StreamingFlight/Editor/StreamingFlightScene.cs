@@ -8,7 +8,7 @@ namespace FastPoints.Samples.StreamingFlight
     static class StreamingFlightScene
     {
         [MenuItem("FastPoints/Samples/Streaming flight")]
-        static void Make() => SampleScene.Make(asset =>
+        static void Make() => SampleScene.Create(asset =>
         {
             var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
             var camera = Camera.main.gameObject;

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Benchmarks
         {
             Turns = turns,
             WarmUpRuns = 1,
-            FewestWarmUpRuns = 1,
+            MinWarmUpRuns = 1,
             WarmUpMs = 0,
             LongWarmUpMs = 0,
             ShortestSampleMs = 0,

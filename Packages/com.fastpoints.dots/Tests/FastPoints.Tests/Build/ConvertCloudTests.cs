@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Build
         ConvertResult Convert(PointReader reader, string name = "cloud", ConvertSettings settings = null)
         {
             ConvertResult result = null;
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, Target(name), settings ?? new ConvertSettings(), r =>
+            JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Target(name), settings ?? new ConvertSettings(), r =>
                 result = r, null));
             return result;
         }
@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Build
         VerifyResult Verify(PointReader against, string name = "cloud")
         {
             var result = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(Target(name), against == null ? Array.Empty<PointReader>() : new[] { against },
+            JobCoroutine.RunToEnd(VerifyCloud.Run(Target(name), against == null ? Array.Empty<PointReader>() : new[] { against },
                 result, null));
             return result;
         }
@@ -158,9 +158,9 @@ namespace FastPoints.Tests.Build
             var fine = MemoryReader.Of(Uniform(20000, 100000, 3),
                 new PositionTransform { Scale = new double3(0.001, 0.01, 0.025), Offset = new double3(500, -0.005, 3) });
             ConvertResult made = null;
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { coarse, fine }, Target(), new ConvertSettings(), r => made = r, null));
+            JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { coarse, fine }, Target(), new ConvertSettings(), r => made = r, null));
             var result = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(Target(), new[] { fine, coarse }, result, null));
+            JobCoroutine.RunToEnd(VerifyCloud.Run(Target(), new[] { fine, coarse }, result, null));
             Assert.That(result.Problems, Is.Empty);
             Assert.That(coarse.Info.Warnings, Is.Empty);
             Assert.That(fine.Info.Warnings, Is.Empty);
@@ -237,7 +237,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_SomeStrays_TellsWhatToShowWithoutThem()
+        public void Convert_SomeOutliers_ReportsWhatToShowWithoutThem()
         {
             var places = Uniform(20000, 1000);
             for (int i = 0; i < 20; i++)
@@ -357,11 +357,11 @@ namespace FastPoints.Tests.Build
             var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
             using var whole = new PointBatch(schema, (int)selection.Points, Allocator.Persistent);
             using var parts = new PointBatch(schema, (int)selection.Points, Allocator.Persistent);
-            WorkPump.RunToEnd(LoadNodes.Run(folder, selection, whole, null));
+            JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, whole, null));
             // A node at a time, and a few.
-            foreach (long most in new[] { 1, 100000 })
+            foreach (long max in new[] { 1, 100000 })
             {
-                WorkPump.RunToEnd(LoadNodes.Run(folder, selection, parts, null, most));
+                JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, parts, null, max));
                 Assert.That(parts.Count, Is.EqualTo(whole.Count));
                 for (int c = 0; c < schema.Count; c++)
                     Assert.That(UnsafeUtility.MemCmp(ColumnOf(parts, c), ColumnOf(whole, c),
@@ -378,7 +378,7 @@ namespace FastPoints.Tests.Build
             selection.Choose(camera?.ToStreamView(4000, 4000), budget);
             var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
             using var batch = new PointBatch(schema, (int)selection.Points, Allocator.Persistent);
-            WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null));
+            JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, batch, null));
             var values = (ushort*)((byte*)batch.Bytes.GetUnsafeReadOnlyPtr() +
                 batch.Column(schema.IndexOf(AttributeNames.Intensity)).OffsetBytes);
             double sum = 0, squares = 0;
@@ -395,7 +395,8 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_Cancelled_LeavesNothing()
         {
-            var work = new WorkSteps(ConvertCloud.Run(new[] { MemoryReader.Of(Uniform(30000, 1000), s_centimetres) }, Target(),
+            var work =
+                new CoroutineStack(ConvertCloud.Run(new[] { MemoryReader.Of(Uniform(30000, 1000), s_centimetres) }, Target(),
                 new ConvertSettings { PointsPerChunk = 3000 }, r => { }, null));
             for (int i = 0; i < 60 && work.MoveNext(); i++)
                 work.Current.Complete();
@@ -414,7 +415,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Verify_OtherSource_SaysSo()
+        public void Verify_OtherSource_ReportsIt()
         {
             var places = Uniform(2000, 1000);
             Convert(MemoryReader.Of(places, s_centimetres));

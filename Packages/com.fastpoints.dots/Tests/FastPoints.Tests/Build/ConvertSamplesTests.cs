@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Build
             {
                 try
                 {
-                    WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => { }, null));
+                    JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => { }, null));
                 }
                 catch (PointCloudException)
                 {
@@ -60,7 +60,7 @@ namespace FastPoints.Tests.Build
                 }
                 converted++;
                 var result = new VerifyResult();
-                WorkPump.RunToEnd(VerifyCloud.Run(target, new[] { reader }, result, null));
+                JobCoroutine.RunToEnd(VerifyCloud.Run(target, new[] { reader }, result, null));
                 Directory.Delete(target, true);
                 return result.Ok ? null : result.Problems[0];
             }

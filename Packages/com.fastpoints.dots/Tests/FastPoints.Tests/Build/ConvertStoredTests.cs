@@ -57,11 +57,11 @@ namespace FastPoints.Tests.Build
             var reader = Uneven(300000, 500);
             var settings = InFiles();
             settings.MemoryBytes = memoryMegabytes << 20;
-            settings.AheadMs = 1e9;
+            settings.InFlightMs = 1e9;
             settings.SecondsToFirstGeneration = 1e9;
             Convert(reader, "cloud", settings);
-            Assert.That(reader.MostSlotBytes, Is.LessThanOrEqualTo(settings.MemoryBytes / 4));
-            Assert.That(reader.MostSlotBytes, Is.GreaterThan(settings.MemoryBytes / 16), "reads are ahead");
+            Assert.That(reader.MaxSlotBytes, Is.LessThanOrEqualTo(settings.MemoryBytes / 4));
+            Assert.That(reader.MaxSlotBytes, Is.GreaterThan(settings.MemoryBytes / 16), "reads are ahead");
             Assert.That(reader.SlotBytes, Is.Zero);
         }
 
@@ -72,7 +72,7 @@ namespace FastPoints.Tests.Build
         ConvertResult Convert(PointReader reader, string name, ConvertSettings settings)
         {
             ConvertResult result = null;
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, Target(name), settings, r => result = r, null));
+            JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Target(name), settings, r => result = r, null));
             return result;
         }
 
@@ -174,7 +174,7 @@ namespace FastPoints.Tests.Build
 
         /// <summary>What would fit into memory, too, once it takes long.</summary>
         [Test]
-        public void Convert_BrokenOffAnywhere_IsTakenUpToTheSameBytes([Values] bool fits)
+        public void Convert_AbortedAnywhere_ResumesToTheSameBytes([Values] bool fits)
         {
             ConvertSettings Settings()
             {
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Build
             Convert(Uneven(), "whole", InMemory());
             var wanted = Files("whole");
             var progress = new StageProgress();
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { Uneven() }, Target("count"), Settings(), r => { }, progress));
+            JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { Uneven() }, Target("count"), Settings(), r => { }, progress));
             int stages = progress.Finished.Count;
             var random = new System.Random(4);
             int continued = 0;
@@ -193,7 +193,7 @@ namespace FastPoints.Tests.Build
             {
                 string name = "broken" + attempt, part = Target(name) + StoreFormat.PartSuffix, kept = part + "-kept";
                 progress = new StageProgress();
-                var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target(name), Settings(), r => { }, progress));
+                var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target(name), Settings(), r => { }, progress));
                 // Steps depend on how fast reads and writes are.
                 double stop = (attempt + random.NextDouble()) / 6 * stages;
                 while (progress.Finished.Count + progress.Share < stop && work.MoveNext())
@@ -226,7 +226,8 @@ namespace FastPoints.Tests.Build
             (settings.PointsPerCheckpoint, settings.SecondsPerCheckpoint) = (100_000, secondsPerCheckpoint);
             string journal = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, BuildFiles.JournalName);
             var blocks = new HashSet<int>();
-            using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven(200_000, 500) }, Target("cloud"), settings, r => { },
+            using (var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven(200_000, 500) }, Target("cloud"), settings, r =>
+                { },
                 null)))
             {
                 while (work.MoveNext())
@@ -241,10 +242,10 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_BrokenOffWithOtherSettings_BeginsAgain()
+        public void Convert_AbortedWithOtherSettings_BeginsAgain()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
-            var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
+            var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             while (!File.Exists(Path.Combine(part, BuildFiles.JournalName)) && work.MoveNext())
                 work.Current.Complete();
             Copy(part, part + "-kept");
@@ -259,7 +260,7 @@ namespace FastPoints.Tests.Build
         public void Convert_DamagedTemporaryFiles_FailsOrBeginsAgain()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
-            var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
+            var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             int tops = 0;
             while (tops < 3 && work.MoveNext())
             {
@@ -298,7 +299,7 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_TwoOfOneTarget_TheSecondIsRefused()
         {
-            var first = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
+            var first = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             for (int i = 0; i < 30 && first.MoveNext(); i++)
                 first.Current.Complete();
             Assert.That(() => Convert(Uneven(), "cloud", InFiles()), Throws.TypeOf<PointCloudException>().With.Message.Contains(
@@ -313,7 +314,7 @@ namespace FastPoints.Tests.Build
         public void Convert_CancelledWhileFilesAreThere_LeavesNothing()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
-            var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
+            var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             while (!File.Exists(Path.Combine(part, BuildFiles.JournalName)) && work.MoveNext())
                 work.Current.Complete();
             for (int i = 0; i < 20 && work.MoveNext(); i++)
@@ -379,7 +380,7 @@ namespace FastPoints.Tests.Build
         {
             string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);
             long generation = 0;
-            using var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null));
+            using var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null));
             while (work.MoveNext())
             {
                 work.Current.Complete();
@@ -394,7 +395,7 @@ namespace FastPoints.Tests.Build
         VerifyResult Verified(string name, params PointReader[] sources)
         {
             var result = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(Target(name), sources, result, null));
+            JobCoroutine.RunToEnd(VerifyCloud.Run(Target(name), sources, result, null));
             Assert.That(result.Problems, Is.Empty);
             return result;
         }
@@ -414,9 +415,9 @@ namespace FastPoints.Tests.Build
             Assert.That(plan.PointsPerPartition, Is.GreaterThanOrEqualTo(plan.PointsPerChunk));
             if (isStored && memory > 8 << 20)
             {
-                long pages = plan.MostPages + plan.MostWaitingPages;
+                long pages = plan.MaxPages + plan.MaxWaitingPages;
                 Assert.That(plan.ReadBytes + pages * RecordPages.PageBytes(stride), Is.LessThanOrEqualTo(memory));
-                Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MostPages + 16));
+                Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MaxPages + 16));
             }
         }
 

@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Work_StreamThatEndsEarly_SaysSoAndLeavesNothing()
+        public void Work_StreamThatEndsEarly_ReportsItAndLeavesNothing()
         {
             string path = Folder.File("scan.las");
             using var spool = new StreamSpool(() => new Trickle(Bytes()), path, Length + 1);
@@ -68,7 +68,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Work_FolderThatIsNotThere_SaysSo()
+        public void Work_FolderThatIsNotThere_ReportsIt()
         {
             string path = Folder.File("none/scan.las");
             using var spool = new StreamSpool(() => new Trickle(Bytes()), path);
@@ -78,11 +78,11 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Dispose_Meanwhile_LeavesNothing()
         {
-            using var goesOn = new ManualResetEventSlim();
+            using var hasMore = new ManualResetEventSlim();
             string path = Folder.File("scan.las");
-            var spool = new StreamSpool(() => new Trickle(Bytes()) { WaitsFor = goesOn }, path);
+            var spool = new StreamSpool(() => new Trickle(Bytes()) { WaitsFor = hasMore }, path);
             spool.Dispose();
-            goesOn.Set();
+            hasMore.Set();
             Assert.Throws(Is.InstanceOf<OperationCanceledException>(), () => spool.Work.GetAwaiter().GetResult());
             Assert.That(spool.Work.Status, Is.Not.EqualTo(TaskStatus.RanToCompletion));
             Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);

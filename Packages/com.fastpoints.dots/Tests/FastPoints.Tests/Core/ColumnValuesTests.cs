@@ -67,7 +67,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void OrderedBits_AnyNumbers_OrderAsTheyDoAndComeBack()
+        public void OrderedBits_AnyNumbers_OrderAsTheyDoAndRoundTrip()
         {
             double[] values = { double.NegativeInfinity, -1e300, -2, -1e-310, 0, 1e-310, 1, 2, double.PositiveInfinity };
             for (int i = 0; i < values.Length; i++)

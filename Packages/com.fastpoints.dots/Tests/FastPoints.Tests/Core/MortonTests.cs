@@ -30,10 +30,10 @@ namespace FastPoints.Tests.Core
         [Test]
         public void EncodeFew_EachBit_GoesWhereEncodePutsIt()
         {
-            for (uint value = 0; value < 1 << Morton.FewBits; value++)
+            for (uint value = 0; value < 1 << Morton.ShortBits; value++)
             {
-                uint y = value * 37 & (1 << Morton.FewBits) - 1, z = value * 91 & (1 << Morton.FewBits) - 1;
-                Assert.That((ulong)Morton.EncodeFew(value, y, z), Is.EqualTo(Morton.Encode(value, y, z)));
+                uint y = value * 37 & (1 << Morton.ShortBits) - 1, z = value * 91 & (1 << Morton.ShortBits) - 1;
+                Assert.That((ulong)Morton.EncodeShort(value, y, z), Is.EqualTo(Morton.Encode(value, y, z)));
             }
         }
 
@@ -70,13 +70,13 @@ namespace FastPoints.Tests.Core
                     z[i] = corner.z + (random.NextUInt() & (1 << 30) - 1);
                 }
                 Morton.Encode(x, y, z, count, corner, shift, codes);
-                Morton.EncodeFew(x, y, z, count, corner, 30 - Morton.FewBits, few);
+                Morton.EncodeShort(x, y, z, count, corner, 30 - Morton.ShortBits, few);
                 for (int i = 0; i < count; i++)
                 {
                     uint dx = x[i] - corner.x, dy = y[i] - corner.y, dz = z[i] - corner.z;
                     Assert.That(codes[i], Is.EqualTo(Morton.Encode(dx >> shift, dy >> shift, dz >> shift)));
-                    Assert.That(few[i], Is.EqualTo(Morton.EncodeFew(dx >> 30 - Morton.FewBits, dy >> 30 - Morton.FewBits,
-                        dz >> 30 - Morton.FewBits)));
+                    Assert.That(few[i], Is.EqualTo(Morton.EncodeShort(dx >> 30 - Morton.ShortBits, dy >> 30 - Morton.ShortBits,
+                        dz >> 30 - Morton.ShortBits)));
                 }
             }
         }

@@ -85,7 +85,7 @@ namespace FastPoints.Tests.Drawing
             using var sizes = new SizeTree();
             var source = cloud.Open();
             stream.Add(source, StreamedTestCloud.Geo(source));
-            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.SmallestNodePx = 0;
             var center = StreamedTestCloud.OriginGeo + new double3(9000, 4500, 0);
             StreamedTestCloud.Settle(stream,
@@ -136,10 +136,10 @@ namespace FastPoints.Tests.Drawing
                     deeper += wanted != i ? 1 : 0;
                 }
                 var page = stream.Clouds[drawn.Cloud].Pages + drawn.Page;
-                float most = page->Nodes[drawn.Node].Spacing * scale;
+                float max = page->Nodes[drawn.Node].Spacing * scale;
                 bool isLast = page->Nodes[drawn.Node].ChildCount + page->Nodes[drawn.Node].ChunkCount == 0;
                 float own = sizes.Nodes[sizes.NodeOfDrawn[i]].Gap;
-                Assert.That(own, isLast ? (NUnit.Framework.Constraints.IResolveConstraint)Is.InRange(0, most) : Is.EqualTo(most));
+                Assert.That(own, isLast ? (NUnit.Framework.Constraints.IResolveConstraint)Is.InRange(0, max) : Is.EqualTo(max));
             }
             Assert.That(deeper, Is.GreaterThan(stream.Drawn.Length));
         }
@@ -154,7 +154,7 @@ namespace FastPoints.Tests.Drawing
             var source = m_cloud.Open();
             stream.Add(source, StreamedTestCloud.Geo(source));
             stream.Settings.Selection.PointBudget = 1_000_000;
-            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.SmallestNodePx = 0;
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             sizes.Build(stream);

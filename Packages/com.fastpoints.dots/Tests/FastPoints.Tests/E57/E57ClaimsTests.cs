@@ -168,7 +168,7 @@ namespace FastPoints.Tests.E57
         [TestCase(4, new byte[] { 5 }, "bytestream for each field")]
         [TestCase(4, new byte[] { 0, 0 }, "bytestream for each field")]
         [TestCase(6, new byte[] { 255, 255 }, "longer than it is")]
-        public void Read_BrokenPacket_GivesThePointsBefore(int at, byte[] bytes, string story)
+        public void Read_BrokenPacket_GivesThePointsBefore(int at, byte[] bytes, string detail)
         {
             byte[] file = new E57FileWriter(Scan()).ToArray();
             byte[] content = file.Where((v, i) => i % 1024 < 1020).ToArray();
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.E57
                 packet += BitConverter.ToUInt16(content, packet + 2) + 1;
             var contents = FileContents.OfE57(With(file, packet + at, bytes));
             CheckPrefix(contents, 0, 2000);
-            Assert.That(contents.HasWarning(story), string.Join(" | ", contents.Info.Warnings.Select(w => w.Text)));
+            Assert.That(contents.HasWarning(detail), string.Join(" | ", contents.Info.Warnings.Select(w => w.Text)));
         }
 
         [Test]
@@ -206,8 +206,8 @@ namespace FastPoints.Tests.E57
         [TestCase(48, new byte[] { 2 }, "section id")]
         [TestCase(64, new byte[] { 255, 255, 255, 255, 255, 255, 255, 255 }, "first packet")]
         [TestCase(64, new byte[] { 0, 0, 0, 0, 0, 0, 0, 0 }, "first packet")]
-        public void Open_WrongSectionHeader_IsAFailure(int at, byte[] bytes, string story) =>
-            Assert.That(Failure(With(new E57FileWriter(Scan()).ToArray(), at, bytes)).Message, Does.Contain(story));
+        public void Open_WrongSectionHeader_IsAFailure(int at, byte[] bytes, string detail) =>
+            Assert.That(Failure(With(new E57FileWriter(Scan()).ToArray(), at, bytes)).Message, Does.Contain(detail));
 
         [TestCase("<cartesianX type=\"Integer\" minimum=\"5\" maximum=\"4\"/>", "above its maximum")]
         [TestCase("<cartesianX type=\"Integer\" minimum=\"1e3\"/>", "minimum: got")]
@@ -221,11 +221,11 @@ namespace FastPoints.Tests.E57
         [TestCase("<cartesianZ type=\"Float\"/>", "twice")]
         [TestCase("<cartesianX type=\"String\"/>", "neither cartesianX")]
         [TestCase("", "neither cartesianX")]
-        public void Open_UnsoundPrototype_IsAFailureThatNamesTheField(string element, string story)
+        public void Open_UnsoundPrototype_IsAFailureThatNamesTheField(string element, string detail)
         {
             var scan = Scan(3);
             scan.Fields[0].Xml = element;
-            Assert.That(Failure(new E57FileWriter(scan).ToArray()).Message, Does.Contain(story));
+            Assert.That(Failure(new E57FileWriter(scan).ToArray()).Message, Does.Contain(detail));
         }
 
         [Test]

@@ -89,7 +89,7 @@ namespace FastPoints.Tests.E57
             var random = new Random(4);
             using var path = new TemporaryFile(file, ".e57");
             using var reader = E57Reader.Open(path.Path);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Red"), 5000, Allocator.Persistent);
             for (int i = 0; i < 40; i++)
             {
@@ -111,7 +111,7 @@ namespace FastPoints.Tests.E57
             var whole = FileContents.OfE57(file);
             using var path = new TemporaryFile(file, ".e57");
             using var reader = E57Reader.Open(path.Path);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             int[] x = whole.Column<int>("X");
             var reads = new BlockRead[reader.BlockCount];
             for (int i = 0; i < reads.Length; i++)
@@ -272,12 +272,12 @@ namespace FastPoints.Tests.E57
             E57TestField.Integer("colorBlue", 0, maximum, values),
         };
 
-        static string ColorLimits(double least, double most)
+        static string ColorLimits(double min, double max)
         {
             string xml = "<colorLimits type=\"Structure\">";
             foreach (string color in new[] { "Red", "Green", "Blue" })
-                xml += "<color" + color + "Minimum type=\"Float\">" + least + "</color" + color + "Minimum><color" + color +
-                    "Maximum type=\"Float\">" + most + "</color" + color + "Maximum>";
+                xml += "<color" + color + "Minimum type=\"Float\">" + min + "</color" + color + "Minimum><color" + color +
+                    "Maximum type=\"Float\">" + max + "</color" + color + "Maximum>";
             return xml + "</colorLimits>";
         }
 
@@ -352,7 +352,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Info_TellsScansPosesSensorsAndImages()
+        public void Info_ReportsScansPosesSensorsAndImages()
         {
             var scan = Floats(7);
             scan.Xml = "<name type=\"String\">hall &amp; yard</name><sensorVendor type=\"String\">Maker</sensorVendor>" +

@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Entities
         /// <summary>How far the original is when it is copied.</summary>
         public enum Moment { Waiting, Opening, Opened, Shown }
 
-        static readonly TimeSpan s_mostTime = TimeSpan.FromMinutes(2);
+        static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(2);
 
         StreamedTestCloud m_cloud;
         World m_world;
@@ -81,19 +81,19 @@ namespace FastPoints.Tests.Entities
 
         static void Frames(World world, PointCloudSystemGroup group, Func<bool> isDone)
         {
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_mostTime && !isDone();)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && !isDone();)
                 Frame(world, group);
             Assert.That(isDone(), Is.True, "nothing came of it");
         }
 
         bool IsStreamed(Entity entity) => Entities.HasComponent<StreamedPointCloud>(entity);
 
-        int StreamedCount => m_group.Stream.Clouds.Count(c => c != null && !c.IsLeaving);
+        int StreamedCount => m_group.Stream.Clouds.Count(c => c != null && !c.IsRemoving);
 
         long PointsDrawn()
         {
             Frame();
-            Frames(() => m_group.Stats.IsSettled && !m_group.IsOpening && !m_group.Stream.HasLeaving);
+            Frames(() => m_group.Stats.IsSettled && !m_group.IsOpening && !m_group.Stream.IsRemovingAny);
             return m_group.Stats.DrawnPoints;
         }
 
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Entities
             Assert.That(m_group.ErrorOf(copy), Is.Null);
             Frames(() => m_group.ErrorOf(copy) != null);
             Directory.Move(away, cloud.Path);
-            Entities.SetComponentData(copy, new PointCloudFile { LooksAgain = true });
+            Entities.SetComponentData(copy, new PointCloudFile { NeedsRefresh = true });
             Frames(() => IsStreamed(copy));
             Assert.That((m_group.ErrorOf(copy), IsStreamed(first)), Is.EqualTo(((string)null, false)));
             Assert.That(m_group.ErrorOf(first), Is.Not.Null);
@@ -195,7 +195,7 @@ namespace FastPoints.Tests.Entities
             Assert.That(StreamedCount, Is.EqualTo(Count));
             using var all = streamed.ToEntityArray(Allocator.Temp);
             Entities.DestroyEntity(all);
-            Frames(() => StreamedCount == 0 && !m_group.Stream.HasLeaving);
+            Frames(() => StreamedCount == 0 && !m_group.Stream.IsRemovingAny);
             Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
         }
 
@@ -226,7 +226,7 @@ namespace FastPoints.Tests.Entities
         public void Entity_ThatWasStreamedElsewhere_IsOpenedHere()
         {
             var entity = Add(m_cloud.Path);
-            Entities.AddComponentData(entity, new StreamedPointCloud { Number = 77, Beside = 78, Next = 79 });
+            Entities.AddComponentData(entity, new StreamedPointCloud { Number = 77, Preview = 78, Next = 79 });
             Frame();
             Assert.That(IsStreamed(entity), Is.False);
             Frames(() => IsStreamed(entity));

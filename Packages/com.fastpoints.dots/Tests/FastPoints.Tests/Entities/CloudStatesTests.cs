@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Entities
     /// <summary>Entities whose clouds are not converted yet, or never are.</summary>
     public sealed class CloudStatesTests
     {
-        static readonly TimeSpan s_mostTime = TimeSpan.FromMinutes(1);
+        static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
 
         World m_world;
         PointCloudSystemGroup m_group;
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Entities
 
         void Frames(Func<bool> isDone, Action more = null)
         {
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_mostTime && !isDone();)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && !isDone();)
             {
                 Frame();
                 more?.Invoke();
@@ -97,11 +97,11 @@ namespace FastPoints.Tests.Entities
             Assert.That(cloud.IsBuilt, Is.False);
             // Beside a build all of the preview has room.
             m_group.Stream.Settings.Selection.PointBudget = 10_000_000;
-            m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
+            m_group.Stream.Settings.Selection.MinScreenErrorPx = 0;
             m_group.Stream.Settings.Selection.SmallestNodePx = 0;
             Frames(() => m_group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
             void Look() => Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
-            Frames(() => Streamed.Beside != CloudSuccession.None, () =>
+            Frames(() => Streamed.Preview != CloudVersions.None, () =>
             {
                 if (!File.Exists(cloud.Manifest))
                     cloud.Build();
@@ -112,11 +112,11 @@ namespace FastPoints.Tests.Entities
                 cloud.Build();
                 Look();
             });
-            Frames(() => Streamed.Beside == CloudSuccession.None && Streamed.Next == CloudSuccession.None, Look);
-            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+            Frames(() => Streamed.Preview == CloudVersions.None && Streamed.Next == CloudVersions.None, Look);
+            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.IsRemovingAny);
             Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(GrowingCloud.Points));
-            Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
-            Assert.That(Streamed.Next, Is.EqualTo(CloudSuccession.None));
+            Assert.That(Streamed.Preview, Is.EqualTo(CloudVersions.None));
+            Assert.That(Streamed.Next, Is.EqualTo(CloudVersions.None));
             Assert.That(Entities.GetComponentData<PointCloudSpace>(m_cloud).Value, Is.EqualTo(space));
             Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
             var shown = m_group.Stream.Clouds[Streamed.Number];
@@ -124,7 +124,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_WhoseOpeningThrowsWhatNobodyForesaw_EndsInItsErrorAndIsToldOnce()
+        public void File_WhoseOpeningThrowsUnexpectedly_EndsInItsErrorAndIsReportedOnce()
         {
             string path = Path.GetTempFileName();
             try
@@ -148,18 +148,18 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_BuildBrokenOff_GoesOnShowingThePreview()
+        public void File_BuildAborted_GoesOnShowingThePreview()
         {
             using var cloud = new GrowingCloud();
             Add(PathsOf(cloud));
             Frames(() => m_group.Stats.DrawnPoints > 0);
             while (!File.Exists(cloud.Manifest))
                 cloud.Build();
-            Frames(() => Streamed.Beside != CloudSuccession.None);
+            Frames(() => Streamed.Preview != CloudVersions.None);
             cloud.Cancel();
             Frames(() => m_group.Stream.Clouds[Streamed.Number].Source is TreeSource);
-            Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
-            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+            Assert.That(Streamed.Preview, Is.EqualTo(CloudVersions.None));
+            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.IsRemovingAny);
             Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThan(0));
         }
 
@@ -177,21 +177,21 @@ namespace FastPoints.Tests.Entities
 
         /// <summary>In edit mode no frame comes but those that are asked for.</summary>
         [Test]
-        public void WantsFrame_HierarchyThatIsReadPageByPage_IsTrueUntilAllIsShown()
+        public void NeedsFrame_HierarchyThatIsReadPageByPage_IsTrueUntilAllIsShown()
         {
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.EptBinary, 20_000);
             Add(new PointCloudPaths { Path = cloud.Path });
             m_group.Stream.Settings.Selection.PointBudget = long.MaxValue;
-            m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
+            m_group.Stream.Settings.Selection.MinScreenErrorPx = 0;
             m_group.Stream.Settings.Selection.SmallestNodePx = 0;
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_mostTime && m_group.WantsFrame;)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && m_group.NeedsFrame;)
             {
                 m_group.Views.Add(StreamView.Everything(1e6));
                 m_world.Update();
             }
             Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(20_000));
-            Assert.That(m_group.WantsFrame, Is.False);
+            Assert.That(m_group.NeedsFrame, Is.False);
         }
 
         /// <summary>As Mono does on Windows, where quotes are pasted with a path.</summary>
@@ -218,7 +218,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void LooksAgain_CloudThatWasNotThere_IsShownWhenItIs()
+        public void NeedsRefresh_CloudThatWasNotThere_IsShownWhenItIs()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             string away = cloud.Path + ".away";
@@ -226,15 +226,15 @@ namespace FastPoints.Tests.Entities
             Add(new PointCloudPaths { Path = cloud.Path });
             Frames(() => Error != null);
             Directory.Move(away, cloud.Path);
-            Entities.SetComponentData(m_cloud, new PointCloudFile { LooksAgain = true });
+            Entities.SetComponentData(m_cloud, new PointCloudFile { NeedsRefresh = true });
             Frames(() => IsStreamed);
             Assert.That(Error, Is.Null);
-            Assert.That(Entities.GetComponentData<PointCloudFile>(m_cloud).LooksAgain, Is.False);
+            Assert.That(Entities.GetComponentData<PointCloudFile>(m_cloud).NeedsRefresh, Is.False);
             m_world.Dispose();
         }
 
         [Test]
-        public void DestroyEntity_InTheMiddleOfAPreview_LetsGoOfAll()
+        public void DestroyEntity_InTheMiddleOfAPreview_ReleasesAll()
         {
             UnsafeUtility.ForgiveLeaks();
             using (var cloud = new GrowingCloud())
@@ -247,7 +247,7 @@ namespace FastPoints.Tests.Entities
                     Entities.DestroyEntity(m_cloud);
                     Frame();
                 }
-                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.IsRemovingAny);
                 Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
                 m_world.Dispose();
             }

@@ -11,7 +11,7 @@ namespace FastPoints.Tests.Entities
     /// <summary>What entities of nodes a frame makes, destroys and updates.</summary>
     public sealed class CompareNodesTests
     {
-        const int Most = 10, Count = 45;
+        const int Max = 10, Count = 45;
 
         NativeArray<CachedNode> m_slots;
         NativeList<TrackedNode> m_tracked;
@@ -51,12 +51,12 @@ namespace FastPoints.Tests.Entities
             {
                 Slots = m_slots,
                 Drawn = drawn,
-                MostChanges = Most,
+                MaxChanges = Max,
                 First = m_first,
                 Tracked = m_tracked,
                 IsDrawn = m_isDrawn,
-                Gone = m_gone,
-                Come = m_come,
+                Removed = m_gone,
+                Added = m_come,
                 Changed = m_changed,
             }.Run();
             foreach (int slot in m_come)
@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Entities
             for (int frame = 1; frame <= 10; frame++)
             {
                 for (int i = 0; i < Count; i++)
-                    m_slots[i] = new CachedNode { Phase = CachePhase.Requested, Version = i < 2 * Most ? frame : 1 };
+                    m_slots[i] = new CachedNode { Phase = CachePhase.Requested, Version = i < 2 * Max ? frame : 1 };
                 Compare();
                 foreach (int slot in m_come)
                     made.Add(slot);

@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Entities
     [Category("Smoke")]
     public sealed class PointCloudSystemsTests
     {
-        const int MostFrames = 1_000_000;
+        const int MaxFrames = 1_000_000;
 
         StreamedTestCloud m_cloud;
         World m_world;
@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Entities
         /// <param name="hasAll">False where somebody took entities away.</param>
         FrameStats Settle(Camera camera, bool hasAll = true)
         {
-            for (int frame = 0; frame < MostFrames; frame++)
+            for (int frame = 0; frame < MaxFrames; frame++)
             {
                 var stats = Frame(camera);
                 if (stats.IsSettled && (!hasAll || Count<PointCloudNode>() == stats.CachedNodes))
@@ -130,7 +130,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_NobodyWantsNodes_TheyComeAndGoWithTheWish()
+        public void Update_NodesNotRequested_AreAddedAndRemovedOnRequest()
         {
             Begin();
             Entities.DestroyEntity(m_asking);
@@ -228,7 +228,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Pinned_NodeOfUsers_StaysWhenOthersAreGivenUp()
+        public void Pinned_NodeOfUsers_StaysWhenOthersAreEvicted()
         {
             Begin(1 << 18);
             Add();
@@ -284,7 +284,7 @@ namespace FastPoints.Tests.Entities
         /// <summary>Frames until the file is open, or could not be.</summary>
         void AwaitOpen(Entity entity)
         {
-            for (int frame = 0; frame < MostFrames && !Entities.HasComponent<StreamedPointCloud>(entity) &&
+            for (int frame = 0; frame < MaxFrames && !Entities.HasComponent<StreamedPointCloud>(entity) &&
                 m_group.ErrorOf(entity) == null; frame++)
             {
                 m_world.Update();
@@ -315,7 +315,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_ThatIsNotThere_SaysSoOnceAndTheOthersStream()
+        public void File_ThatIsNotThere_ReportsItOnceAndTheOthersStream()
         {
             Begin();
             var broken = AddFile(m_cloud.Path + "-gone", float4x4.identity);

@@ -121,7 +121,7 @@ namespace FastPoints.Tests.Evaluation
             double taken = partBlocks.Values.Sum() / (double)fullBlocks.Values.Sum();
             Assert.That(error.PointsOfCloud, Is.EqualTo(fullBlocks.Values.Sum()));
             Assert.That(error.PointsOfSample, Is.EqualTo(partBlocks.Values.Sum()));
-            var deviations = fullBlocks.Where(c => c.Value >= CellError.FewestPointsOfBlock)
+            var deviations = fullBlocks.Where(c => c.Value >= CellError.MinPointsOfBlock)
                 .Select(c => (partBlocks.TryGetValue(c.Key, out int n) ? n : 0) / (c.Value * taken) - 1).ToArray();
             Assert.That(error.Variation, Is.EqualTo(Math.Sqrt(deviations.Select(d => d * d).Average())).Within(1e-12));
             var fullRegions = ByHand(bounds, cloud, 8);

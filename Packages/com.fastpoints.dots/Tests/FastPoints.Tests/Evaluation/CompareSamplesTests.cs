@@ -29,16 +29,17 @@ namespace FastPoints.Tests.Evaluation
         {
             using var reader = Reader(cloud);
             using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
-            WorkPump.RunToEnd(comparison.Prepare(new StageProgress()));
+            JobCoroutine.RunToEnd(comparison.Prepare(new StageProgress()));
             var errors = new SampleError[samples.Length];
             for (int i = 0; i < samples.Length; i++)
             {
                 using var batch = TestBatches.OfPositions(samples[i]);
                 errors[i] = new SampleError();
-                WorkPump.RunToEnd(comparison.Measure(batch, batch.Count, reader.Info.Transform, comparison.FullViews, errors[i]));
+                JobCoroutine.RunToEnd(comparison.Measure(batch, batch.Count, reader.Info.Transform, comparison.FullViews,
+                    errors[i]));
                 Assert.That(batch.Count, Is.EqualTo(samples[i].Length));
             }
-            WorkPump.RunToEnd(comparison.LookUp(new StageProgress()));
+            JobCoroutine.RunToEnd(comparison.LookUp(new StageProgress()));
             return errors;
         }
 
@@ -96,7 +97,7 @@ namespace FastPoints.Tests.Evaluation
             var error = Measure(cloud, sample)[0];
             using var reader = Reader(cloud);
             using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
-            WorkPump.RunToEnd(comparison.Prepare(null));
+            JobCoroutine.RunToEnd(comparison.Prepare(null));
             double unit = math.length(comparison.Bounds.Size);
             var distances = cloud.Select(p => sample.Min(s => math.distance(s, p)) / unit).OrderBy(d => d).ToArray();
             Assert.That(error.Distance.Rms, Is.EqualTo(Math.Sqrt(distances.Average(d => d * d))).Within(1e-12));
@@ -141,9 +142,9 @@ namespace FastPoints.Tests.Evaluation
             var alone = Measure(cloud, cloud.Take(700).ToArray())[0];
             using var reader = Reader(cloud);
             using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
-            WorkPump.RunToEnd(comparison.Prepare(null));
+            JobCoroutine.RunToEnd(comparison.Prepare(null));
             var error = new SampleError();
-            WorkPump.RunToEnd(comparison.Measure(reader.Points, 700, reader.Info.Transform, null, error));
+            JobCoroutine.RunToEnd(comparison.Measure(reader.Points, 700, reader.Info.Transform, null, error));
             Assert.That(error.Distance, Is.EqualTo(alone.Distance));
             Assert.That(error.Cells, Is.EqualTo(alone.Cells));
             Assert.That(error.Picture, Is.EqualTo(alone.Picture));
@@ -173,7 +174,7 @@ namespace FastPoints.Tests.Evaluation
         {
             using var reader = Reader(Positions(20_000, 1));
             using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
-            var work = new WorkSteps(comparison.Prepare(null));
+            var work = new CoroutineStack(comparison.Prepare(null));
             for (int step = 0; step < steps; step++)
                 Assert.That(work.MoveNext(), Is.True);
             work.Dispose();

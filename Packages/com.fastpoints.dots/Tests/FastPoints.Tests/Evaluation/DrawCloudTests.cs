@@ -20,14 +20,14 @@ namespace FastPoints.Tests.Evaluation
         static DrawCloud Draw(MemoryPointReader reader, PictureOptions options, long budget = 0)
         {
             var draw = new DrawCloud(reader, options, budget);
-            WorkPump.RunToEnd(draw.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(draw.Run(new StageProgress()));
             return draw;
         }
 
         static PreviewCloud Preview(MemoryPointReader reader, PreviewOptions options)
         {
             var preview = new PreviewCloud(reader, options);
-            WorkPump.RunToEnd(preview.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             return preview;
         }
 
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Draw_ModeThatTheSourceLacks_FallsBackAndSaysSo()
+        public void Draw_ModeThatTheSourceLacks_FallsBackAndReportsIt()
         {
             using var reader = new MemoryPointReader(TestBatches.OfPositions(new double3(0, 0, 0), new double3(1, 1, 1)), 10);
             var options = Small();
@@ -130,7 +130,7 @@ namespace FastPoints.Tests.Evaluation
             using var reader = Scan(5000, 1000);
             var progress = new StageProgress();
             using var preview = new PreviewCloud(reader, new PreviewOptions { Picture = Small() });
-            WorkPump.RunToEnd(preview.Run(progress));
+            JobCoroutine.RunToEnd(preview.Run(progress));
             Assert.That(progress.Finished.Select(stage => stage.Name), Is.EqualTo(new[] { "sample", "draw" }));
         }
     }

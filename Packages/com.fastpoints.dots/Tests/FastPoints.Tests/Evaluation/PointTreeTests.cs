@@ -34,7 +34,7 @@ namespace FastPoints.Tests.Evaluation
         static double[] NearestSq(PointBatch batch, double3[] queries)
         {
             using var tree = new PointTree();
-            WorkPump.RunToEnd(tree.Build(batch, batch.Count, PositionTransform.Identity));
+            JobCoroutine.RunToEnd(tree.Build(batch, batch.Count, PositionTransform.Identity));
             using var asked = new NativeArray<double3>(queries, Allocator.Persistent);
             using var distancesSq = new NativeArray<double>(queries.Length, Allocator.Persistent);
             new NearestDistancesJob

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Evaluation
         static int[] Take(MemoryPointReader reader, List<BlockRange> ranges, int wanted)
         {
             using var sampler = new RangeSampler(reader, ranges, wanted);
-            WorkPump.RunToEnd(sampler.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(new StageProgress()));
             using var points = sampler.TakePoints();
             Assert.That(sampler.Points, Is.Null);
             return points.Column<int>(AttributeNames.Z).ToArray().Take(points.Count).ToArray();
@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void SourceThatBreaksOff_GivesWhatIsThere()
+        public void SourceThatEndsEarly_GivesWhatIsThere()
         {
             using var reader = Numbered(10_000, 777, 4321);
             Assert.That(Take(reader, RangeSampler.Whole(reader), 100), Is.EqualTo(Enumerable.Range(0, 44).Select(i => i * 100)));
@@ -84,7 +84,7 @@ namespace FastPoints.Tests.Evaluation
         {
             using var reader = Numbered(100_000, 100);
             using var sampler = new RangeSampler(reader, RangeSampler.Whole(reader), 1000);
-            var work = new WorkSteps(sampler.Run(null));
+            var work = new CoroutineStack(sampler.Run(null));
             for (int step = 0; step < 5; step++)
                 Assert.That(work.MoveNext(), Is.True);
             work.Dispose();

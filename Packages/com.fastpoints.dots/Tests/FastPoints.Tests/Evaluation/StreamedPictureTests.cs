@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Evaluation
             using (var folder = CloudFolder.Open(m_cloud.Path))
             {
                 stored = new DrawStored(folder, Options(camera), 1_000_000);
-                WorkPump.RunToEnd(stored.Run(null));
+                JobCoroutine.RunToEnd(stored.Run(null));
             }
             var streamed = DrawStreamed(camera, null);
             int differ = 0;

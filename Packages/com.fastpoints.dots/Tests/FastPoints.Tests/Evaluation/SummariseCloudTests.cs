@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Evaluation
         static CloudSummary Summarise(MemoryPointReader reader, int slots)
         {
             var cloud = new SummariseCloud(reader);
-            WorkPump.RunToEnd(cloud.Run(new StageProgress(), slots));
+            JobCoroutine.RunToEnd(cloud.Run(new StageProgress(), slots));
             return cloud.Summary;
         }
 
@@ -165,7 +165,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Run_SourceThatBreaksOff_CountsWhatIsThere()
+        public void Run_SourceThatEndsEarly_CountsWhatIsThere()
         {
             using var reader = new MemoryPointReader(TestBatches.Scan(1000, 1), 128, true, 700);
             Assert.That(Summarise(reader, 3).Points, Is.EqualTo(700));

@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Export
         static ExportResult Run(PointReader reader, string path, ExportSettings settings = null)
         {
             ExportResult result = null;
-            WorkPump.RunToEnd(ExportCloud.Run(reader, path, settings ?? new ExportSettings(), r => result = r, null));
+            JobCoroutine.RunToEnd(ExportCloud.Run(reader, path, settings ?? new ExportSettings(), r => result = r, null));
             return result;
         }
 
@@ -235,7 +235,8 @@ namespace FastPoints.Tests.Export
             for (int steps = 0; steps < 60; steps += 7)
             {
                 using var source = Grid();
-                var work = new WorkSteps(ExportCloud.Run(source, m_folder.File("out" + ending), new ExportSettings(), _ => { },
+                var work =
+                    new CoroutineStack(ExportCloud.Run(source, m_folder.File("out" + ending), new ExportSettings(), _ => { },
                     null));
                 bool isRunning = true;
                 for (int i = 0; i < steps && (isRunning = work.MoveNext()); i++)

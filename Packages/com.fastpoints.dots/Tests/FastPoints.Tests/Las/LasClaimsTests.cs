@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_MorePointsThanClaimed_GivesTheClaimedAndSaysSo()
+        public void Open_MorePointsThanClaimed_GivesTheClaimedAndReportsIt()
         {
             using var file = new LasTestFile().RandomPoints(10).SaveWith(CountAt, BitConverter.GetBytes(4));
             using var reader = PointReaders.Open(file.Path);
@@ -121,12 +121,12 @@ namespace FastPoints.Tests.Las
         [TestCase(105, new byte[] { 19, 0 }, FailureCode.BadInput, "record length of point format 0: wanted at least 20, got 19")]
         [TestCase(96, new byte[] { 226, 0, 0, 0 }, FailureCode.BadInput, "offset to point data: wanted at least 227, got 226")]
         [TestCase(96, new byte[] { 0, 0, 0, 255 }, FailureCode.Truncated, "claims 3 points, the file holds 0")]
-        public void Open_UnreadableHeader_IsOneLineThatNamesTheField(int at, byte[] field, FailureCode code, string story)
+        public void Open_UnreadableHeader_IsOneLineThatNamesTheField(int at, byte[] field, FailureCode code, string detail)
         {
             using var file = new LasTestFile().RandomPoints(3).SaveWith(at, field);
             var failure = Failures.Of(() => PointReaders.Open(file.Path).Dispose(), code);
             Assert.That(failure.ByteOffset, Is.GreaterThanOrEqualTo(0));
-            Assert.That(failure.Message, Does.StartWith(file.Path).And.Contain(story));
+            Assert.That(failure.Message, Does.StartWith(file.Path).And.Contain(detail));
         }
 
         [Test]
@@ -197,13 +197,13 @@ namespace FastPoints.Tests.Las
         [TestCase(double.NaN, 1.0, "wanted a box")]
         [TestCase(5.0, 1.0, "wanted a box")]
         [TestCase(0.0, double.PositiveInfinity, "wanted a box")]
-        public void Open_BoundsThatAreNone_AreLeftOutWithAWarning(double min, double max, string story)
+        public void Open_BoundsThatAreNone_AreLeftOutWithAWarning(double min, double max, string detail)
         {
             using var file = new LasTestFile { Min = new[] { min, min, min }, Max = new[] { max, max, max } }.Positions(1, 2, 3)
                 .Save();
             using var reader = PointReaders.Open(file.Path);
             Assert.That(reader.Info.HasBoundsClaimed, Is.False);
-            CheckWarning(reader, 179, story);
+            CheckWarning(reader, 179, detail);
             Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Z), Is.EqualTo(new[] { 3 }));
         }
 
@@ -232,10 +232,10 @@ namespace FastPoints.Tests.Las
             return failure;
         }
 
-        static void CheckWarning(PointReader reader, long at, string story)
+        static void CheckWarning(PointReader reader, long at, string detail)
         {
             Assert.That(reader.Info.Warnings.Count, Is.GreaterThan(0));
-            Assert.That(reader.Info.Warnings.Any(warning => warning.ByteOffset == at && warning.Text.Contains(story)),
+            Assert.That(reader.Info.Warnings.Any(warning => warning.ByteOffset == at && warning.Text.Contains(detail)),
                 string.Join("\n", reader.Info.Warnings));
         }
     }

@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void GeoKeys_GeographicOrUtm_TellTheUnitWithoutAUnitKey()
+        public void GeoKeys_GeographicOrUtm_ReportTheUnitWithoutAUnitKey()
         {
             Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 2, 2048, 0, 1, 4326)).MetresPerUnit, Is.NaN);
             Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 1, 3072, 0, 1, 32633)).MetresPerUnit, Is.EqualTo(1));

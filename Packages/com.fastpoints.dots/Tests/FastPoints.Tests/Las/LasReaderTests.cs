@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Las
         }
 
         [TestCaseSource(nameof(VersionsAndFormats))]
-        public void Open_EachVersionAndFormat_TellsWhatTheHeaderSays(int[] versionAndFormat)
+        public void Open_EachVersionAndFormat_ReportsWhatTheHeaderSays(int[] versionAndFormat)
         {
             var built = new LasTestFile { Minor = versionAndFormat[0], Format = versionAndFormat[1] };
             using var file = built.RandomPoints(7).Save();

@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Laz
         static void Compare(LazChunkList list, List<LazChunk> wanted)
         {
             Assert.That(list.Count, Is.EqualTo(wanted.Count));
-            long points = 0, mostBytes = 0;
+            long points = 0, maxBytes = 0;
             for (int i = 0; i < wanted.Count; i++)
             {
                 Assert.That(list[i], Is.EqualTo(wanted[i]), "chunk " + i);
@@ -18,11 +18,11 @@ namespace FastPoints.Tests.Laz
                 if (list.AreInRow)
                     Assert.That(list.FirstPointOf(i), Is.EqualTo(points));
                 points += wanted[i].Points;
-                mostBytes = Math.Max(mostBytes, wanted[i].Bytes);
+                maxBytes = Math.Max(maxBytes, wanted[i].Bytes);
                 Assert.That(list.MaxPoints, Is.GreaterThanOrEqualTo(wanted[i].Points));
             }
             Assert.That(list.PointCount, Is.EqualTo(points));
-            Assert.That(list.MaxBytes, Is.EqualTo(mostBytes));
+            Assert.That(list.MaxBytes, Is.EqualTo(maxBytes));
         }
 
         /// <param name="equal">So many chunks have as many points as the first one.</param>

@@ -114,10 +114,10 @@ namespace FastPoints.Tests.Laz
 
         [TestCase("broken_coder.laz", FailureCode.Unsupported, "entropy coder: wanted 0, got 15")]
         [TestCase("broken_type.laz", FailureCode.Unsupported, "item type: wanted 0 or 6 to 14, got 22")]
-        public void Open_BrokenSample_SaysWhatIsWrong(string name, FailureCode code, string story)
+        public void Open_BrokenSample_SaysWhatIsWrong(string name, FailureCode code, string detail)
         {
             string path = TestData.SampleOrIgnore("broken/" + name);
-            Failures.Of(() => PointReaders.Open(path).Dispose(), code, story);
+            Failures.Of(() => PointReaders.Open(path).Dispose(), code, detail);
         }
 
         [TestCase("laz/autzen_trim.laz", 110000)]

@@ -20,7 +20,7 @@ namespace FastPoints.Tests.Laz
 
         [TestCase(2, 2), TestCase(3, 4), TestCase(5, 6), TestCase(16, 16), TestCase(33, 33), TestCase(128, 128)]
         [TestCase(64, 256), TestCase(256, 256), TestCase(515, 516)]
-        public void SymbolModel_EncodedSymbols_ComeBack(int symbols, int capacity)
+        public void SymbolModel_EncodedSymbols_RoundTrip(int symbols, int capacity)
         {
             var random = new Random(symbols);
             var wanted = new int[20000];
@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCase(8), TestCase(16), TestCase(32)]
-        public void IntegerModel_EncodedIntegers_ComeBack(int bits)
+        public void IntegerModel_EncodedIntegers_RoundTrip(int bits)
         {
             const int Contexts = 3;
             var random = new Random(bits);
@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCase(1), TestCase(8), TestCase(19), TestCase(20), TestCase(32)]
-        public void Bits_EncodedBits_ComeBack(int bits)
+        public void Bits_EncodedBits_RoundTrip(int bits)
         {
             var random = new Random(bits);
             var wanted = new uint[1000];
@@ -123,11 +123,11 @@ namespace FastPoints.Tests.Laz
                         SymbolModel.Initialize(place, symbols);
                         byte* next = input;
                         RangeCode.Start(out uint value, out uint length, ref next);
-                        bool isSound = true;
+                        bool isValid = true;
                         for (int i = 0; i < 100000 && next < input + 4000; i++)
-                            isSound &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols
+                            isValid &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols
                                 && value < length && length >= 1u << 24;
-                        Assert.That(isSound, Is.True, symbols + " symbols");
+                        Assert.That(isValid, Is.True, symbols + " symbols");
                     }
             }
         }

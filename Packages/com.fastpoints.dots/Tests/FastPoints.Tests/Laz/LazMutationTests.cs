@@ -20,7 +20,7 @@ namespace FastPoints.Tests.Laz
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
         const int CasesPerFile = 60, CasesPerChunk = 400, LongCases = 20000;
-        const int MostPointsOfARange = 3000;
+        const int MaxPointsOfARange = 3000;
 
         static readonly string[] s_samples =
         {
@@ -94,30 +94,30 @@ namespace FastPoints.Tests.Laz
             }
         }
 
-        static void ReadWhatIsThere(string path, long bytes, string story)
+        static void ReadWhatIsThere(string path, long bytes, string detail)
         {
             try
             {
                 using var reader = LazFileReading.Open(path);
-                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(LazChunk.MaxPoints(bytes) + reader.BlockCount), story);
+                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(LazChunk.MaxPoints(bytes) + reader.BlockCount), detail);
                 if (reader.BlockCount == 0)
                     return;
-                int capacity = Math.Min(MostPointsOfARange, reader.MaxPointsPerBlock);
+                int capacity = Math.Min(MaxPointsOfARange, reader.MaxPointsPerBlock);
                 using var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent);
                 for (int block = 0; block < Math.Min(8, reader.BlockCount); block++)
                 {
                     int count = Math.Min(capacity, reader.PointsInBlock(block));
                     read.Begin(new BlockRange(block, 0, count));
                     read.Complete();
-                    Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                    Assert.That(read.Points.Count, Is.InRange(0, count), detail);
                     if (read.Points.Count < count)
-                        Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
+                        Assert.That(reader.Info.Warnings, Is.Not.Empty, detail);
                 }
             }
             catch (PointCloudException failure)
             {
-                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
-                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed, Is.True, story + ": " +
+                Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
+                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed, Is.True, detail + ": " +
                     failure.Message);
             }
         }
@@ -137,7 +137,7 @@ namespace FastPoints.Tests.Laz
         }
 
         /// <summary>Decodes with marked memory behind the state and the tile, which must stay as it is.</summary>
-        static void DecodeWithinBounds(LazItem[] items, int recordBytes, byte[] chunk, int points, string story)
+        static void DecodeWithinBounds(LazItem[] items, int recordBytes, byte[] chunk, int points, string detail)
         {
             const int Guard = 4096;
             const byte Mark = 0xA5;
@@ -168,10 +168,10 @@ namespace FastPoints.Tests.Laz
                 PointwiseChunk.Start((PointwiseChunk*)place);
                 got = PointwiseChunk.Decode((PointwiseChunk*)place, at, chunk.Length, records, points);
             }
-            Assert.That(got, Is.InRange(0, points), story);
-            Assert.That(IsMarked(state, (int)stateBytes, Mark), Is.True, story + ": wrote behind the state");
-            Assert.That(IsMarked(tile, points * recordBytes, Mark), Is.True, story + ": wrote behind the tile");
-            Assert.That(IsMarked(input, chunk.Length, Mark), Is.True, story + ": wrote behind the input");
+            Assert.That(got, Is.InRange(0, points), detail);
+            Assert.That(IsMarked(state, (int)stateBytes, Mark), Is.True, detail + ": wrote behind the state");
+            Assert.That(IsMarked(tile, points * recordBytes, Mark), Is.True, detail + ": wrote behind the tile");
+            Assert.That(IsMarked(input, chunk.Length, Mark), Is.True, detail + ": wrote behind the input");
         }
 
         static NativeArray<byte> Marked(int bytes, int guard, byte mark)

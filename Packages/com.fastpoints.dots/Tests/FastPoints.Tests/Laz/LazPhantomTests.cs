@@ -15,7 +15,7 @@ namespace FastPoints.Tests.Laz
 
         /// <summary>A decoder takes no byte for less than eight bits of points: so many alike ones may be missing at the end of a
         /// file whose header lies.</summary>
-        const int MostAlikeMissing = 1200;
+        const int MaxAlikeMissing = 1200;
 
         /// <summary>By how alike neighbours are: hashed; in steps; steps now and then; all the same.</summary>
         static List<byte[]> Records(int pointFormat, int alike, int count, int seed)
@@ -38,11 +38,11 @@ namespace FastPoints.Tests.Laz
             return (got, reader.Info.Warnings.Count > 0);
         }
 
-        static int CommonPoints(byte[] got, List<byte[]> records, int recordBytes, string story)
+        static int CommonPoints(byte[] got, List<byte[]> records, int recordBytes, string detail)
         {
-            Assert.That(got.Length, Is.LessThanOrEqualTo(records.Count * recordBytes), story + ": points that nobody wrote");
+            Assert.That(got.Length, Is.LessThanOrEqualTo(records.Count * recordBytes), detail + ": points that nobody wrote");
             for (int i = 0; i < got.Length; i++)
-                Assert.That(got[i], Is.EqualTo(records[i / recordBytes][i % recordBytes]), story + ": point " + i / recordBytes);
+                Assert.That(got[i], Is.EqualTo(records[i / recordBytes][i % recordBytes]), detail + ": point " + i / recordBytes);
             return got.Length / recordBytes;
         }
 
@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Laz
         [TestCase(LazTablePlace.AtOffset), TestCase(LazTablePlace.AtFileEnd), TestCase(LazTablePlace.Missing)]
         public void Read_HeaderClaimsMoreThanTheLastChunkHas_GivesNoPhantoms(LazTablePlace table)
         {
-            int exact = 0, files = 0, same = 0, mostMissing = 0;
+            int exact = 0, files = 0, same = 0, maxMissing = 0;
             for (int seed = 0; seed < 240; seed++)
             {
                 int count = 1 + seed * 37 % 150, alike = seed / 12 % 4;
@@ -75,25 +75,25 @@ namespace FastPoints.Tests.Laz
                 if (room == 0)
                     continue;
                 writer.Claims = count + 1 + seed % room;
-                string story = table + ", seed " + seed;
+                string detail = table + ", seed " + seed;
                 var file = writer.Write(records);
-                var (got, isTold) = Read(file);
+                var (got, isReported) = Read(file);
                 if (got.Length > count * writer.RecordBytes)
                 {
                     // As many as are claimed, and with them the file would be no other: nobody can tell.
-                    Assert.That(writer.Write(Split(got, writer.RecordBytes)), Is.EqualTo(file), story);
+                    Assert.That(writer.Write(Split(got, writer.RecordBytes)), Is.EqualTo(file), detail);
                     same++;
                     continue;
                 }
-                Assert.That(isTold, Is.True, story);
-                int missing = count - CommonPoints(got, records, writer.RecordBytes, story);
-                mostMissing = Math.Max(mostMissing, missing);
+                Assert.That(isReported, Is.True, detail);
+                int missing = count - CommonPoints(got, records, writer.RecordBytes, detail);
+                maxMissing = Math.Max(maxMissing, missing);
                 if (alike == 0)
-                    Assert.That(missing, Is.EqualTo(0), story);
+                    Assert.That(missing, Is.EqualTo(0), detail);
                 files++;
                 exact += missing == 0 ? 1 : 0;
             }
-            TestContext.WriteLine(table + ": " + files + " files, " + exact + " exact, at most " + mostMissing
+            TestContext.WriteLine(table + ": " + files + " files, " + exact + " exact, at most " + maxMissing
                 + " missing; " + same + " that would be no other with the points claimed");
             Assert.That(exact, Is.GreaterThan(files / 2));
         }
@@ -107,17 +107,17 @@ namespace FastPoints.Tests.Laz
                 writer.ChunkPoints = new int[0];
                 var records = Records(writer.PointFormat, alike, 8000 / (1 + seed), seed);
                 writer.Claims = 4000000000;
-                string story = "alike " + alike + ", seed " + seed;
-                var (got, isTold) = Read(writer.Write(records));
-                Assert.That(isTold, Is.True, story);
-                int missing = records.Count - CommonPoints(got, records, writer.RecordBytes, story);
-                TestContext.WriteLine(story + ": " + missing + " of " + records.Count + " missing");
-                Assert.That(missing, Is.LessThanOrEqualTo(alike == 0 ? 0 : MostAlikeMissing), story);
+                string detail = "alike " + alike + ", seed " + seed;
+                var (got, isReported) = Read(writer.Write(records));
+                Assert.That(isReported, Is.True, detail);
+                int missing = records.Count - CommonPoints(got, records, writer.RecordBytes, detail);
+                TestContext.WriteLine(detail + ": " + missing + " of " + records.Count + " missing");
+                Assert.That(missing, Is.LessThanOrEqualTo(alike == 0 ? 0 : MaxAlikeMissing), detail);
             }
         }
 
         [Test]
-        public void Read_CutAnywhere_GivesWhatWasWrittenAndSaysSo([Values(LazTablePlace.AtOffset, LazTablePlace.Missing)]
+        public void Read_CutAnywhere_GivesWhatWasWrittenAndReportsIt([Values(LazTablePlace.AtOffset, LazTablePlace.Missing)]
             LazTablePlace table)
         {
             for (int seed = 0; seed < 120; seed++)
@@ -128,13 +128,13 @@ namespace FastPoints.Tests.Laz
                 long first = writer.Chunks[0].Offset + writer.RecordBytes + 4;
                 var cut = new byte[first + seed * 31 % (whole.Length - first - 1)];
                 Array.Copy(whole, cut, cut.Length);
-                string story = table + ", seed " + seed;
-                var (got, isTold) = Read(cut);
-                int common = CommonPoints(got, records, writer.RecordBytes, story);
-                Assert.That(isTold || common == records.Count, Is.True, story);
+                string detail = table + ", seed " + seed;
+                var (got, isReported) = Read(cut);
+                int common = CommonPoints(got, records, writer.RecordBytes, detail);
+                Assert.That(isReported || common == records.Count, Is.True, detail);
                 foreach (var (offset, bytes) in writer.Chunks)
                     if (offset + bytes <= cut.Length)
-                        Assert.That(common, Is.GreaterThanOrEqualTo(Math.Min(records.Count, ChunkPoints)), story);
+                        Assert.That(common, Is.GreaterThanOrEqualTo(Math.Min(records.Count, ChunkPoints)), detail);
             }
         }
 
@@ -155,8 +155,8 @@ namespace FastPoints.Tests.Laz
                     Array.Resize(ref bytes, (int)tableAt);
                     Array.Resize(ref bytes, (int)tableAt + 5000);
                 }
-                var (got, isTold) = Read(bytes);
-                Assert.That(isTold, Is.True, "seed " + seed);
+                var (got, isReported) = Read(bytes);
+                Assert.That(isReported, Is.True, "seed " + seed);
                 Assert.That(CommonPoints(got, records, writer.RecordBytes, "seed " + seed),
                     Is.EqualTo(records.Count), "seed " + seed);
             }

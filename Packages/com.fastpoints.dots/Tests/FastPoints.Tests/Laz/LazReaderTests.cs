@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Open_VariablePointwiseChunksWithoutTable_SaysSo()
+        public void Open_VariablePointwiseChunksWithoutTable_ReportsIt()
         {
             var writer = new LazFileWriter
             {
@@ -199,7 +199,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_NoiseInAChunk_IsToldAndTheOthersAreWhole()
+        public void Read_NoiseInAChunk_IsReportedAndTheOthersAreWhole()
         {
             var records = LazRecords.Make(3, 0, 900, 16);
             var writer = new LazFileWriter { PointFormat = 3, ChunkPoints = new[] { 300 } };
@@ -235,7 +235,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCase(2), TestCase(6)]
-        public void Read_CutFile_GivesWhatItHoldsAndSaysSo(int format)
+        public void Read_CutFile_GivesWhatItHoldsAndReportsIt(int format)
         {
             var records = LazRecords.Make(format, 0, 2000, 61);
             var writer = new LazFileWriter { PointFormat = format, ItemVersion = format < 6 ? 2 : 3 };

@@ -47,7 +47,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void PlanLazReads_SizesThatLie_StayInsideTheChunkAndTheBuffer()
+        public void PlanLazReads_SizesThatAreFalse_StayInsideTheChunkAndTheBuffer()
         {
             var random = new Random(5);
             for (int i = 0; i < 500; i++)

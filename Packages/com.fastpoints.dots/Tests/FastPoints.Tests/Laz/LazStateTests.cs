@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void KeepState_NotAskedForBefore_SaysSo()
+        public void KeepState_NotAskedForBefore_ReportsIt()
         {
             using var file = Save(2, 100, 100);
             using var reader = PointReaders.Open(file.Path);

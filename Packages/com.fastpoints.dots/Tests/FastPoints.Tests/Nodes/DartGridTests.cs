@@ -33,14 +33,14 @@ namespace FastPoints.Tests.Nodes
                         ulong dart = grid.DartOf(place, 0);
                         bool isNear = false;
                         int nearest = -1;
-                        double least = double.PositiveInfinity;
+                        double min = double.PositiveInfinity;
                         for (int s = 0; s < count; s++)
                         {
                             double distance = DistanceSq(samples[s], place, cell, out double nearSq);
                             isNear |= distance < nearSq;
-                            if (distance >= nearSq || distance >= least)
+                            if (distance >= nearSq || distance >= min)
                                 continue;
-                            least = distance;
+                            min = distance;
                             nearest = s;
                         }
                         Assert.That(grid.IsNear(dart), Is.EqualTo(isNear));

@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Nodes
             using var reader = new VirtualReader(Points);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
             SourceSample sample = null;
-            WorkPump.RunToEnd(SourceSample.Read(reader, () => 0, 0, 1 << 20, (_, loaded) => loaded, s => sample = s));
+            JobCoroutine.RunToEnd(SourceSample.Read(reader, () => 0, 0, 1 << 20, (_, loaded) => loaded, s => sample = s));
             using (sample)
             {
                 double weight = sample.Runs[0].Weight;
@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Nodes
                 Assert.That(plan.IsStored, Is.True);
                 PartitionMap map = null;
                 using (var slices = new SliceTimes(Allocator.Persistent))
-                    WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, slices,
+                    JobCoroutine.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, slices,
                         m => map = m));
                 using (map)
                 {
@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Nodes
                     // A run of the sample is in one cell and stands for 20 million points: no estimate is finer.
                     Assert.That(points.Max(), Is.LessThan(4.0 * plan.PointsPerPartition));
                     // Each has a page, and there is room for more.
-                    Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MostPages));
+                    Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MaxPages));
                 }
             }
         }
@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Convert_MorePointsThanTheDiskHasRoomFor_SaysSoBeforeItReadsThem()
+        public void Convert_MorePointsThanTheDiskHasRoomFor_ReportsItBeforeItReadsThem()
         {
             // 200 TB of records.
             using var folder = new TemporaryFolder();
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Nodes
             {
                 var work = ConvertCloud.Run(new[] { reader }, folder.File("cloud.fastpoints"), new ConvertSettings(),
                     r => { }, null);
-                Failures.Of(() => WorkPump.RunToEnd(work), FailureCode.DiskFull, "too little room");
+                Failures.Of(() => JobCoroutine.RunToEnd(work), FailureCode.DiskFull, "too little room");
             }
             FileChanges.AwaitDeletes();
             Assert.That(Directory.GetFileSystemEntries(folder.Path), Is.Empty);

@@ -67,12 +67,12 @@ namespace FastPoints.Tests.Nodes
 
         /// <summary>Bytes of the slots that there are, in the source and as columns, and the most that there were.</summary>
         public long SlotBytes { get; private set; }
-        public long MostSlotBytes { get; private set; }
+        public long MaxSlotBytes { get; private set; }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             SlotBytes += BytesOfSlot(wanted);
-            MostSlotBytes = Math.Max(MostSlotBytes, SlotBytes);
+            MaxSlotBytes = Math.Max(MaxSlotBytes, SlotBytes);
             return new Slot(this, wanted, capacity, allocator);
         }
 
@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Nodes
 
             public override unsafe void Begin(BlockRange range)
             {
-                m_reader.BlocksBehindNone += After.Equals(default) ? 1 : 0;
+                m_reader.BlocksBehindNone += Dependency.Equals(default) ? 1 : 0;
                 Range = range;
                 FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
                 var bytes = Points.Bytes;

@@ -63,10 +63,10 @@ namespace FastPoints.Tests.Nodes
         /// <summary>Records with seven bytes of attributes, a few of which differ.</summary>
         static byte[] Bytes(Grid3[] places, uint seed, out RecordLayout layout)
         {
-            long most = 0;
+            long max = 0;
             foreach (var place in places)
-                most |= place.X | place.Y | place.Z;
-            layout = new RecordLayout(most >> 32 != 0, s_corner - new Grid3(3, 2, 1), 7);
+                max |= place.X | place.Y | place.Z;
+            layout = new RecordLayout(max >> 32 != 0, s_corner - new Grid3(3, 2, 1), 7);
             var random = new Unity.Mathematics.Random(seed);
             var bytes = new byte[places.Length * layout.StrideBytes];
             fixed (byte* records = bytes)
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Nodes
                 {
                     byte* record = records + i * layout.StrideBytes;
                     var place = s_corner + places[i];
-                    layout.SetPlace(record, place.X, place.Y, place.Z);
+                    layout.SetPosition(record, place.X, place.Y, place.Z);
                     layout.AttributesOf(record)[0] = (byte)random.NextInt(2);
                     layout.AttributesOf(record)[6] = (byte)random.NextInt(3);
                 }

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Nodes
             };
             var record = (byte*)records.GetUnsafePtr();
             for (int i = 0; i < count; i++)
-                layout.SetPlace(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
+                layout.SetPosition(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
             SampleInputs.Prepare(record, 0, count, layout, default, (byte*)common.GetUnsafePtr(), (uint*)priority.GetUnsafePtr());
             var job = new SampleNodesJob
             {
@@ -78,15 +78,15 @@ namespace FastPoints.Tests.Nodes
         static Grid3[] Sorted(IReadOnlyList<Grid3> places, out int side)
         {
             var sorted = new Grid3[places.Count];
-            long most = 0;
+            long max = 0;
             for (int i = 0; i < sorted.Length; i++)
             {
                 sorted[i] = places[i];
-                most |= sorted[i].X | sorted[i].Y | sorted[i].Z;
+                max |= sorted[i].X | sorted[i].Y | sorted[i].Z;
             }
             Array.Sort(sorted, MortonOrder.Compare);
             side = 0;
-            while (most >> side != 0)
+            while (max >> side != 0)
                 side++;
             return sorted;
         }

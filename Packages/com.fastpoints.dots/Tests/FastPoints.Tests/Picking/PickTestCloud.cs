@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Picking
         public static PickResult Find(PointPicker picker, PickRay ray, CloudPlacement placement, PickOptions options = null)
         {
             var result = new PickResult();
-            WorkPump.RunToEnd(picker.Find(ray, placement, options, result));
+            JobCoroutine.RunToEnd(picker.Find(ray, placement, options, result));
             return result;
         }
 
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Picking
         }
 
         /// <summary>Back to the source's own numbers.</summary>
-        public static int3 StoredOf(PickedPoint point) => (int3)math.round((point.PlaceGeo - OriginGeo) / Scale);
+        public static int3 StoredOf(PickedPoint point) => (int3)math.round((point.PositionGeo - OriginGeo) / Scale);
 
         public void Dispose() => m_cloud.Dispose();
     }

@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Picking
                 Assert.That(found.Point.Distance, Is.EqualTo(distance).Within(1e-8 * unit + 1e-9));
                 if (next - distance > 1e-7 * unit)
                     Assert.That(PickTestCloud.StoredOf(found.Point), Is.EqualTo(m_cloud.Places[first]));
-                Assert.That(math.distance(found.Point.PlaceWorld, ToWorld(found.Point.PlaceGeo)), Is.LessThan(1e-8));
+                Assert.That(math.distance(found.Point.PositionWorld, ToWorld(found.Point.PositionGeo)), Is.LessThan(1e-8));
             }
             Assert.That(hits, Is.InRange(15, 39), "some hit and some miss");
         }
@@ -92,7 +92,7 @@ namespace FastPoints.Tests.Picking
                 var ray = PickRay.FromEye(m_cloud.Geo(point) - 0.01 * direction, direction, 1000, 3);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo).Point;
                 Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Places[point]));
-                Assert.That(found.PlaceGeo, Is.EqualTo(m_cloud.Geo(point)), "not a digit is lost");
+                Assert.That(found.PositionGeo, Is.EqualTo(m_cloud.Geo(point)), "not a digit is lost");
                 Assert.That(found.Distance, Is.EqualTo(0.01).Within(2e-9));
             }
         }
@@ -169,7 +169,7 @@ namespace FastPoints.Tests.Picking
             var ray = PickRay.FromEye(m_cloud.Geo(5) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 1);
             var options = EveryPoint;
             Assert.That(PickTestCloud.Find(m_picker, ray, m_geo, options).NodesRead, Is.GreaterThan(2));
-            options.MostBytes = 1;
+            options.MaxBytes = 1;
             var found = PickTestCloud.Find(m_picker, ray, m_geo, options);
             Assert.That(found.IsPartial, Is.True);
             Assert.That(found.NodesRead, Is.EqualTo(1));
@@ -186,7 +186,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_BrokenOff_LeavesNothingAndCanBeginAgain()
+        public void Find_Aborted_LeavesNothingAndCanBeginAgain()
         {
             var ray = PickRay.FromEye(m_cloud.Geo(7) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
             Find(m_cloud, ray, steps: -1);
@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Picking
             void Find(PickTestCloud cloud, PickRay of, int steps)
             {
                 using var picker = cloud.Picker();
-                using (var work = new WorkSteps(picker.Find(of, m_geo, EveryPoint, new PickResult())))
+                using (var work = new CoroutineStack(picker.Find(of, m_geo, EveryPoint, new PickResult())))
                     for (int step = 0; step < steps && work.MoveNext(); step++)
                         if (step + 1 < steps)
                             work.Current.Complete();

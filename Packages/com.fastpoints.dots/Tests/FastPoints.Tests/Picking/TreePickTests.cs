@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Picking
     /// cloud is right (<see cref="PointPickerTests"/>), and they are the same.</summary>
     public sealed class TreePickTests
     {
-        const int MostFrames = 10_000_000;
+        const int MaxFrames = 10_000_000;
 
         static PickOptions EveryPoint => new PickOptions { FinestSpacing = 0 };
 
@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Picking
             options.HiddenClasses = ClassMask.Of(0, 1, 2, 3);
             foreach (var found in Compare(cloud.Path, 60, options))
             {
-                Assert.That(found.PlaceGeo.x, Is.GreaterThan(middle));
+                Assert.That(found.PositionGeo.x, Is.GreaterThan(middle));
                 Assert.That(found.Attributes.Single(a => a.Attribute.Name == AttributeNames.Classification).Value,
                     Is.GreaterThan(3));
             }
@@ -91,10 +91,10 @@ namespace FastPoints.Tests.Picking
                         continue;
                     found.Add(got);
                     Assert.That(got.Distance, Is.EqualTo(want.Distance).Within(1e-12 * (want.Distance + math.length(eye))));
-                    Assert.That(got.PlaceGeo, Is.EqualTo(want.PlaceGeo), "not a digit is lost");
+                    Assert.That(got.PositionGeo, Is.EqualTo(want.PositionGeo), "not a digit is lost");
                     Assert.That(got.Attributes.Select(a => a.Attribute), Is.EqualTo(want.Attributes.Select(a => a.Attribute)));
                     // Of several points at one place it may be another.
-                    if (all.Count(p => p.Equals(got.PlaceGeo)) == 1)
+                    if (all.Count(p => p.Equals(got.PositionGeo)) == 1)
                         Assert.That(got.Attributes.Select(a => a.ToString()),
                             Is.EqualTo(want.Attributes.Select(a => a.ToString())));
                 }
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Picking
             var places = new List<double3>();
             using (var reader = PointReaders.Open(path))
             {
-                WorkPump.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.FindBlocks());
                 ReadPoints.EachBlock(reader, reader.Info.Schema.Select("X", "Y", "Z"), read =>
                 {
                     var positions = PositionColumns.Of(read.Points);
@@ -127,7 +127,7 @@ namespace FastPoints.Tests.Picking
         static PointPicker PickerOf(NodeSource streamed)
         {
             NodeSource source = null;
-            WorkPump.RunToEnd(streamed.OpenForPicking(opened => source = opened));
+            JobCoroutine.RunToEnd(streamed.OpenForPicking(opened => source = opened));
             return new PointPicker(source);
         }
 
@@ -145,7 +145,7 @@ namespace FastPoints.Tests.Picking
             var whole = PickTestCloud.Find(picker, ray, Geo(picker), options);
             Assert.That(whole.NodesRead, Is.GreaterThan(3));
             Assert.That(whole.IsPartial, Is.False);
-            options.MostBytes = 1;
+            options.MaxBytes = 1;
             var found = PickTestCloud.Find(picker, ray, Geo(picker), options);
             Assert.That(found.IsPartial, Is.True);
             Assert.That(found.NodesRead, Is.InRange(1, 2));
@@ -178,7 +178,7 @@ namespace FastPoints.Tests.Picking
 
         /// <summary>At any moment of a search: everything is freed, whatever is under way.</summary>
         [Test]
-        public void Find_BrokenOff_LeavesNothingAndCanBeginAgain(
+        public void Find_Aborted_LeavesNothingAndCanBeginAgain(
             [Values(TreeTestCloud.Copc, TreeTestCloud.EptLaz, TreeTestCloud.Potree2)] string kind)
         {
             using var cloud = new TreeTestCloud(kind);
@@ -189,15 +189,15 @@ namespace FastPoints.Tests.Picking
             for (int steps = 0; steps < 30; steps++)
             {
                 using var picker = PickerOf(streamed);
-                using (var work = new WorkSteps(picker.Find(ray, Geo(picker), EveryPoint, new PickResult())))
+                using (var work = new CoroutineStack(picker.Find(ray, Geo(picker), EveryPoint, new PickResult())))
                     for (int step = 0; step < steps && work.MoveNext(); step++)
                         if (step + 1 < steps)
                             work.Current.Complete();
                 if (steps % 10 == 0)
-                    Assert.That(PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint).Point.PlaceGeo, Is.EqualTo(at));
+                    Assert.That(PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint).Point.PositionGeo, Is.EqualTo(at));
             }
             for (int steps = 0; steps < 4; steps++)
-                using (var opening = new WorkSteps(streamed.OpenForPicking(opened => opened.Dispose())))
+                using (var opening = new CoroutineStack(streamed.OpenForPicking(opened => opened.Dispose())))
                     for (int step = 0; step < steps && opening.MoveNext(); step++)
                         opening.Current.Complete();
             Assert.That(() => UnsafeUtility.CheckForLeaks(), Is.Zero.After(10_000, 10), "what opens is disposed when it has");
@@ -206,7 +206,7 @@ namespace FastPoints.Tests.Picking
         static StreamPick Find(StreamPicker picker, StreamContext stream, PickRay ray)
         {
             picker.Begin(stream, ray);
-            for (int frame = 0; frame < MostFrames && !picker.Update(); frame++)
+            for (int frame = 0; frame < MaxFrames && !picker.Update(); frame++)
                 Thread.Yield();
             Assert.That(picker.IsSearching, Is.False);
             return picker.Pick;
@@ -230,21 +230,21 @@ namespace FastPoints.Tests.Picking
 
             Assert.That(pick.Failure, Is.Null);
             Assert.That(pick.Cloud, Is.EqualTo(number));
-            Assert.That(pick.Point.PlaceGeo, Is.EqualTo(at));
+            Assert.That(pick.Point.PositionGeo, Is.EqualTo(at));
             Assert.That(pick.Path, Is.EqualTo(copc.Path));
             Assert.That(pick.IsPreview, Is.False);
             // Removed while it is searched: the search goes on with files of its own.
             picker.Begin(stream, ray);
             stream.Remove(number);
-            stream.TidyUp();
-            for (int frame = 0; frame < MostFrames && !picker.Update(); frame++)
+            stream.Trim();
+            for (int frame = 0; frame < MaxFrames && !picker.Update(); frame++)
                 Thread.Yield();
-            Assert.That(picker.Pick.Point.PlaceGeo, Is.EqualTo(at));
+            Assert.That(picker.Pick.Point.PositionGeo, Is.EqualTo(at));
             Assert.That(Find(picker, stream, ray).Point, Is.Null, "it is gone");
         }
 
         [Test]
-        public void StreamPicker_FileGone_TellsAndGoesOnWithTheOthers()
+        public void StreamPicker_FileMissing_ReportsAndGoesOnWithTheOthers()
         {
             using var folder = new StreamedTestCloud(20_000, 4000);
             using var copc = new TreeTestCloud(TreeTestCloud.Copc);
@@ -273,7 +273,7 @@ namespace FastPoints.Tests.Picking
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = taken });
             using var stream = StreamedTestCloud.Stream();
             using var picker = new StreamPicker();
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
             int number = stream.Add(source, StreamedTestCloud.Geo(source));
             var middle = preview.Sample.Bounds.Center;
@@ -283,9 +283,9 @@ namespace FastPoints.Tests.Picking
 
             Assert.That(pick.Point, Is.Not.Null);
             Assert.That(pick.IsPreview, Is.EqualTo(isPreview));
-            Assert.That(isPreview || pick.Point.PlaceGeo.z == 6, Is.True, "the highest within the ray's width");
+            Assert.That(isPreview || pick.Point.PositionGeo.z == 6, Is.True, "the highest within the ray's width");
             stream.Remove(number);
-            stream.TidyUp();
+            stream.Trim();
             Assert.That(stream.Clouds[number], Is.Null);
             Assert.That(Find(picker, stream, ray).Point, Is.Null);
         }

@@ -53,9 +53,9 @@ namespace FastPoints.Tests.Picture
             for (int i = 0; i < outline.Length; i++)
                 outline[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)));
             var box = new BoundsGeo(new double3(-50, -50, -50), new double3(50, 50, 50));
-            foreach (int strays in new[] { 0, 4 })
+            foreach (int outliers in new[] { 0, 4 })
             {
-                for (int i = 0; i < strays; i++)
+                for (int i = 0; i < outliers; i++)
                     outline[i] = new double3(i < 2 ? 50 : -50, 40, 30);
                 foreach (ViewDirection view in Enum.GetValues(typeof(ViewDirection)))
                 {
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Picture
                         lowest = Math.Max(lowest, y);
                         highest = Math.Min(highest, y);
                     }
-                    Assert.That(lowest - highest, Is.GreaterThan(250), view + ", " + strays + " strays");
+                    Assert.That(lowest - highest, Is.GreaterThan(250), view + ", " + outliers + " strays");
                     Assert.That((lowest + highest) / 2, Is.EqualTo(150).Within(8));
                 }
             }

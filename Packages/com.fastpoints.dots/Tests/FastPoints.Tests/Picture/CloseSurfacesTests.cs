@@ -16,9 +16,9 @@ namespace FastPoints.Tests.Picture
 
         /// <summary>Sizes of the tiles that a cell of 16 units at (x, 0, z) fills, seen along z with a pixel a unit; others keep
         /// 1.</summary>
-        static float[] Close(params ThinCell[] cells)
+        static float[] Close(params SparseCell[] cells)
         {
-            using var drawn = new NativeArray<ThinCell>(cells, Allocator.TempJob);
+            using var drawn = new NativeArray<SparseCell>(cells, Allocator.TempJob);
             using var sizes = new NativeArray<float>(Edge * Edge / PointSizing.PixelsPerTile, Allocator.TempJob);
             var all = sizes;
             for (int tile = 0; tile < all.Length; tile++)
@@ -42,8 +42,8 @@ namespace FastPoints.Tests.Picture
             return sizes.ToArray();
         }
 
-        static ThinCell Cell(double x, double z, double points) =>
-            new ThinCell { Center = new double3(x, 0, z), Edge = 16, PointsDrawn = points };
+        static SparseCell Cell(double x, double z, double points) =>
+            new SparseCell { Center = new double3(x, 0, z), Edge = 16, PointsDrawn = points };
 
         [Test]
         public void Sizes_OfAThinSurface_GrowAndNoOthers()

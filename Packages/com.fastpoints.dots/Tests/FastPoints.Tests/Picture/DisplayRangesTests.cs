@@ -12,7 +12,7 @@ namespace FastPoints.Tests.Picture
         static DisplayRanges Measure(PointBatch batch)
         {
             var ranges = new DisplayRanges();
-            WorkPump.RunToEnd(ranges.Measure(batch, PositionTransform.Identity, UpAxis.Z));
+            JobCoroutine.RunToEnd(ranges.Measure(batch, PositionTransform.Identity, UpAxis.Z));
             return ranges;
         }
 
@@ -52,21 +52,21 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_EightBitsInSixteen_SaysSo()
+        public void Measure_EightBitsInSixteen_ReportsIt()
         {
             using var batch = Colored(AttributeType.UInt16, 10, 255);
             Assert.That(Measure(batch).Assumptions, Has.Some.Contains("read as 8-bit"));
         }
 
         [Test]
-        public void Measure_BlackColour_SaysSo()
+        public void Measure_BlackColour_ReportsIt()
         {
             using var batch = Colored(AttributeType.UInt16, 0, 0);
             Assert.That(Measure(batch).Assumptions, Has.Some.Contains("black"));
         }
 
         [Test]
-        public void Measure_FewStrays_DoNotSpreadTheRobustBounds()
+        public void Measure_FewOutliers_DoNotSpreadTheRobustBounds()
         {
             var positions = new double3[10_000];
             var random = new Unity.Mathematics.Random(21);
@@ -93,9 +93,9 @@ namespace FastPoints.Tests.Picture
             Assert.That(ranges.IntensityHigh, Is.InRange(3900, 4000));
             Assert.That(ranges.Color, Is.EqualTo(ColorDepth.Bits16));
             ranges.Color = ColorDepth.None;
-            ranges.IntensityTells = true;
+            ranges.IsIntensityUseful = true;
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Intensity));
-            ranges.IntensityTells = false;
+            ranges.IsIntensityUseful = false;
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Elevation));
             Assert.That(ranges.Resolve(ColorMode.Classification), Is.EqualTo(ColorMode.Classification));
         }
@@ -141,25 +141,25 @@ namespace FastPoints.Tests.Picture
                 if (i % 3 == 0)
                     positions[i][axis] = random.NextDouble(0, 1);
             }
-            Assert.That(UpGuess.Of(positions, out string why), Is.EqualTo((UpAxis)axis));
-            Assert.That(why, Does.Match("^[XYZ] is taken for up: [34]. % of the points lie in one plane across it$"));
+            Assert.That(UpGuess.Of(positions, out string reason), Is.EqualTo((UpAxis)axis));
+            Assert.That(reason, Does.Match("^[XYZ] is taken for up: [34]. % of the points lie in one plane across it$"));
         }
 
         [Test]
-        public void UpGuess_NoPlane_IsZAndSaysSo()
+        public void UpGuess_NoPlane_IsZAndReportsIt()
         {
             var random = new Unity.Mathematics.Random(3);
             var ball = new double3[4000];
             for (int i = 0; i < ball.Length; i++)
                 ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)));
-            Assert.That(UpGuess.Of(ball, out string why), Is.EqualTo(UpAxis.Z));
-            Assert.That(why, Does.Contain("no plane"));
+            Assert.That(UpGuess.Of(ball, out string reason), Is.EqualTo(UpAxis.Z));
+            Assert.That(reason, Does.Contain("no plane"));
             Assert.That(UpGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
         }
 
         /// <summary>Ground with a thin tower, and one point far away.</summary>
         [Test]
-        public void Measure_FarthestPoints_AreInTheRimButForStrays()
+        public void Measure_FarthestPoints_AreInTheRimButForOutliers()
         {
             var random = new Unity.Mathematics.Random(5);
             var positions = new double3[30_000];
@@ -196,7 +196,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_NoFinitePosition_HasNoBoundsAndSaysSo()
+        public void Measure_NoFinitePosition_HasNoBoundsAndReportsIt()
         {
             using var batch = TestBatches.OfPositions(new double3(double.NaN, 0, 0), new double3(0, double.PositiveInfinity, 0));
             var ranges = Measure(batch);

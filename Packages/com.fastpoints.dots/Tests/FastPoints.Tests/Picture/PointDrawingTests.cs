@@ -175,7 +175,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void DepthBits_AnyDepths_OrderAsTheyDoAndComeBack()
+        public void DepthBits_AnyDepths_OrderAsTheyDoAndRoundTrip()
         {
             float[] depths = { -1e30f, -1, -1e-40f, 0, 1e-40f, 1e-3f, 1, 1.0000001f, 1e30f };
             for (int i = 0; i < depths.Length; i++)

@@ -22,10 +22,10 @@ namespace FastPoints.Tests.Picture
 
         [TestCase(1, 1, 1), TestCase(0.95, 1, 1.2), TestCase(0.2, 3.5, 4.4), TestCase(0.1, 5, 6)]
         [TestCase(0.01, 8, 9), TestCase(0.001, 12, 12), TestCase(0, 1, 1)]
-        public void Choose_EvenPicture_GrowsWithTheGaps(double share, double least, double most)
+        public void Choose_EvenPicture_GrowsWithTheGaps(double share, double min, double max)
         {
             using var canvas = Chosen(share, share);
-            Assert.That(canvas.TypicalSizePx, Is.InRange(least, most));
+            Assert.That(canvas.TypicalSizePx, Is.InRange(min, max));
             foreach (float size in canvas.SizeOfTile)
                 Assert.That(size, Is.InRange(1, System.Math.Min(System.Math.Max(6, canvas.TypicalSizePx),
                     2 * canvas.TypicalSizePx + 1)));
@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Choose_FewStraysBesideASurface_StaySmall()
+        public void Choose_FewOutliersBesideASurface_StaySmall()
         {
             using var canvas = Chosen(0.97, 0.001);
             foreach (float size in canvas.SizeOfTile)

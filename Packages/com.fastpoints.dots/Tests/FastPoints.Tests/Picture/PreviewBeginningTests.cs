@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Picture
         {
             options.Points = 2000;
             var preview = new PreviewCloud(reader, options);
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             return preview;
         }
 
@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Picture
             sample.Points.Column<int>(AttributeNames.X).ToArray().Take(sample.Count).ToArray();
 
         [TestCase(400, 1200), TestCase(3000, 1000), TestCase(0, 1000), TestCase(Points, 1000)]
-        public void FindBeginnings_BlocksUnknown_AreTheFirstPointsUntilAllAreFound(int chunkPoints, int expected)
+        public void FindPrefixes_BlocksUnknown_AreTheFirstPointsUntilAllAreFound(int chunkPoints, int expected)
         {
             var writer = Writer(chunkPoints);
             var records = LazRecords.Make(3, 0, Points, 5);
@@ -50,21 +50,21 @@ namespace FastPoints.Tests.Picture
             using var reader = Open(file);
             var layout = LazFileReading.LayoutOf(file.Path);
             Assert.That(reader.HasPrefixes, Is.True);
-            WorkPump.RunToEnd(reader.FindPrefixes());
+            JobCoroutine.RunToEnd(reader.FindPrefixes());
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.PointCount, Is.EqualTo(expected));
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout),
                 all.Take(expected * writer.RecordBytes).ToArray(), writer.RecordBytes), Is.Null);
             int warnings = reader.Info.Warnings.Count;
 
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.HasPrefixes, Is.False);
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), all, writer.RecordBytes), Is.Null);
             Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));
         }
 
         [TestCase(400, 1200), TestCase(0, 1000)]
-        public void QuickPreview_BlocksUnknown_IsOfTheBeginningAndSaysSo(int chunkPoints, int expected)
+        public void QuickPreview_BlocksUnknown_IsOfTheBeginningAndReportsIt(int chunkPoints, int expected)
         {
             using var file = new TemporaryFile(Writer(chunkPoints).Write(LazRecords.Make(3, 0, Points, 5)), ".laz");
             using var reader = Open(file);

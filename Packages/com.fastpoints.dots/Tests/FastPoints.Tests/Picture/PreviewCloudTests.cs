@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Picture
                 Assert.That(places.ToArray().Take(sample.Count).Max() - places.ToArray().Take(sample.Count).Min(),
                     Is.GreaterThan(700));
             };
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             // 2,000 and 20,000 of prefixes, a fifth, a half, all.
             Assert.That(waves, Has.Count.EqualTo(5));
             Assert.That(waves, Is.EqualTo(preview.Waves));
@@ -56,7 +56,7 @@ namespace FastPoints.Tests.Picture
             using var reader = new MemoryPointReader(batch, 1000, fixedStride: false);
             reader.Info.Crs.MetresPerUnit = metresPerUnit;
             var preview = new PreviewCloud(reader, new PreviewOptions { Points = 10_000 });
-            WorkPump.RunToEnd(preview.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             return preview;
         }
 
@@ -97,7 +97,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(1), TestCase(1000)]
-        public void Picture_WithPointsAsFarAs1e9_FramesTheOthersAndSaysSo(int farPoints)
+        public void Picture_WithPointsAsFarAs1e9_FramesTheOthersAndReportsIt(int farPoints)
         {
             var positions = Square(new double3(4e5, 5e6, 100), 1);
             for (int i = 0; i < farPoints; i++)
@@ -112,7 +112,7 @@ namespace FastPoints.Tests.Picture
         /// <param name="ofLast">Of ten points, so many are in the last part, the others equally in those before.</param>
         [TestCase(2, 5, 100, "50 %"), TestCase(2, 5, 1e6, "50 %"), TestCase(2, 3, 40, "70 %")]
         [TestCase(2, 9, 40, "most"), TestCase(3, 4, 300, "40 %")]
-        public void Picture_OfPartsFarApart_FramesTheLargestAndSaysSo(int parts, int ofLast, double edges, string share)
+        public void Picture_OfPartsFarApart_FramesTheLargestAndReportsIt(int parts, int ofLast, double edges, string share)
         {
             var positions = Square(new double3(4e5, 5e6, 100), 1);
             double edge = positions.Max(p => p.x) - positions.Min(p => p.x);
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Picture
 
         [TestCase(0u, "black")]
         [TestCase(0x060504u, "black or nearly so")]
-        public void Picture_OfBlackColours_IsColouredByHeightAndSaysSo(uint color, string expected)
+        public void Picture_OfBlackColours_IsColouredByHeightAndReportsIt(uint color, string expected)
         {
             var positions = Square(default, 1);
             using var batch = TestBatches.OfColoredPositions(positions, Enumerable.Repeat(color, positions.Length).ToArray());
@@ -172,7 +172,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(double.NaN, "the CRS says so"), TestCase(0, "by their size")]
-        public void Picture_InDegrees_IsAsWideAsItWouldBeInMetresAndSaysSo(double metresPerUnit, string expected)
+        public void Picture_InDegrees_IsAsWideAsItWouldBeInMetresAndReportsIt(double metresPerUnit, string expected)
         {
             using var metres = TestBatches.OfPositions(Square(new double3(4e5, 5e6, 100), 1));
             using var wanted = Draw(metres);

@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Picture
         static PreviewCloud Take(PointReader reader, PreviewOptions options)
         {
             var preview = new PreviewCloud(reader, options);
-            WorkPump.RunToEnd(preview.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             return preview;
         }
 
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_OneChunkOf100MillionPointsThatBreaksOff_ShowsWhatIsThere()
+        public void Preview_OneChunkOf100MillionPointsThatEndsEarly_ShowsWhatIsThere()
         {
             var writer = new LazFileWriter { PointFormat = 3, ChunkPoints = new int[0], Claims = 100_000_000 };
             File.WriteAllBytes(FilePath, writer.Write(LazRecords.Make(3, 0, 5000, 5)));
@@ -115,14 +115,14 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_FileThatGrows_IsOfThePointsThatWereClaimedAndSaysSo()
+        public void Preview_FileThatGrows_IsOfThePointsThatWereClaimedAndReportsIt()
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
             using (var file = new FileStream(FilePath, FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
                 file.Write(new byte[5000], 0, 5000);
-            WorkPump.RunToEnd(preview.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             Assert.That(preview.Sample.Count, Is.EqualTo(1000));
             Assert.That(Xs(preview.Sample), Has.All.InRange(1, 100_000));
             Assert.That(Warnings(reader),
@@ -130,13 +130,13 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_FileThatIsReplaced_SaysSo()
+        public void Preview_FileThatIsReplaced_ReportsIt()
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
             WriteLas(200_000, 1, i => false);
-            WorkPump.RunToEnd(preview.Run(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             Assert.That(Warnings(reader), Has.Exactly(1).Contains("changed while it was read"));
         }
 
@@ -148,7 +148,7 @@ namespace FastPoints.Tests.Picture
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
             using (var file = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 file.SetLength(50_000);
-            Failures.Of(() => WorkPump.RunToEnd(preview.Run(new StageProgress())), FailureCode.Truncated, FilePath);
+            Failures.Of(() => JobCoroutine.RunToEnd(preview.Run(new StageProgress())), FailureCode.Truncated, FilePath);
         }
 
         [Test]
@@ -162,7 +162,7 @@ namespace FastPoints.Tests.Picture
                 using var reader = PointReaders.Open(FilePath);
                 using var preview = new PreviewCloud(reader, new PreviewOptions());
                 preview.WaveReady += (sample, wave) => bytes.Add(wave.BytesRead);
-                WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+                JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             }
             int waves = bytes.Count / 2;
             Assert.That(bytes.Count, Is.EqualTo(2 * waves));

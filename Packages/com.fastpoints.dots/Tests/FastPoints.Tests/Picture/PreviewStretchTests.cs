@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Picture
             using var reader = PointReaders.Open(m_path);
             Assert.That(reader.HasPrefixes, Is.True);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 100_000, Quick = true });
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             Assert.That(reader.BlocksAreKnown, Is.False, "that takes a look through all of the file");
             var sample = preview.Sample;
             var xs = Xs(sample);
@@ -73,13 +73,13 @@ namespace FastPoints.Tests.Picture
             Write(".xyz", "");
             using var exactReader = PointReaders.Open(m_path);
             using var exact = new PreviewCloud(exactReader, new PreviewOptions { Points = 20_000, Exact = true });
-            WorkPump.RunToEnd(exact.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(exact.TakeSample(new StageProgress()));
             using var reader = PointReaders.Open(m_path);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 20_000 });
             int widest = 0;
             preview.WaveReady += (sample, wave) =>
                 widest = Math.Max(widest, Xs(sample).GroupBy(x => (int)x / (Lines / 8)).Count());
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             Assert.That(Xs(preview.Sample), Is.EqualTo(Xs(exact.Sample)));
             Assert.That(preview.Waves.Count, Is.EqualTo(5));
             Assert.That(widest, Is.EqualTo(8));
@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void HasBeginnings_PlyWithFaces_IsFalse()
+        public void HasPrefixes_PlyWithFaces_IsFalse()
         {
             Write(".ply", "ply\nformat ascii 1.0\nelement vertex 799999\nproperty float x\nproperty float y\nproperty float z\n"
                 + "element face 1\nproperty list uchar int vertex_indices\nend_header\n");

@@ -32,9 +32,9 @@ namespace FastPoints.Tests.Ply
             Assert.That(header.Elements[0].Properties[1].IsList, Is.True);
             Assert.That(header.Elements[0].Properties[1].CountType, Is.EqualTo(FastPoints.Core.AttributeType.UInt8));
             Assert.That(header.Elements[0].FixedBytes, Is.EqualTo(-1));
-            Assert.That(header.Remarks[0].Key, Is.EqualTo("comment"));
-            Assert.That(header.Remarks[0].Value, Is.EqualTo("one  two"));
-            Assert.That(header.Remarks[1].Value, Is.EqualTo("three"));
+            Assert.That(header.Comments[0].Key, Is.EqualTo("comment"));
+            Assert.That(header.Comments[0].Value, Is.EqualTo("one  two"));
+            Assert.That(header.Comments[1].Value, Is.EqualTo("three"));
         }
 
         [TestCase("\n"), TestCase("\r"), TestCase("\r\n")]

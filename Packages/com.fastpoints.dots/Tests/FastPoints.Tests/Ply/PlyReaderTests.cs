@@ -196,7 +196,7 @@ namespace FastPoints.Tests.Ply
             using (var reader = PlyReader.Open(file.Path))
             {
                 Assert.That(reader.BlocksAreKnown, Is.False);
-                WorkPump.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.FindBlocks());
                 Assert.That(reader.BlocksAreKnown, Is.True);
                 Assert.That(reader.HasFixedStride, Is.True);
                 Assert.That(reader.PointCount, Is.EqualTo(2));
@@ -213,7 +213,7 @@ namespace FastPoints.Tests.Ply
                 Append(file, format, true, (float)n, n * 0.5f, -(float)n, (byte)0);
             file.Save();
             using var reader = PlyReader.Open(file.Path);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.BlockCount, Is.EqualTo(1));
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Y"), 40, Allocator.Persistent);
             foreach (var range in new[] { new BlockRange(0, 0, 40), new BlockRange(0, 60, 40),
@@ -242,7 +242,7 @@ namespace FastPoints.Tests.Ply
                 Append(file, format, true, (float)n, 0f, 0f);
             file.Save();
             using var reader = PlyReader.Open(file.Path);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             var reads = new BlockRead[3];
             for (int i = 0; i < reads.Length; i++)
                 reads[i] = reader.CreateRead(reader.Info.Schema, 20, Allocator.Persistent);
@@ -428,11 +428,11 @@ namespace FastPoints.Tests.Ply
                 Append(file, format, true, (float)n, 0f, 0f, (byte)0);
             file.Save();
             using var reader = PlyReader.Open(file.Path);
-            var work = new WorkSteps(reader.FindBlocks());
+            var work = new CoroutineStack(reader.FindBlocks());
             Assert.That(work.MoveNext(), Is.True);
             work.Dispose();
             Assert.That(reader.BlocksAreKnown, Is.False);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.PointCount, Is.EqualTo(3));
         }
     }

@@ -21,8 +21,8 @@ namespace FastPoints.Tests.Reading
     /// those of seed 7.</remarks>
     public class FormatMutationTests : FolderTests
     {
-        const int Cases = 40, SampleCases = 8, LongCases = 20000, MostPoints = 3000;
-        const int MostBlocks = 6;
+        const int Cases = 40, SampleCases = 8, LongCases = 20000, MaxPoints = 3000;
+        const int MaxBlocks = 6;
 
         static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
 
@@ -45,7 +45,7 @@ namespace FastPoints.Tests.Reading
             int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : otherwise;
 
         /// <returns>Clouds that could be read.</returns>
-        int Mutate(FormatFixture fixture, int cases, int seed, int leastReadable)
+        int Mutate(FormatFixture fixture, int cases, int seed, int minReadable)
         {
             Directory.Delete(Folder.Path, true);
             Directory.CreateDirectory(Folder.Path);
@@ -75,7 +75,7 @@ namespace FastPoints.Tests.Reading
                 if (sound.Count > 1)
                     File.WriteAllBytes(path, bytes);
             }
-            Assert.That(readable, Is.GreaterThanOrEqualTo(leastReadable), fixture.ToString());
+            Assert.That(readable, Is.GreaterThanOrEqualTo(minReadable), fixture.ToString());
             return readable;
         }
 
@@ -131,42 +131,42 @@ namespace FastPoints.Tests.Reading
         }
 
         /// <returns>Whether there is a cloud; false for a failure that says what is wrong.</returns>
-        static bool Reads(string path, string story)
+        static bool Reads(string path, string detail)
         {
             try
             {
                 using var reader = PointReaders.Open(path);
                 ReadPoints.FindBlocks(reader);
-                Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), story);
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), detail);
                 if (reader.BlockCount == 0)
                     return true;
-                int capacity = Math.Min(MostPoints, reader.MaxPointsPerBlock);
+                int capacity = Math.Min(MaxPoints, reader.MaxPointsPerBlock);
                 using (var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent))
-                    for (int i = 0; i < Math.Min(MostBlocks, reader.BlockCount); i++)
+                    for (int i = 0; i < Math.Min(MaxBlocks, reader.BlockCount); i++)
                     {
-                        int block = (int)((long)i * reader.BlockCount / Math.Min(MostBlocks, reader.BlockCount));
+                        int block = (int)((long)i * reader.BlockCount / Math.Min(MaxBlocks, reader.BlockCount));
                         int count = Math.Min(capacity, reader.PointsInBlock(block));
                         read.Begin(new BlockRange(block, 0, count));
                         read.Complete();
-                        Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                        Assert.That(read.Points.Count, Is.InRange(0, count), detail);
                         // Remarks and places without a return are lines, and no points, and nothing is wrong with them.
                         bool hasRemarks = reader is XyzReader || reader is PtxReader;
                         if (read.Points.Count < count && !hasRemarks)
-                            Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
+                            Assert.That(reader.Info.Warnings, Is.Not.Empty, detail);
                     }
                 return true;
             }
             catch (PointCloudException failure)
             {
-                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
+                Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
                 bool isInput = failure.IsBadInput || failure.Code == FailureCode.ReadFailed ||
                     failure.Code == FailureCode.NotFound;
-                Assert.That(isInput, Is.True, story + ": " + failure.Message);
+                Assert.That(isInput, Is.True, detail + ": " + failure.Message);
                 return false;
             }
             catch (Exception e) when (!(e is ResultStateException))
             {
-                throw new AssertionException(story + ": " + e, e);
+                throw new AssertionException(detail + ": " + e, e);
             }
         }
     }

@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Reading
 
         /// <summary>As where an opening is called off before anybody takes what it opened.</summary>
         [TestCaseSource(nameof(Fixtures))]
-        public void Open_OnAThreadOfThePool_CanBeGivenUpThere(FormatFixture fixture)
+        public void Open_OnAThreadOfThePool_CanBeCancelledThere(FormatFixture fixture)
         {
             string path = fixture.Write(Folder.Path);
             Task.Run(() => PointReaders.Open(path).DisposeUnread()).GetAwaiter().GetResult();
@@ -46,12 +46,12 @@ namespace FastPoints.Tests.Reading
         }
 
         [TestCase("cloud.json", "{\"format\":\"fastpoints\",\"version\":1}", "converted cloud already")]
-        public void Open_FolderOrIndexOfAnotherKind_NamesWhatItIs(string name, string content, string story)
+        public void Open_FolderOrIndexOfAnotherKind_NamesWhatItIs(string name, string content, string detail)
         {
             string index = Folder.Write(name, content);
             foreach (string path in new[] { Folder.Path, index, Folder.Path + Path.DirectorySeparatorChar })
             {
-                var failure = Failures.Of(() => PointReaders.Open(path), FailureCode.Unsupported, story);
+                var failure = Failures.Of(() => PointReaders.Open(path), FailureCode.Unsupported, detail);
                 Assert.That(failure.Path, Is.EqualTo(index));
             }
         }
@@ -64,10 +64,10 @@ namespace FastPoints.Tests.Reading
         }
 
         [TestCase("{\"a\":", "no JSON"), TestCase("{[", "no JSON")]
-        public void Open_BrokenJson_SaysWhere(string content, string story)
+        public void Open_BrokenJson_SaysWhere(string content, string detail)
         {
             File.WriteAllText(FilePath, content);
-            CheckFailure(FailureCode.BadInput, story);
+            CheckFailure(FailureCode.BadInput, detail);
         }
 
         [Test]
@@ -105,9 +105,9 @@ namespace FastPoints.Tests.Reading
         public void Open_NoPath_IsOneLine(string path) =>
             Assert.That(() => PointReaders.Open(path), Throws.InstanceOf<PointCloudException>());
 
-        void CheckFailure(FailureCode code, string story)
+        void CheckFailure(FailureCode code, string detail)
         {
-            var failure = Failures.Of(() => PointReaders.Open(FilePath).Dispose(), code, story);
+            var failure = Failures.Of(() => PointReaders.Open(FilePath).Dispose(), code, detail);
             Assert.That(failure.Path, Is.EqualTo(FilePath));
         }
 

@@ -31,7 +31,7 @@ namespace FastPoints.Tests.Reading
         public static void FindBlocks(PointReader reader)
         {
             if (!reader.BlocksAreKnown)
-                WorkPump.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.FindBlocks());
         }
 
         public static List<BlockRange> WholeBlocks(PointReader reader) =>

@@ -37,16 +37,16 @@ namespace FastPoints.Tests.Reading
             public readonly long Points;
             public readonly string Story;
 
-            public Outcome(FailureCode failure, string story)
+            public Outcome(FailureCode failure, string detail)
             {
                 Failure = failure;
-                Story = story;
+                Story = detail;
             }
 
-            public Outcome(long points, string story)
+            public Outcome(long points, string detail)
             {
                 Points = points;
-                Story = story;
+                Story = detail;
             }
         }
 
@@ -84,7 +84,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Readme_Rows_AreThere()
+        public void Readme_Rows_Exist()
         {
             TestData.PathOrIgnore("data/samples/README.md");
             Assert.That(Rows("las"), Has.Count.GreaterThanOrEqualTo(38));
@@ -106,8 +106,8 @@ namespace FastPoints.Tests.Reading
 
             var found = ScanBounds(reader, out long points);
             Assert.That(points, Is.EqualTo(row.Points));
-            if (s_oddBounds.TryGetValue(row.File, out string story))
-                Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(story));
+            if (s_oddBounds.TryGetValue(row.File, out string detail))
+                Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(detail));
             if (reader.Info.HasBoundsClaimed && points > 0)
             {
                 var step = 2 * math.abs(reader.Info.Transform.Scale);
@@ -138,10 +138,10 @@ namespace FastPoints.Tests.Reading
         }
 
         /// <summary>"3" or "3 (61 B)".</summary>
-        static void CheckRecord(string told, SourceInfo info)
+        static void CheckRecord(string reported, SourceInfo info)
         {
-            var match = Regex.Match(told, @"^(\d+)(?: \((\d+) B\))?$");
-            Assert.That(match.Success, told);
+            var match = Regex.Match(reported, @"^(\d+)(?: \((\d+) B\))?$");
+            Assert.That(match.Success, reported);
             int format = int.Parse(match.Groups[1].Value, CultureInfo.InvariantCulture);
             Assert.That(info.PointFormat, Is.EqualTo(format));
             int bytes = match.Groups[2].Success ? int.Parse(match.Groups[2].Value, CultureInfo.InvariantCulture)

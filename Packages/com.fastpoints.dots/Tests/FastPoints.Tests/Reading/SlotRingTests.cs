@@ -17,11 +17,11 @@ namespace FastPoints.Tests.Reading
         {
             var inFlight = new Dictionary<int, int>();
             var ended = new List<int>();
-            int most = 0;
-            WorkPump.RunToEnd(SlotRing.Run(slots, things, (slot, thing) =>
+            int max = 0;
+            JobCoroutine.RunToEnd(SlotRing.Run(slots, things, (slot, thing) =>
             {
                 inFlight.Add(slot, thing);
-                most = Math.Max(most, inFlight.Count);
+                max = Math.Max(max, inFlight.Count);
                 return default;
             }, slot =>
             {
@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Reading
                 inFlight.Remove(slot);
             }));
             Assert.That(ended, Is.EqualTo(System.Linq.Enumerable.Range(0, things)));
-            Assert.That(most, Is.EqualTo(Math.Min(slots, things)));
+            Assert.That(max, Is.EqualTo(Math.Min(slots, things)));
         }
 
         [Test]

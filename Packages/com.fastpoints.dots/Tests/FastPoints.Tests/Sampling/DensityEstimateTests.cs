@@ -69,14 +69,14 @@ namespace FastPoints.Tests.Sampling
         static DensityEstimate Estimate(PreviewSample sample)
         {
             DensityEstimate density = null;
-            WorkPump.RunToEnd(DensityEstimate.Of(sample, sample.Bounds, d => density = d));
+            JobCoroutine.RunToEnd(DensityEstimate.Of(sample, sample.Bounds, d => density = d));
             return density;
         }
 
         static DensityEstimate Estimate(PointReader reader, int wanted, uint seed)
         {
             using var sampler = PreviewSampler.Create(reader, wanted, seed);
-            WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
             return Estimate(sampler.Sample);
         }
 
@@ -191,7 +191,7 @@ namespace FastPoints.Tests.Sampling
                 Assert.That(density.Inside.Points + density.Outside.Points, Is.EqualTo(Points).Within(1));
 
             using var first = PreviewSampler.Create(reader, before, 1);
-            WorkPump.RunToEnd(first.Run(0, new StageProgress()));
+            JobCoroutine.RunToEnd(first.Run(0, new StageProgress()));
             using var refining = new RefiningSampler(reader, wanted, 1, first.Sample, first.Sample.Bounds);
             int waves = 0;
             refining.WaveReady += wave =>
@@ -200,7 +200,7 @@ namespace FastPoints.Tests.Sampling
                 using var density = Estimate(refining.Sample);
                 Assert.That(density.Inside.Points + density.Outside.Points, Is.EqualTo(Points).Within(1));
             };
-            WorkPump.RunToEnd(refining.Run(0, new StageProgress()));
+            JobCoroutine.RunToEnd(refining.Run(0, new StageProgress()));
             Assert.That(waves, Is.EqualTo(before == 200 ? 3 : 1), "a wave of fewer points than were there before is none");
         }
     }

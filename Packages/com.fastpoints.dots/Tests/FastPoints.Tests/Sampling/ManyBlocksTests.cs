@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Sampling
             using var sampler = PreviewSampler.Create(reader, 200_000, 1);
             var waves = new List<SampleWave>();
             sampler.WaveReady += waves.Add;
-            WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
             Assert.That(waves.Select(w => w.Points), Is.EqualTo(new[] { 2_000, 20_000, 200_000 }));
             // Blocks of ten points are read as a whole: no more of them than it takes.
             Assert.That(waves[0].BytesRead, Is.LessThanOrEqualTo(12 * 2_100));
@@ -34,14 +34,14 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = new VirtualReader(60_000_000, 100_000, false);
             using var first = PreviewSampler.Create(reader, 20_000, 1);
-            WorkPump.RunToEnd(first.Run(0, new StageProgress()));
+            JobCoroutine.RunToEnd(first.Run(0, new StageProgress()));
             using var refining = new RefiningSampler(reader, 100_000, 1, first.Sample, first.Sample.Bounds);
             var shares = new List<double>();
-            refining.WaveReady += wave => shares.Add((refining.Sample.Count - refining.Sample.Substitutes) / 100_000.0);
-            var pump = new WorkPump(refining.Run(0, new StageProgress()));
-            while (shares.Count < 2 && !pump.Tick(10))
+            refining.WaveReady += wave => shares.Add((refining.Sample.Count - refining.Sample.Placeholders) / 100_000.0);
+            var coroutine = new JobCoroutine(refining.Run(0, new StageProgress()));
+            while (shares.Count < 2 && !coroutine.Tick(10))
                 JobHandle.ScheduleBatchedJobs();
-            pump.Cancel();
+            coroutine.Cancel();
             Assert.That(shares[0], Is.EqualTo(0.05).Within(0.005));
             Assert.That(shares[1], Is.EqualTo(0.1).Within(0.005));
         }

@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Sampling
         static PreviewSample Take(PointReader reader, int wanted, int slots = 0, uint seed = 1, List<SampleWave> waves = null)
         {
             using var sampler = PreviewSampler.Create(reader, wanted, seed);
-            WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             waves?.AddRange(sampler.Waves);
             return sampler.TakeSample();
         }
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Sampling
                     Assert.That(indices[i], Is.EqualTo(first[i]));
                 first = new List<int>(indices);
             };
-            WorkPump.RunToEnd(sampler.Run(4, null));
+            JobCoroutine.RunToEnd(sampler.Run(4, null));
             Assert.That(raised, Is.EqualTo(3));
             Assert.That(first, Has.Count.EqualTo(30_000));
         }
@@ -162,7 +162,7 @@ namespace FastPoints.Tests.Sampling
             {
                 Assert.That(whole.Count, Is.EqualTo(20_000));
                 using var exact = new UniformSampler(reader, 20_000, 1);
-                WorkPump.RunToEnd(exact.Run(0, null));
+                JobCoroutine.RunToEnd(exact.Run(0, null));
                 using var reference = exact.TakeSample();
                 Count(reference, 1);
                 Count(whole, -1);
@@ -219,13 +219,13 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_FileThatBecameShorter_IsAnErrorThatSaysSo()
+        public void Sample_FileThatBecameShorter_IsAnErrorThatReportsIt()
         {
             using var reader = Numbered(200_000);
             using (var stream = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 stream.SetLength(stream.Length / 2);
             using var sampler = PreviewSampler.Create(reader, 10_000, 1);
-            Assert.That(() => WorkPump.RunToEnd(sampler.Run(3, null)),
+            Assert.That(() => JobCoroutine.RunToEnd(sampler.Run(3, null)),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Truncated));
         }
 
@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Sampling
             for (int steps = 0; steps < 40; steps += 3)
             {
                 using var sampler = PreviewSampler.Create(reader, 25_000, 1);
-                var work = new WorkSteps(sampler.Run(3, null));
+                var work = new CoroutineStack(sampler.Run(3, null));
                 for (int step = 0; step < steps && work.MoveNext(); step++) { }
                 work.Dispose();
             }
@@ -293,7 +293,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Prefixes_OfASourceThatBreaksOff_AreWhatIsThere()
+        public void Prefixes_OfASourceThatEndsEarly_AreWhatIsThere()
         {
             using var whole = Blocks(10_000, 100);
             using var reader = new MemoryPointReader(whole.Points, 100, false, 4_321);

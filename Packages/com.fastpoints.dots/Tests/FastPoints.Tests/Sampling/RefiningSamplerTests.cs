@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Sampling
             return Enumerable.Range(0, sample.Count).Select(i => (x[i], y[i], z[i])).ToArray();
         }
 
-        static List<(int, int, int)[]> Waves(PointReader reader, int wanted, int slots, List<int> substitutes = null)
+        static List<(int, int, int)[]> Waves(PointReader reader, int wanted, int slots, List<int> placeholders = null)
         {
             var waves = new List<(int, int, int)[]>();
             using var sampler = new RefiningSampler(reader, wanted, 1, null, Bounds);
@@ -48,9 +48,9 @@ namespace FastPoints.Tests.Sampling
             {
                 Assert.That(wave.Points, Is.EqualTo(sampler.Sample.Count));
                 waves.Add(Positions(sampler.Sample));
-                substitutes?.Add(sampler.Sample.Substitutes);
+                placeholders?.Add(sampler.Sample.Placeholders);
             };
-            WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             return waves;
         }
 
@@ -78,10 +78,10 @@ namespace FastPoints.Tests.Sampling
                     lastBlock = blocks[0];
                     next += run.Count;
                 }
-                Assert.That(next, Is.EqualTo(sampler.Sample.Count - sampler.Sample.Substitutes));
+                Assert.That(next, Is.EqualTo(sampler.Sample.Count - sampler.Sample.Placeholders));
                 waves++;
             };
-            WorkPump.RunToEnd(sampler.Run(3, null));
+            JobCoroutine.RunToEnd(sampler.Run(3, null));
             Assert.That(waves, Is.EqualTo(2));
         }
 
@@ -94,15 +94,15 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = Square(pointsPerBlock);
             using var exact = new UniformSampler(reader, 30_000, 5);
-            WorkPump.RunToEnd(exact.Run(0, null));
+            JobCoroutine.RunToEnd(exact.Run(0, null));
             using var expected = exact.TakeSample();
             using var sampler = new RefiningSampler(reader, 30_000, 5, null, Bounds);
-            WorkPump.RunToEnd(sampler.Run(3, null));
+            JobCoroutine.RunToEnd(sampler.Run(3, null));
             using var sample = sampler.TakeSample();
             Assert.That(Positions(sample), Is.EqualTo(Positions(expected)));
             Assert.That(sample.Bounds, Is.EqualTo(expected.Bounds));
             Assert.That(sample.IsFullScan, Is.True);
-            Assert.That(sample.Substitutes, Is.Zero);
+            Assert.That(sample.Placeholders, Is.Zero);
             Assert.That(sample.PointsInSource, Is.EqualTo(160_000));
             Assert.That(sampler.Waves, Has.Count.EqualTo(3));
         }
@@ -126,26 +126,26 @@ namespace FastPoints.Tests.Sampling
         public void Waves_BeforeTheEnd_HoldTheScansPointsAndNoPointTwice()
         {
             using var reader = Square(1600);
-            var substitutes = new List<int>();
-            var waves = Waves(reader, 20_000, 2, substitutes);
+            var placeholders = new List<int>();
+            var waves = Waves(reader, 20_000, 2, placeholders);
             var final = new HashSet<(int, int, int)>(waves[2]);
             for (int wave = 0; wave < 2; wave++)
             {
                 Assert.That(new HashSet<(int, int, int)>(waves[wave]), Has.Count.EqualTo(waves[wave].Length));
                 int chosen = waves[wave].Count(final.Contains);
                 // A point that stands in for others may be one of the scan's that has not been come to.
-                Assert.That(chosen, Is.InRange(waves[wave].Length - substitutes[wave], waves[wave].Length));
+                Assert.That(chosen, Is.InRange(waves[wave].Length - placeholders[wave], waves[wave].Length));
             }
             // Of the points that were read, an eighth is the scan's.
-            Assert.That(waves[1].Length - substitutes[1], Is.EqualTo(10_000).Within(600));
+            Assert.That(waves[1].Length - placeholders[1], Is.EqualTo(10_000).Within(600));
         }
 
         [Test]
-        public void Waves_OfBlocksTooManyForStates_ShowTheFirstSampleWhereNoneHasBeenComeTo()
+        public void Waves_OfBlocksTooManyForStates_ShowTheFirstSampleWhereNoBlockIsRead()
         {
             using var reader = Square(500);
             using var first = PreviewSampler.Create(reader, 8000, 1);
-            WorkPump.RunToEnd(first.Run(2, null));
+            JobCoroutine.RunToEnd(first.Run(2, null));
             using var before = first.TakeSample();
             var places = new HashSet<(int, int)>(Positions(before).Select(p => (p.Item1 / 10, p.Item2 / 10)));
             using var sampler = new RefiningSampler(reader, 20_000, 1, before, Bounds);
@@ -157,7 +157,7 @@ namespace FastPoints.Tests.Sampling
                 if (++waves < 3)
                     Assert.That(places.Except(positions.Select(p => (p.Item1 / 10, p.Item2 / 10))), Is.Empty);
             };
-            WorkPump.RunToEnd(sampler.Run(2, null));
+            JobCoroutine.RunToEnd(sampler.Run(2, null));
             Assert.That(waves, Is.EqualTo(3));
             Assert.That(places, Has.Count.GreaterThan(250));
         }
@@ -179,7 +179,7 @@ namespace FastPoints.Tests.Sampling
             using var sampler = new RefiningSampler(reader, 20_000, 1, null,
                 new BoundsGeo(default, new double3(20_000, 20_000, 1)));
             sampler.WaveReady += wave => waves.Add(Positions(sampler.Sample));
-            WorkPump.RunToEnd(sampler.Run(2, null));
+            JobCoroutine.RunToEnd(sampler.Run(2, null));
             // A 32nd of the edge: 1,024 cells; of the 4,000 points that were read anywhere about a tenth is the scan's.
             int[] cells = waves.Select(w => w.Select(p => (p.Item1 / 625, p.Item2 / 625)).Distinct().Count()).ToArray();
             Assert.That(cells[1], Is.GreaterThan(980));
@@ -189,18 +189,18 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_OfASourceThatBreaksOff_IsOfWhatIsThere()
+        public void Sample_OfASourceThatEndsEarly_IsOfWhatIsThere()
         {
             using var reader = Square(1600, 100_000);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
-            WorkPump.RunToEnd(sampler.Run(3, null));
+            JobCoroutine.RunToEnd(sampler.Run(3, null));
             using var sample = sampler.TakeSample();
             Assert.That(sample.Count, Is.EqualTo(10_000).Within(1));
             Assert.That(sample.PointsInSource, Is.EqualTo(100_000));
         }
 
         [TestCase(0), TestCase(1)]
-        public void Sample_OfFewPoints_IsThere(int wanted)
+        public void Sample_OfFewPoints_Exists(int wanted)
         {
             using var reader = Square(1600);
             Assert.That(Waves(reader, wanted, 2)[2], Has.Length.EqualTo(wanted));
@@ -211,7 +211,7 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = Square(1600);
             using var sampler = new RefiningSampler(reader, 1000, 1, null, BoundsGeo.Empty);
-            WorkPump.RunToEnd(sampler.Run(3, null));
+            JobCoroutine.RunToEnd(sampler.Run(3, null));
             Assert.That(sampler.Sample.Count, Is.EqualTo(1000));
         }
 
@@ -222,7 +222,7 @@ namespace FastPoints.Tests.Sampling
             for (int steps = 0; steps < 400; steps += 23)
             {
                 using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
-                var work = new WorkSteps(sampler.Run(3, null));
+                var work = new CoroutineStack(sampler.Run(3, null));
                 for (int step = 0; step < steps && work.MoveNext(); step++) { }
                 work.Dispose();
                 Assert.That(sampler.Sample?.Count ?? 0,
@@ -235,7 +235,7 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = Square(1600);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds) { IsPaused = true };
-            var work = new WorkSteps(sampler.Run(3, null));
+            var work = new CoroutineStack(sampler.Run(3, null));
             for (int step = 0; step < 1000; step++)
             {
                 Assert.That(work.MoveNext(), Is.True);

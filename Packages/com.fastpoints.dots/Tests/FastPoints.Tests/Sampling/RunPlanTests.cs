@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Sampling
 
             void Take(FastPoints.Reading.PointRun run)
             {
-                Assert.That(run.Last - run.First, Is.LessThan(plan.MaxStretchPoints));
+                Assert.That(run.Last - run.First, Is.LessThan(plan.MaxSegmentPoints));
                 for (int i = 0; i < run.Count; i++)
                 {
                     long point = run.First + (long)i * run.Step;

@@ -12,10 +12,10 @@ namespace FastPoints.Tests.Sampling
             Assert.That(strata.Count, Is.EqualTo(wanted < points ? wanted : points));
             Assert.That(strata.FirstOf(0), Is.EqualTo(0));
             Assert.That(strata.FirstOf(strata.Count), Is.EqualTo(points));
-            long least = points / strata.Count;
+            long min = points / strata.Count;
             for (int i = 0; i < strata.Count; i++)
             {
-                Assert.That(strata.FirstOf(i + 1) - strata.FirstOf(i), Is.InRange(least, least + 1));
+                Assert.That(strata.FirstOf(i + 1) - strata.FirstOf(i), Is.InRange(min, min + 1));
                 Assert.That(strata.Chosen(i), Is.InRange(strata.FirstOf(i), strata.FirstOf(i + 1) - 1));
                 Assert.That(strata.StratumOf(strata.FirstOf(i)), Is.EqualTo(i));
                 Assert.That(strata.StratumOf(strata.FirstOf(i + 1) - 1), Is.EqualTo(i));

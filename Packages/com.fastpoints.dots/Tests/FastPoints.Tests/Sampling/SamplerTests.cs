@@ -11,7 +11,7 @@ namespace FastPoints.Tests.Sampling
         static PreviewSample Uniform(MemoryPointReader reader, int wanted, int slots, uint seed = 1)
         {
             using var sampler = new UniformSampler(reader, wanted, seed);
-            WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
+            JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             return sampler.TakeSample();
         }
 
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Samplers_SourceThatBreaksOff_GiveWhatIsThere()
+        public void Samplers_SourceThatEndsEarly_GiveWhatIsThere()
         {
             using var reader = new MemoryPointReader(TestBatches.Numbered(10_000), 999, true, 4321);
             using var sample = Uniform(reader, 100_000, 3);
@@ -140,7 +140,7 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = new MemoryPointReader(TestBatches.Numbered(50_000), 500);
             using var sampler = new UniformSampler(reader, 5000, 1);
-            var work = new WorkSteps(sampler.Run(4, null));
+            var work = new CoroutineStack(sampler.Run(4, null));
             for (int step = 0; step < 10; step++)
                 Assert.That(work.MoveNext(), Is.True);
             work.Dispose();
@@ -151,9 +151,9 @@ namespace FastPoints.Tests.Sampling
         public void MaxPoints_LargestSample_StaysWithinItsMemory()
         {
             using var batch = TestBatches.Numbered(1);
-            int most = PreviewSample.MaxPoints(batch.Schema);
-            Assert.That((long)most * (batch.Schema.BytesPerPoint + 1), Is.LessThanOrEqualTo(PreviewSample.MaxBytes));
-            Assert.That(most, Is.GreaterThan(1_000_000));
+            int max = PreviewSample.MaxPoints(batch.Schema);
+            Assert.That((long)max * (batch.Schema.BytesPerPoint + 1), Is.LessThanOrEqualTo(PreviewSample.MaxBytes));
+            Assert.That(max, Is.GreaterThan(1_000_000));
         }
     }
 }

@@ -15,11 +15,11 @@ namespace FastPoints.Tests.Store
             var random = new Random(width);
             foreach (int count in new[] { 1, 2, 31, 32, 33, 127, 128 })
             {
-                uint most = width == 0 ? 0 : uint.MaxValue >> (32 - width);
-                uint minimum = (uint)random.NextDouble() * (uint.MaxValue - most);
+                uint max = width == 0 ? 0 : uint.MaxValue >> (32 - width);
+                uint minimum = (uint)random.NextDouble() * (uint.MaxValue - max);
                 var values = new uint[count];
                 for (int i = 0; i < count; i++)
-                    values[i] = minimum + (i == 0 ? 0 : i == 1 ? most : (uint)(random.NextDouble() * most));
+                    values[i] = minimum + (i == 0 ? 0 : i == 1 ? max : (uint)(random.NextDouble() * max));
                 var words = new uint[PlaneShape.WordsOf(count, width) + 2];
                 var back = new uint[count];
                 fixed (uint* v = values, w = words, b = back)
@@ -40,12 +40,12 @@ namespace FastPoints.Tests.Store
             var random = new Random(width);
             foreach (int count in new[] { 1, 3, 64, 128 })
             {
-                ulong most = width == 0 ? 0 : ulong.MaxValue >> (64 - width);
+                ulong max = width == 0 ? 0 : ulong.MaxValue >> (64 - width);
                 ulong minimum = width == 64 ? 0 : (ulong)random.Next(int.MaxValue);
                 var values = new ulong[count];
                 for (int i = 0; i < count; i++)
-                    values[i] = minimum + (i == 0 ? 0 : i == 1 ? most
-                        : ((ulong)random.Next() << 33 ^ (ulong)random.Next() << 10) & most);
+                    values[i] = minimum + (i == 0 ? 0 : i == 1 ? max
+                        : ((ulong)random.Next() << 33 ^ (ulong)random.Next() << 10) & max);
                 var words = new uint[PlaneShape.WordsOf(count, width) + 2];
                 var back = new ulong[count];
                 fixed (uint* w = words)
@@ -94,10 +94,10 @@ namespace FastPoints.Tests.Store
                     values[extreme] = extreme % 2 == 0 ? 0 : uint.MaxValue;
                     fixed (uint* v = values)
                     {
-                        BlockCodec.FindRange(v, count, out uint least, out uint most);
-                        BlockCodec.FindRangePlain(v, 0, count, v[0], v[0], out uint plainLeast, out uint plainMost);
-                        Assert.That((least, most), Is.EqualTo((plainLeast, plainMost)));
-                        Assert.That((least, most), Is.EqualTo((values.Min(), values.Max())));
+                        BlockCodec.FindRange(v, count, out uint min, out uint max);
+                        BlockCodec.FindRangePlain(v, 0, count, v[0], v[0], out uint plainMin, out uint plainMax);
+                        Assert.That((min, max), Is.EqualTo((plainMin, plainMax)));
+                        Assert.That((min, max), Is.EqualTo((values.Min(), values.Max())));
                     }
                 }
             }

@@ -30,16 +30,16 @@ namespace FastPoints.Tests.Store
             long length = PlaneShape.LengthBytes(word);
             fixed (uint* plane = words)
             {
-                Assert.That(PlaneView.IsSound(plane, length, shape, Blocks), Is.True);
-                Assert.That(PlaneView.IsSound(plane, length - 16, shape, Blocks), Is.False);
-                Assert.That(PlaneView.IsSound(plane, length + 16, shape, Blocks), Is.False);
-                Assert.That(PlaneView.IsSound(plane, length - 4, shape, Blocks), Is.False);
-                Assert.That(PlaneView.IsSound(plane, length, shape, Blocks + 1), Is.False);
-                Assert.That(PlaneView.IsSound(plane, length, shape, Blocks - 1), Is.False);
+                Assert.That(PlaneView.IsValid(plane, length, shape, Blocks), Is.True);
+                Assert.That(PlaneView.IsValid(plane, length - 16, shape, Blocks), Is.False);
+                Assert.That(PlaneView.IsValid(plane, length + 16, shape, Blocks), Is.False);
+                Assert.That(PlaneView.IsValid(plane, length - 4, shape, Blocks), Is.False);
+                Assert.That(PlaneView.IsValid(plane, length, shape, Blocks + 1), Is.False);
+                Assert.That(PlaneView.IsValid(plane, length, shape, Blocks - 1), Is.False);
                 for (int bit = 0; bit < Blocks * shape.DescriptorWords * 32; bit++)
                 {
                     plane[bit >> 5] ^= 1u << (bit & 31);
-                    Assert.That(PlaneView.IsSound(plane, length, shape, Blocks),
+                    Assert.That(PlaneView.IsValid(plane, length, shape, Blocks),
                         Is.EqualTo(IsSound(plane, length, shape, Blocks)), "bit " + bit);
                     plane[bit >> 5] ^= 1u << (bit & 31);
                 }

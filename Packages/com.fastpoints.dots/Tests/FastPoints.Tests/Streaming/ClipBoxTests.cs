@@ -60,14 +60,14 @@ namespace FastPoints.Tests.Streaming
                     isKept |= !box.Cuts && IsIn(box, world);
                     isCut |= box.Cuts && IsIn(box, world);
                 }
-                bool isLeft = LocalClip.Leave(clips.GetUnsafePtr(), clips.Length, local, 0);
+                bool isLeft = LocalClip.MayKeep(clips.GetUnsafePtr(), clips.Length, local, 0);
                 Assert.That(isLeft, Is.EqualTo(isKept && !isCut), "at " + local);
                 left += isLeft ? 1 : 0;
 
                 // A box that has a place which is left is left.
                 var half = random.NextDouble3(3);
                 if (isLeft)
-                    Assert.That(LocalClip.Leave(clips.GetUnsafePtr(), clips.Length,
+                    Assert.That(LocalClip.MayKeep(clips.GetUnsafePtr(), clips.Length,
                         local + half * random.NextDouble3(-1, 1), half),
                         Is.True, "around " + local);
             }
@@ -80,10 +80,10 @@ namespace FastPoints.Tests.Streaming
             var flat = new ClipBox(new double3(0, 0, 0), new double3(1, 1, 0));
             var identity = new CloudPlacement(double3x3.identity, 0);
             var clip = new LocalClip(flat, identity);
-            Assert.That(LocalClip.Leave(&clip, 1, new double3(0.5, 0.5, 0), 0), Is.False);
+            Assert.That(LocalClip.MayKeep(&clip, 1, new double3(0.5, 0.5, 0), 0), Is.False);
             flat.Cuts = true;
             clip = new LocalClip(flat, identity);
-            Assert.That(LocalClip.Leave(&clip, 1, new double3(0.5, 0.5, 0), 0), Is.True);
+            Assert.That(LocalClip.MayKeep(&clip, 1, new double3(0.5, 0.5, 0), 0), Is.True);
         }
 
         [Test]
@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Streaming
             using var stream = StreamedTestCloud.Stream();
             var source = cloud.Open();
             stream.Add(source, StreamedTestCloud.Geo(source));
-            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.MinScreenErrorPx = 0;
             long all = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
             var box = new ClipBox(StreamedTestCloud.OriginGeo + new double3(40, 40, -50),
                 StreamedTestCloud.OriginGeo + new double3(90, 90, 50));

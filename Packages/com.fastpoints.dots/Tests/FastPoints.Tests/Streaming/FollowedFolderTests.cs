@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Streaming
 {
     public class FollowedFolderTests : FolderTests
     {
-        const int Points = 120_000, MostFrames = 1_000_000;
+        const int Points = 120_000, MaxFrames = 1_000_000;
 
         /// <summary>A cloud that grows while it is looked at: all of it is shown in the end.</summary>
         [Test]
@@ -42,9 +42,9 @@ namespace FastPoints.Tests.Streaming
             FollowedFolder followed = null;
             using var stream = StreamedTestCloud.Stream();
             int generations = 0;
-            long seen = 0, most = 0;
+            long seen = 0, max = 0;
             var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
-            using (var work = new WorkSteps(ConvertCloud.Run(readers, path, settings, r => { }, null)))
+            using (var work = new CoroutineStack(ConvertCloud.Run(readers, path, settings, r => { }, null)))
                 while (work.MoveNext())
                 {
                     work.Current.Complete();
@@ -61,18 +61,18 @@ namespace FastPoints.Tests.Streaming
                 }
             Assert.That(followed, Is.Not.Null);
             Assert.That(generations, Is.GreaterThan(0));
-            for (int frame = 0; frame < MostFrames && (followed.IsBuilding || !followed.IsCurrent); frame++)
+            for (int frame = 0; frame < MaxFrames && (followed.IsBuilding || !followed.IsCurrent); frame++)
             {
-                most = Math.Max(most, StreamedTestCloud.Frame(stream, camera).DrawnPoints);
+                max = Math.Max(max, StreamedTestCloud.Frame(stream, camera).DrawnPoints);
                 followed.Update();
                 Thread.Yield();
             }
             Assert.That(followed.IsBuilding, Is.False);
             stream.Settings.Selection.PointBudget = long.MaxValue;
-            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.SmallestNodePx = 0;
             Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
-            Assert.That(most, Is.GreaterThan(0));
+            Assert.That(max, Is.GreaterThan(0));
             followed.Dispose();
         }
 
@@ -82,7 +82,7 @@ namespace FastPoints.Tests.Streaming
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var stream = StreamedTestCloud.Stream();
             using var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null);
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 1.5 * FolderGenerations.LookInterval;)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 1.5 * FolderGenerations.PollInterval;)
             {
                 StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
                 followed.Update();

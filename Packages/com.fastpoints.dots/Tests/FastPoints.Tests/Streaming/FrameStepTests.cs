@@ -144,12 +144,12 @@ namespace FastPoints.Tests.Streaming
             m_stream.Settings.UploadNodesPerFrame = 20;
             m_stream.Settings.BytesPerRead = 50_000;
             var camera = StreamedTestCloud.Near(20, 30, 0.6);
-            long most = 0;
+            long max = 0;
             for (int frame = 0; frame < 100_000; frame++)
             {
                 var stats = StreamedTestCloud.Frame(m_stream, camera);
                 Assert.That(stats.UploadedNodes, Is.LessThanOrEqualTo(20));
-                if (stats.DrawnPoints == most && !stats.IsSettled)
+                if (stats.DrawnPoints == max && !stats.IsSettled)
                     continue;
                 var drawn = Drawn(m_stream);
                 foreach (var node in m_stream.Selector.Selected)
@@ -159,12 +159,12 @@ namespace FastPoints.Tests.Streaming
                     var parent = m_stream.Selector.Selected[node.Parent];
                     Assert.That(drawn, Has.Member((parent.Cloud, parent.Page, parent.Node)));
                 }
-                Assert.That(stats.DrawnPoints, Is.GreaterThanOrEqualTo(most));
-                most = stats.DrawnPoints;
+                Assert.That(stats.DrawnPoints, Is.GreaterThanOrEqualTo(max));
+                max = stats.DrawnPoints;
                 if (stats.IsSettled)
                     break;
             }
-            Assert.That(most, Is.EqualTo(m_stream.Selector.Points));
+            Assert.That(max, Is.EqualTo(m_stream.Selector.Points));
         }
 
         [Test]
@@ -235,7 +235,7 @@ namespace FastPoints.Tests.Streaming
                 }
                 return GC.GetAllocatedBytesForCurrentThread() - before;
             }
-            m_stream.Settings.FramesAhead = 0;
+            m_stream.Settings.PrefetchFrames = 0;
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             StreamedTestCloud.Settle(m_stream, camera);
             Garbage(1e-6);
@@ -246,9 +246,9 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_CameraTeleports_CallsOffWhatIsUnwanted()
+        public void Run_CameraTeleports_CancelsUnneededReads()
         {
-            m_stream.Settings.MostReads = 1;
+            m_stream.Settings.MaxReads = 1;
             m_stream.Settings.BytesPerRead = 1;
             m_stream.Settings.FramesToCancel = 0;
             var random = new Unity.Mathematics.Random(3);
@@ -267,21 +267,21 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_MovingCamera_ReadsAhead()
+        public void Run_MovingCamera_Prefetches()
         {
             m_stream.Settings.Selection.PointBudget = 20_000;
-            m_stream.Settings.FramesAhead = 40;
+            m_stream.Settings.PrefetchFrames = 40;
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Near(20, 100, 0));
             for (int i = 1; i <= 10; i++)
                 StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(20 + i * 0.5, 100, 0));
-            var ahead = m_stream.Selector.Forecasted.ToArray().Select(n => (n.Cloud, n.Page, n.Node)).ToList();
-            Assert.That(ahead, Is.Not.Empty);
+            var limit = m_stream.Selector.Prefetched.ToArray().Select(n => (n.Cloud, n.Page, n.Node)).ToList();
+            Assert.That(limit, Is.Not.Empty);
             for (int i = 0; i < 5; i++)
                 Assert.That(StreamedTestCloud.Rest(m_stream, StreamedTestCloud.Near(25, 100, 0)).DrawnPoints, Is.GreaterThan(0));
             // They are there before the camera is.
-            Assert.That(ahead.Count(n => m_stream.Clouds[0].Pages[n.Page].States[n.Node].Slot != NodeState.NoSlot),
-                Is.GreaterThan(ahead.Count / 2));
+            Assert.That(limit.Count(n => m_stream.Clouds[0].Pages[n.Page].States[n.Node].Slot != NodeState.NoSlot),
+                Is.GreaterThan(limit.Count / 2));
             Assert.That(StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(25, 100, 0)).DrawnNodes,
                 Is.EqualTo(m_stream.Selector.Selected.Length));
         }

@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Streaming
                         stream.Pool.LimitBytes = (long)random.NextInt(12) * stream.Pool.BankBytes;
                         break;
                     case 6:
-                        if (stream.Clouds.Count(c => c != null && !c.IsLeaving) < 3)
+                        if (stream.Clouds.Count(c => c != null && !c.IsRemoving) < 3)
                             Add(stream, random.NextBool() ? 0 : s_beside);
                         break;
                     case 7:
@@ -103,14 +103,14 @@ namespace FastPoints.Tests.Streaming
                         gone.Clear();
                         break;
                     case 10:
-                        stream.Settings.MostReads = 1 + random.NextInt(30);
+                        stream.Settings.MaxReads = 1 + random.NextInt(30);
                         stream.Settings.BytesPerRead = 1 + random.NextInt(1 << 18);
                         stream.Settings.UploadBytesPerFrame = 1 + random.NextInt(1 << 18);
                         break;
                 }
                 camera.EyeGeo += step;
                 var stats = StreamedTestCloud.Frame(stream, camera);
-                long still = stream.Uploads.IsUnderWay ? stream.Pool.AllocatedBytes : stream.Pool.LimitBytes;
+                long still = stream.Uploads.IsInFlight ? stream.Pool.AllocatedBytes : stream.Pool.LimitBytes;
                 Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(Math.Max(still, stream.Pool.LimitBytes)));
                 Assert.That(stats.SelectedPoints, Is.LessThanOrEqualTo(Math.Max(1000, stream.Settings.Selection.PointBudget)));
                 Assert.That(stats.DrawnPoints, Is.LessThanOrEqualTo(stats.SelectedPoints));

@@ -7,7 +7,7 @@ namespace FastPoints.Tests.Streaming
     public class NodeCacheTests
     {
         [Test]
-        public void LeastUseful_AfterAnyUse_IsTheOneThatWasUsedLongestAgo()
+        public void NextToEvict_AfterAnyUse_IsTheOneThatWasUsedLongestAgo()
         {
             var random = new Unity.Mathematics.Random(9);
             var order = new List<int>();
@@ -27,16 +27,16 @@ namespace FastPoints.Tests.Streaming
                     {
                         int version = cache[slot].Version;
                         cache.Remove(slot);
-                        Assert.That(cache.IsAlive(slot, version), Is.False);
+                        Assert.That(cache.IsValid(slot, version), Is.False);
                     }
                     else
                     {
-                        cache.Use(slot, turn, 0);
+                        cache.Touch(slot, turn, 0);
                         order.Add(slot);
                     }
                 }
                 Assert.That(cache.Count, Is.EqualTo(order.Count));
-                Assert.That(cache.LeastUseful, Is.EqualTo(order.Count == 0 ? NodeCache.None : order[0]));
+                Assert.That(cache.NextToEvict, Is.EqualTo(order.Count == 0 ? NodeCache.None : order[0]));
             }
         }
     }

@@ -13,16 +13,16 @@ namespace FastPoints.Tests.Streaming
         {
             using var pool = new MemoryNodePool(5 * BankBytes + 1000, BankBytes);
             var runs = new List<PoolRange>();
-            while (pool.TryTake(20_000, out var run))
+            while (pool.TryAllocate(20_000, out var run))
             {
                 runs.Add(run);
                 Assert.That(pool.AllocatedBytes, Is.LessThanOrEqualTo(pool.LimitBytes));
             }
             Assert.That(runs.Count, Is.EqualTo(15));
             Assert.That(pool.UsedBytes, Is.EqualTo(15 * 20 * NodePool.PageBytes));
-            Assert.That(pool.TryTake(BankBytes + 1, out _), Is.False);
+            Assert.That(pool.TryAllocate(BankBytes + 1, out _), Is.False);
             foreach (var run in runs)
-                pool.Give(run);
+                pool.Release(run);
             Assert.That(pool.FindProblem(), Is.Null);
             Assert.That(pool.UsedBytes, Is.Zero);
         }
@@ -31,15 +31,15 @@ namespace FastPoints.Tests.Streaming
         public void TryShorten_RunThatIsLongerThanNeeded_GivesTheRestBack()
         {
             using var pool = new MemoryNodePool(BankBytes, BankBytes);
-            pool.TryTake(BankBytes, out var run);
-            Assert.That(pool.TryTake(1, out _), Is.False);
+            pool.TryAllocate(BankBytes, out var run);
+            Assert.That(pool.TryAllocate(1, out _), Is.False);
             Assert.That(pool.TryShorten(ref run, BankBytes + 1), Is.False);
             Assert.That(pool.TryShorten(ref run, 5000), Is.True);
             Assert.That((run.PageCount, pool.UsedBytes), Is.EqualTo((5, 5L * NodePool.PageBytes)));
-            Assert.That(pool.TryTake(BankBytes - 5 * NodePool.PageBytes, out var rest), Is.True);
+            Assert.That(pool.TryAllocate(BankBytes - 5 * NodePool.PageBytes, out var rest), Is.True);
             Assert.That(pool.FindProblem(), Is.Null);
-            pool.Give(run);
-            pool.Give(rest);
+            pool.Release(run);
+            pool.Release(rest);
             Assert.That((pool.UsedBytes, pool.FindProblem()), Is.EqualTo((0L, (string)null)));
         }
 
@@ -48,19 +48,19 @@ namespace FastPoints.Tests.Streaming
         {
             using var pool = new MemoryNodePool(4 * BankBytes, BankBytes);
             var runs = new List<PoolRange>();
-            while (pool.TryTake(BankBytes / 2, out var run))
+            while (pool.TryAllocate(BankBytes / 2, out var run))
                 runs.Add(run);
             pool.LimitBytes = 2 * BankBytes;
-            Assert.That(pool.TryTake(1, out _), Is.False);
+            Assert.That(pool.TryAllocate(1, out _), Is.False);
             for (int i = runs.Count - 1; i >= 4; i--)
-                pool.Give(runs[i]);
+                pool.Release(runs[i]);
             Assert.That(pool.AllocatedBytes, Is.EqualTo(2 * BankBytes));
             pool.LimitBytes = 3 * BankBytes;
-            Assert.That(pool.TryTake(1, out var more), Is.True);
+            Assert.That(pool.TryAllocate(1, out var more), Is.True);
             pool.LimitBytes = 0;
-            pool.Give(more);
+            pool.Release(more);
             for (int i = 0; i < 4; i++)
-                pool.Give(runs[i]);
+                pool.Release(runs[i]);
             Assert.That(pool.AllocatedBytes, Is.Zero);
             Assert.That(pool.FindProblem(), Is.Null);
         }

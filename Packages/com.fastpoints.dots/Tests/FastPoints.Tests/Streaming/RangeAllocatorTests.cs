@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Streaming
                 if (runs.Count == 0 || random.NextInt(5) < 3)
                 {
                     int count = 1 + random.NextInt(Math.Max(1, capacity / (random.NextBool() ? 50 : 5)));
-                    int first = books.Take(count);
+                    int first = books.Allocate(count);
                     if (first >= 0)
                     {
                         for (int i = first; i < first + count; i++)
@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Streaming
                         Assert.That(books.UsedSlots, Is.EqualTo(used));
                         continue;
                     }
-                    books.Give(runs[at].First);
+                    books.Free(runs[at].First);
                     Array.Clear(owner, runs[at].First, runs[at].Count);
                     used -= runs[at].Count;
                     runs.RemoveAt(at);
@@ -62,9 +62,9 @@ namespace FastPoints.Tests.Streaming
                     Assert.That(books.FindProblem(), Is.Null);
             }
             foreach (var run in runs)
-                books.Give(run.First);
+                books.Free(run.First);
             Assert.That(books.FindProblem(), Is.Null);
-            Assert.That(books.Take(capacity), Is.Zero);
+            Assert.That(books.Allocate(capacity), Is.Zero);
         }
 
         static int LongestFree(int[] owner)
@@ -83,12 +83,12 @@ namespace FastPoints.Tests.Streaming
         {
             using var heap = new RangeAllocator(100, Allocator.Persistent);
             var books = heap;
-            int run = books.Take(10);
-            Assert.That(() => books.Give(run + 3), Throws.ArgumentException);
-            Assert.That(() => books.Give(50), Throws.ArgumentException);
-            Assert.That(() => books.Give(-1), Throws.ArgumentException);
-            books.Give(run);
-            Assert.That(() => books.Give(run), Throws.ArgumentException);
+            int run = books.Allocate(10);
+            Assert.That(() => books.Free(run + 3), Throws.ArgumentException);
+            Assert.That(() => books.Free(50), Throws.ArgumentException);
+            Assert.That(() => books.Free(-1), Throws.ArgumentException);
+            books.Free(run);
+            Assert.That(() => books.Free(run), Throws.ArgumentException);
         }
 
         [Test]
@@ -96,10 +96,10 @@ namespace FastPoints.Tests.Streaming
         {
             using var heap = new RangeAllocator(100, Allocator.Persistent);
             var books = heap;
-            Assert.That(books.Take(101), Is.EqualTo(-1));
-            Assert.That(books.Take(0), Is.EqualTo(-1));
-            Assert.That(books.Take(60), Is.Not.EqualTo(-1));
-            Assert.That(books.Take(60), Is.EqualTo(-1));
+            Assert.That(books.Allocate(101), Is.EqualTo(-1));
+            Assert.That(books.Allocate(0), Is.EqualTo(-1));
+            Assert.That(books.Allocate(60), Is.Not.EqualTo(-1));
+            Assert.That(books.Allocate(60), Is.EqualTo(-1));
         }
     }
 }

@@ -16,16 +16,16 @@ namespace FastPoints.Tests.Streaming
         const int Levels = 7;
         static readonly double3 s_middle = new double3(4096, 4096, 300);
 
-        NodeSelector m_selector;
+        LodSelector m_selector;
         SimulatedHierarchy m_cloud;
-        SelectionSettings m_settings;
+        LodSettings m_settings;
 
         [SetUp]
         public void MakeCloud()
         {
-            m_selector = new NodeSelector();
+            m_selector = new LodSelector();
             m_cloud = new SimulatedHierarchy(Levels, 1);
-            m_settings = SelectionSettings.Default;
+            m_settings = LodSettings.Default;
         }
 
         [TearDown]
@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Streaming
         public void Choose_WithoutBudget_IsAllThatIsInViewAndCoarse()
         {
             m_settings.PointBudget = long.MaxValue;
-            m_settings.FinestSpacingPx = 1.5f;
+            m_settings.MinScreenErrorPx = 1.5f;
             m_settings.SmallestNodePx = 0;
             var eye = s_middle;
             var forward = math.normalize(new double3(0.8, -1, -0.3));
@@ -114,13 +114,13 @@ namespace FastPoints.Tests.Streaming
                     }
                     double spacingAbove = 2 * node.Spacing;
                     double distance = math.length(math.max(math.abs(eye - node.Center) - node.Half, 0));
-                    double spacingPx = spacingAbove * 250 / tanY / math.max(distance, spacingAbove);
-                    if ((p == 0 && n == 0) || (isSeen && spacingPx > 1.501))
+                    double screenErrorPx = spacingAbove * 250 / tanY / math.max(distance, spacingAbove);
+                    if ((p == 0 && n == 0) || (isSeen && screenErrorPx > 1.501))
                         wanted.Add((0, p, n));
                     // Nothing that is too fine, or wholly behind the eye, is chosen.
                     if (p > 0 && chosen.Contains((0, p, n)))
                     {
-                        Assert.That(spacingPx, Is.GreaterThan(1.499));
+                        Assert.That(screenErrorPx, Is.GreaterThan(1.499));
                         Assert.That(math.dot(node.Center - eye, forward), Is.GreaterThan(-math.length(node.Half)));
                     }
                 }
@@ -255,18 +255,18 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Forecast_CameraToCome_IsWhatItWillChooseAndNothingTwice()
+        public void Prefetch_FutureCamera_SelectsItsNodesAndNothingTwice()
         {
             var now = Looking(s_middle, new double3(1, 0.3, -0.4));
             var soon = Looking(s_middle + new double3(300, 90, -20), new double3(1, 0.35, -0.4));
             var chosen = Choose(now, At(0));
             using (var views = new NativeArray<StreamView>(new[] { soon }, Allocator.TempJob))
-                m_selector.Forecast(views, m_settings, 200_000);
-            var ahead = m_selector.Forecasted.ToArray().Select(n => (n.Cloud, n.Page, n.Node)).ToList();
-            Assert.That(ahead.Count, Is.EqualTo(20));
-            Assert.That(ahead.Intersect(chosen), Is.Empty);
+                m_selector.Prefetch(views, m_settings, 200_000);
+            var limit = m_selector.Prefetched.ToArray().Select(n => (n.Cloud, n.Page, n.Node)).ToList();
+            Assert.That(limit.Count, Is.EqualTo(20));
+            Assert.That(limit.Intersect(chosen), Is.Empty);
             Assert.That(m_selector.Selected.Length, Is.EqualTo(chosen.Count));
-            Assert.That(ahead.Except(Choose(soon, At(0))).Count(), Is.LessThanOrEqualTo(2));
+            Assert.That(limit.Except(Choose(soon, At(0))).Count(), Is.LessThanOrEqualTo(2));
         }
     }
 }

@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_ChunkFilesGone_AreReportedOnceAndTheRestIsShown()
+        public void Run_ChunkFilesMissing_AreReportedOnceAndTheRestIsShown()
         {
             var gone = m_cloud.ChunkFiles.OrderBy(f => f).Take(3).ToArray();
             foreach (string file in gone)

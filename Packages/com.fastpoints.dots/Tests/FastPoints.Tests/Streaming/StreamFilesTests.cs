@@ -32,27 +32,27 @@ namespace FastPoints.Tests.Streaming
             return m_stream.Add(source, StreamedTestCloud.Geo(source));
         }
 
-        int MostOpenWhileItSettles()
+        int MaxOpenWhileItSettles()
         {
-            int most = 0;
+            int max = 0;
             while (!StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview()).IsSettled)
-                most = System.Math.Max(most, m_stream.Files.OpenPaths.Count);
-            return most;
+                max = System.Math.Max(max, m_stream.Files.OpenPaths.Count);
+            return max;
         }
 
         [Test]
         public void Run_MoreFilesThanMayBeOpen_ClosesTheOldest()
         {
             Add();
-            m_stream.Files.MostOpen = 7;
-            Assert.That(MostOpenWhileItSettles(), Is.EqualTo(7));
+            m_stream.Files.MaxOpenFiles = 7;
+            Assert.That(MaxOpenWhileItSettles(), Is.EqualTo(7));
         }
 
         [Test]
         public void Run_NothingToRead_ClosesAll()
         {
             Add();
-            MostOpenWhileItSettles();
+            MaxOpenWhileItSettles();
             for (int i = 0; i <= StreamFiles.FramesToClose; i++)
                 StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
             Assert.That(m_stream.Files.OpenPaths.Count, Is.Zero);
@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Streaming
         public void Remove_FilesOpen_ClosesThoseOfTheCloudAlone()
         {
             int first = Add(), second = Add();
-            MostOpenWhileItSettles();
+            MaxOpenWhileItSettles();
             int open = m_stream.Files.OpenPaths.Count;
             m_stream.Remove(first);
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
@@ -84,12 +84,12 @@ namespace FastPoints.Tests.Streaming
             while (Of(m_cloud) == 0 || Of(other) == 0)
                 StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
             int kept = Of(other);
-            StreamFiles.Leave(m_cloud.Path + Path.DirectorySeparatorChar);
+            StreamFiles.Release(m_cloud.Path + Path.DirectorySeparatorChar);
             Assert.That(Of(m_cloud), Is.Zero);
             Assert.That(Of(other), Is.EqualTo(kept));
             try
             {
-                while (!StreamFiles.HasLeft)
+                while (!StreamFiles.HasReleased)
                     StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
                 // One that has nothing loaded yet.
                 Add();
@@ -101,7 +101,7 @@ namespace FastPoints.Tests.Streaming
             }
             finally
             {
-                StreamFiles.Return(m_cloud.Path);
+                StreamFiles.Reacquire(m_cloud.Path);
             }
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             Assert.That(m_stream.TryTakeFailure(out _), Is.False);
@@ -135,7 +135,7 @@ namespace FastPoints.Tests.Streaming
             using (var opened = CloudFolder.Open(folder))
                 damaged[opened.Upper.Planes[0].OffsetBytes + opened.Upper.Planes[0].LengthBytes / 2] ^= 1;
             File.WriteAllBytes(path, damaged);
-            m_stream.Settings.MostTries = 1000;
+            m_stream.Settings.MaxTries = 1000;
             var source = new FolderSource(CloudFolder.Open(folder), StoreLayout.ColorName);
             m_stream.Add(source, StreamedTestCloud.Geo(source));
             long read = 0;
@@ -156,7 +156,7 @@ namespace FastPoints.Tests.Streaming
             Directory.Move(m_cloud.Path, part);
             var source = new FolderSource(CloudFolder.Open(part), StoreLayout.ColorName);
             m_stream.Add(source, StreamedTestCloud.Geo(source));
-            Assert.That(MostOpenWhileItSettles(), Is.Zero);
+            Assert.That(MaxOpenWhileItSettles(), Is.Zero);
         }
     }
 }

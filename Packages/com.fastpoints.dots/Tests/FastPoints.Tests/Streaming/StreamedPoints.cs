@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Streaming
             var hashes = new List<ulong>();
             using (var reader = PointReaders.Open(path))
             {
-                WorkPump.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.FindBlocks());
                 ReadPoints.EachBlock(reader, reader.Info.Schema,
                     read => AddAll(hashes, read.Points, reader.Info.Transform, grid, names));
             }

@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Streaming
     sealed class StreamedTestCloud : IDisposable
     {
         /// <summary>A read that never ends must not hang the tests.</summary>
-        const int MostFrames = 2_000_000;
+        const int MaxFrames = 2_000_000;
 
         public const int WidthPx = 640;
         public const int HeightPx = 360;
@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Streaming
 
         void Convert(long pointsPerChunk, PointReader[] readers)
         {
-            WorkPump.RunToEnd(ConvertCloud.Run(readers, Path,
+            JobCoroutine.RunToEnd(ConvertCloud.Run(readers, Path,
                 new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, MaxPointsPerLeaf = 500 }, r => { }, null));
         }
 
@@ -69,12 +69,12 @@ namespace FastPoints.Tests.Streaming
 
         public static CloudPlacement Geo(NodeSource source) => CloudPlacement.Geo(source.Grid, source.Root);
 
-        public static SelectionSettings Selection
+        public static LodSettings Selection
         {
             get
             {
-                var settings = SelectionSettings.Default;
-                settings.FinestSpacingPx = 0.1f;
+                var settings = LodSettings.Default;
+                settings.MinScreenErrorPx = 0.1f;
                 return settings;
             }
         }
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Streaming
         /// <summary>Frames until nothing more comes.</summary>
         public static FrameStats Settle(StreamContext stream, Camera camera)
         {
-            for (int frame = 0; frame < MostFrames; frame++)
+            for (int frame = 0; frame < MaxFrames; frame++)
             {
                 var stats = Frame(stream, camera);
                 if (stats.IsSettled)
@@ -122,10 +122,10 @@ namespace FastPoints.Tests.Streaming
         public static FrameStats Rest(StreamContext stream, Camera camera)
         {
             int quiet = 0;
-            for (int frame = 0; frame < MostFrames; frame++)
+            for (int frame = 0; frame < MaxFrames; frame++)
             {
                 var stats = Frame(stream, camera);
-                quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+                quiet = stats.ReadsInFlight == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
                 if (quiet > 10)
                     return stats;
                 Thread.Yield();
@@ -140,11 +140,11 @@ namespace FastPoints.Tests.Streaming
         internal static void RunJobsOfAFrame(StreamContext stream, NativeList<SelectedNode> wanted)
         {
             var selector = stream.Selector;
-            new UseNodesJob
+            new TouchNodesJob
             {
                 Clouds = stream.CloudPages,
                 Selected = selector.Selected,
-                Forecasted = selector.Forecasted,
+                Prefetched = selector.Prefetched,
                 Pinned = stream.Cache.Pinned,
                 Frame = selector.Frame,
                 Order = stream.Cache.Order,
@@ -153,7 +153,7 @@ namespace FastPoints.Tests.Streaming
                 new ListWantedJob
                 {
                     Clouds = stream.CloudPages,
-                    Nodes = i == 0 ? selector.Selected : selector.Forecasted,
+                    Nodes = i == 0 ? selector.Selected : selector.Prefetched,
                     Frame = selector.Frame,
                     Wanted = wanted,
                 }.Run();

@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Support
     /// folders.</summary>
     public sealed class FollowedFolder : IDisposable
     {
-        readonly CloudSuccession m_succession;
+        readonly CloudVersions m_versions;
         readonly FolderGenerations m_generations;
         readonly string[] m_planes;
         readonly CloudPlacement? m_placement;
@@ -20,16 +20,16 @@ namespace FastPoints.Tests.Support
         /// <param name="planes">As <see cref="FolderSource"/> has them.</param>
         /// <exception cref="PointCloudException">There is no cloud yet, or it is damaged.</exception>
         public FollowedFolder(StreamContext stream, string path, CloudPlacement? placement, params string[] planes)
-            : this(new CloudSuccession(stream), path, placement, planes) { }
+            : this(new CloudVersions(stream), path, placement, planes) { }
 
-        /// <param name="succession">What is shown until the folder is there: a preview.</param>
+        /// <param name="versions">What is shown until the folder is there: a preview.</param>
         /// <param name="path">With or without the suffix of a folder in the making.</param>
         /// <param name="placement">Null for georeferenced space.</param>
         /// <param name="planes">As <see cref="FolderSource"/> has them.</param>
         /// <exception cref="PointCloudException">There is no cloud yet, or it is damaged.</exception>
-        public FollowedFolder(CloudSuccession succession, string path, CloudPlacement? placement, params string[] planes)
+        public FollowedFolder(CloudVersions versions, string path, CloudPlacement? placement, params string[] planes)
         {
-            m_succession = succession;
+            m_versions = versions;
             m_planes = planes;
             m_placement = placement;
             m_generations = new FolderGenerations(CloudFolder.Open(StoreFormat.FinishedPath(path)));
@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Support
         }
 
         /// <summary>Number of the generation that is shown.</summary>
-        public int Cloud => m_succession.Cloud;
+        public int Cloud => m_versions.Cloud;
 
         /// <summary>Of the newest generation that was found.</summary>
         public long Generation => m_generations.Generation;
@@ -46,14 +46,14 @@ namespace FastPoints.Tests.Support
         public bool IsBuilding => m_generations.IsBuilding;
 
         /// <summary>Whether the newest generation that was found is the one that is shown.</summary>
-        public bool IsCurrent => m_succession.IsCurrent && m_generations.Newest == null;
+        public bool IsCurrent => m_versions.IsCurrent && m_generations.Newest == null;
 
         /// <summary>Once a frame, after it. Never waits. A generation that is not shown yet may never be: its files get other
         /// names with the next one.</summary>
         /// <exception cref="PointCloudException">As of <see cref="FolderGenerations.Update"/>.</exception>
         public void Update()
         {
-            m_succession.Update();
+            m_versions.Update();
             // A build of a test's size has ended before a second is over.
             if (IsBuilding)
                 m_generations.Refresh();
@@ -65,8 +65,8 @@ namespace FastPoints.Tests.Support
         /// <summary>Waits for a folder that is being opened. What is streamed stays the stream's.</summary>
         public void Dispose() => m_generations.Dispose();
 
-        void Add(CloudFolder folder) => m_succession.Add(new FolderSource(folder, m_planes),
+        void Add(CloudFolder folder) => m_versions.Add(new FolderSource(folder, m_planes),
             m_placement ?? CloudPlacement.Geo(folder.Manifest.Grid, folder.Manifest.Root),
-            folder.IsInTheMaking ? CloudStage.Building : CloudStage.Whole);
+            folder.IsUnfinished ? CloudStage.Building : CloudStage.Whole);
     }
 }

@@ -154,14 +154,14 @@ namespace FastPoints.Tests.Text
         [TestCase("DATA ascii\n", "", "no DATA line")]
         [TestCase("TYPE F F F\n", "", "no TYPE line")]
         [TestCase("POINTS 2\n", "POINTS 99999999999999999999\n", "POINTS: wanted a whole number")]
-        public void BadHeader_IsAnErrorThatSaysWhat(string sound, string bad, string story)
+        public void BadHeader_IsAnErrorThatSaysWhat(string sound, string bad, string detail)
         {
             string text = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n" +
                 "DATA ascii\n1 2 3\n4 5 6\n";
             string path = Write(Encoding.ASCII.GetBytes(text.Replace(sound, bad)));
             var failure = Assert.Throws<PointCloudException>(() => ReadPoints.Open(path).Dispose());
             Assert.That(failure.IsBadInput, Is.True);
-            Assert.That(failure.Message, Does.StartWith(path).And.Contain(story));
+            Assert.That(failure.Message, Does.StartWith(path).And.Contain(detail));
         }
 
         [Test]

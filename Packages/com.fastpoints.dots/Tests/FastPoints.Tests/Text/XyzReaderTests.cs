@@ -341,11 +341,11 @@ namespace FastPoints.Tests.Text
             {
                 using var reader = Open(text.ToString());
                 ConvertResult result = null;
-                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
+                JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
                 Assert.That(result.Manifest.Points, Is.EqualTo(30000));
                 Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
                 var verified = new VerifyResult();
-                WorkPump.RunToEnd(VerifyCloud.Run(target, new[] { reader }, verified, null));
+                JobCoroutine.RunToEnd(VerifyCloud.Run(target, new[] { reader }, verified, null));
                 Assert.That(verified.Problems, Is.Empty);
                 Assert.That(reader.Info.Warnings, Is.Empty);
             }

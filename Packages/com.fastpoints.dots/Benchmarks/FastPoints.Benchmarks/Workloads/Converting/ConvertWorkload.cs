@@ -39,7 +39,7 @@ namespace FastPoints.Benchmarks
                 Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue },
             };
             using var reader = PointReaders.Open(m_source);
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));
+            JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));
             return new WorkloadResult { Points = result.Manifest.Points, Bytes = reader.Info.FileBytes };
         }
 

@@ -15,22 +15,22 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Work that a pump steps beside frames, at 60 Hz and at 10 Hz, as an editor without focus has. Its limit is the
-    /// same work run to its end by as many workers, while the main thread does nothing but step it; with the main thread's
+    /// <summary>Work that a coroutine steps beside frames, at 60 Hz and at 10 Hz, as an editor without focus has. Its limit is
+    /// the same work run to its end by as many workers, while the main thread does nothing but step it; with the main thread's
     /// help there is one more of them. The error is how long frames wait for their own jobs; the note has medians of all
     /// runs.</summary>
     public sealed class BesideFramesWorkload : IWorkload
     {
-        /// <summary>How the work is run: by a frame, the pump's share of it, and how far workers are kept busy ahead. At 10 Hz as
-        /// the package's editor does without focus: 4 ms of each sixtieth of a second, all at once.</summary>
-        static readonly (string Name, double FrameMs, double TickMs, double AheadMs)[] s_modes =
+        /// <summary>How the work is run: by a frame, the coroutine's share of it, and how far workers are kept busy ahead. At 10
+        /// Hz as the package's editor does without focus: 4 ms of each sixtieth of a second, all at once.</summary>
+        static readonly (string Name, double FrameMs, double TickMs, double InFlightMs)[] s_modes =
         {
             ("to its end by workers alone", 0, 0, 0), ("with the main thread's help", -1, 0, 0),
             ("at 60 Hz", 1000.0 / 60, 2, 50), ("at 10 Hz", 100, 24, 250),
         };
 
         readonly Func<WorkloadContext, string> m_find;
-        readonly Func<BesideFramesWorkload, StageProgress, double, IEnumerator<Work>> m_begin;
+        readonly Func<BesideFramesWorkload, StageProgress, double, IEnumerator<JobStep>> m_begin;
         readonly List<double>[] m_runMs = s_modes.Select(m => new List<double>()).ToArray();
         string m_path;
         string m_target;
@@ -39,7 +39,7 @@ namespace FastPoints.Benchmarks
         /// <param name="find">The input's path; null where there is none.</param>
         /// <param name="begin">Makes the work once more, for so many ms ahead.</param>
         BesideFramesWorkload(string name, Func<WorkloadContext, string> find,
-            Func<BesideFramesWorkload, StageProgress, double, IEnumerator<Work>> begin)
+            Func<BesideFramesWorkload, StageProgress, double, IEnumerator<JobStep>> begin)
         {
             Name = "frame beside " + name;
             m_find = find;
@@ -84,7 +84,7 @@ namespace FastPoints.Benchmarks
                 var mode = s_modes[i];
                 stages[i] = new StageProgress();
                 using var frames = new FrameLoop(mode.TickMs, Math.Max(1, JobsUtility.JobWorkerCount));
-                m_runMs[i].Add(frames.Run(m_begin(this, stages[i], mode.AheadMs), mode.FrameMs));
+                m_runMs[i].Add(frames.Run(m_begin(this, stages[i], mode.InFlightMs), mode.FrameMs));
                 stages[i].End();
                 times[i] = frames.Frames == 0 ? "" : ", " + frames.Times;
                 result.Error = Math.Max(result.Error, frames.Frames == 0 ? 0 : frames.WaitMs);
@@ -117,37 +117,37 @@ namespace FastPoints.Benchmarks
             if (File.Exists(laz))
                 return laz;
             using var reader = PointReaders.Open(las);
-            WorkPump.RunToEnd(ExportCloud.Run(reader, laz, new ExportSettings(), _ => { }, null));
+            JobCoroutine.RunToEnd(ExportCloud.Run(reader, laz, new ExportSettings(), _ => { }, null));
             return laz;
         }
 
-        IEnumerator<Work> Convert(Sampler sampler, StageProgress progress, double aheadMs)
+        IEnumerator<JobStep> Convert(Sampler sampler, StageProgress progress, double inFlightMs)
         {
             var settings = new ConvertSettings
             {
                 Sampler = sampler,
                 Workers = JobsUtility.JobWorkerCount,
-                AheadMs = aheadMs,
+                InFlightMs = inFlightMs,
                 Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue },
             };
             using var reader = PointReaders.Open(m_path);
-            yield return Work.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, r => { }, progress));
+            yield return JobStep.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, r => { }, progress));
         }
 
-        static IEnumerator<Work> Verify(BesideFramesWorkload workload, StageProgress progress, double aheadMs)
+        static IEnumerator<JobStep> Verify(BesideFramesWorkload workload, StageProgress progress, double inFlightMs)
         {
             var result = new VerifyResult();
-            yield return Work.Of(VerifyCloud.Run(workload.m_path, Array.Empty<PointReader>(), result, progress));
+            yield return JobStep.Of(VerifyCloud.Run(workload.m_path, Array.Empty<PointReader>(), result, progress));
             if (!result.Ok)
                 throw new InvalidOperationException(result.Problems[0]);
         }
 
         /// <summary>As a scene takes it, and drawn.</summary>
-        static IEnumerator<Work> Preview(BesideFramesWorkload workload, StageProgress progress, double aheadMs)
+        static IEnumerator<JobStep> Preview(BesideFramesWorkload workload, StageProgress progress, double inFlightMs)
         {
             using (var reader = PointReaders.Open(workload.m_path))
             using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = SourceFeed.PreviewPoints }))
-                yield return Work.Of(preview.Run(progress));
+                yield return JobStep.Of(preview.Run(progress));
         }
     }
 }

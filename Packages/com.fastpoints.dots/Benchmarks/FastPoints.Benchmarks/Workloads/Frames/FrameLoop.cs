@@ -11,8 +11,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Frames beside work that a pump steps, as an editor or a game has them: a tick a frame, and a few small jobs in
-    /// each, which it awaits before it ends.</summary>
+    /// <summary>Frames beside work that a coroutine steps, as an editor or a game has them: a tick a frame, and a few small jobs
+    /// in each, which it awaits before it ends.</summary>
     public sealed class FrameLoop : IDisposable
     {
         const int JobsPerFrame = 4;
@@ -44,26 +44,26 @@ namespace FastPoints.Benchmarks
         /// <param name="frameMs">0 for a main thread that does nothing else than step the work; less than that for one that
         /// waits for jobs as well, and so runs some.</param>
         /// <returns>Its time in milliseconds.</returns>
-        public double Run(IEnumerator<Work> work, double frameMs)
+        public double Run(IEnumerator<JobStep> work, double frameMs)
         {
             var all = Stopwatch.StartNew();
             if (frameMs < 0)
             {
-                WorkPump.RunToEnd(work);
+                JobCoroutine.RunToEnd(work);
                 return all.Elapsed.TotalMilliseconds;
             }
-            var pump = new WorkPump(work);
+            var coroutine = new JobCoroutine(work);
             try
             {
-                while (!pump.IsDone)
+                while (!coroutine.IsDone)
                     if (frameMs > 0)
-                        RunFrame(pump, frameMs);
-                    else if (!pump.Tick(1000))
+                        RunFrame(coroutine, frameMs);
+                    else if (!coroutine.Tick(1000))
                         Thread.Yield();
             }
             finally
             {
-                pump.Cancel();
+                coroutine.Cancel();
             }
             return all.Elapsed.TotalMilliseconds;
         }
@@ -76,19 +76,19 @@ namespace FastPoints.Benchmarks
             m_values.Dispose();
         }
 
-        void RunFrame(WorkPump pump, double frameMs)
+        void RunFrame(JobCoroutine coroutine, double frameMs)
         {
             Frames++;
             var frame = Stopwatch.StartNew();
             var own = new SmallJob { Values = m_values }.Schedule(JobsPerFrame, 1);
             JobHandle.ScheduleBatchedJobs();
             long begin = SliceTimes.Begin();
-            pump.Tick(m_tickMs);
+            coroutine.Tick(m_tickMs);
             m_ticks.End(begin);
             begin = SliceTimes.Begin();
             own.Complete();
             m_waits.End(begin);
-            if (!pump.IsDone)
+            if (!coroutine.IsDone)
                 Rest(frame, frameMs);
         }
 

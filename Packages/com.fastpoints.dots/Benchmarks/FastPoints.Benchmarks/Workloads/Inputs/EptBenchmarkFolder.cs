@@ -76,7 +76,7 @@ namespace FastPoints.Benchmarks
                 writer.Complete();
             }
             using (var reader = PointReaders.Open(path + ".las"))
-                WorkPump.RunToEnd(ExportCloud.Run(reader, path + ".laz", new ExportSettings(), _ => { }, null));
+                JobCoroutine.RunToEnd(ExportCloud.Run(reader, path + ".laz", new ExportSettings(), _ => { }, null));
             File.Delete(path + ".las");
         }
 

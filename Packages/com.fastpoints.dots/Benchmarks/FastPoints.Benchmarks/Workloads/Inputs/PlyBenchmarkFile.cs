@@ -54,12 +54,12 @@ namespace FastPoints.Benchmarks
             return path;
         }
 
-        /// <summary>Records to columns by pointers: <see cref="PlainPassWorkload.DecodeStretch"/>.</summary>
+        /// <summary>Records to columns by pointers: <see cref="PlainPassWorkload.DecodeSegment"/>.</summary>
         public static unsafe void Decode(byte* source, byte* target, int points)
         {
-            const int Stretch = PlainPassWorkload.StretchPoints;
-            uint* x = (uint*)target, y = x + Stretch, z = y + Stretch;
-            byte* red = (byte*)(z + Stretch), green = red + Stretch, blue = green + Stretch;
+            const int Segment = PlainPassWorkload.SegmentPoints;
+            uint* x = (uint*)target, y = x + Segment, z = y + Segment;
+            byte* red = (byte*)(z + Segment), green = red + Segment, blue = green + Segment;
             for (int i = 0; i < points; i++, source += RecordBytes)
             {
                 x[i] = *(uint*)source;

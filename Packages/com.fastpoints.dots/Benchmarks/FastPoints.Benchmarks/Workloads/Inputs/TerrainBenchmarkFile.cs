@@ -57,7 +57,7 @@ namespace FastPoints.Benchmarks
             var settings =
                 new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
             using (var reader = PointReaders.Open(las))
-                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, path, settings, r => { }, null));
+                JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, path, settings, r => { }, null));
             return path;
         }
 

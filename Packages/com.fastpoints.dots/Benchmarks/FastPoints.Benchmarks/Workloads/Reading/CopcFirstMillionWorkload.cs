@@ -31,7 +31,7 @@ namespace FastPoints.Benchmarks
             using var reader = PointReaders.Open(m_path);
             int levels = 0;
             do
-                WorkPump.RunToEnd(reader.FindLevels(++levels));
+                JobCoroutine.RunToEnd(reader.FindLevels(++levels));
             while (reader.PointCount < WantedPoints && reader.Tree.LevelCount >= levels);
             return ReadFirst(reader);
         }

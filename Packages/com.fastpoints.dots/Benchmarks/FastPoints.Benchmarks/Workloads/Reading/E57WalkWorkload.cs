@@ -21,7 +21,7 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             using var reader = E57Reader.Open(m_path);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             return new WorkloadResult { Points = reader.PointCount, Bytes = reader.Info.FileBytes };
         }
 

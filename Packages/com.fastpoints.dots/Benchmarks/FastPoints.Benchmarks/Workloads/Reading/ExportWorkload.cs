@@ -36,7 +36,7 @@ namespace FastPoints.Benchmarks
                 return default;
             ExportResult result = null;
             using var reader = PointReaders.Open(m_path);
-            WorkPump.RunToEnd(ExportCloud.Run(reader, m_output, new ExportSettings(), r => result = r, null));
+            JobCoroutine.RunToEnd(ExportCloud.Run(reader, m_output, new ExportSettings(), r => result = r, null));
             return new WorkloadResult { Points = result.Points, Bytes = result.Bytes };
         }
 

@@ -10,20 +10,20 @@ namespace FastPoints.Benchmarks
     /// reader is held against. As many threads as the job system has, each taking the next stretch.</summary>
     sealed unsafe class PlainPassWorkload : IWorkload
     {
-        public const int StretchPoints = 32768;
+        public const int SegmentPoints = 32768;
 
         /// <summary>A stretch's records to columns, one point after the other.</summary>
-        public delegate void DecodeStretch(byte* source, byte* target, int points);
+        public delegate void DecodeSegment(byte* source, byte* target, int points);
 
         readonly Func<WorkloadContext, string> m_find;
         readonly int m_recordBytes;
-        readonly DecodeStretch m_decode;
+        readonly DecodeSegment m_decode;
         string m_path;
         int m_points;
 
         /// <param name="decode">Null to copy the bytes as they are.</param>
         public PlainPassWorkload(string name, string limitName, Func<WorkloadContext, string> find, int recordBytes,
-            DecodeStretch decode = null)
+            DecodeSegment decode = null)
         {
             (Name, LimitName) = (name, limitName);
             (m_find, m_recordBytes, m_decode) = (find, recordBytes, decode);
@@ -44,7 +44,7 @@ namespace FastPoints.Benchmarks
             var threads = new Thread[JobsUtility.JobWorkerCount + 1];
             for (int i = 0; i < threads.Length; i++)
             {
-                threads[i] = new Thread(() => TakeStretches(bytes, ref next));
+                threads[i] = new Thread(() => TakeSegments(bytes, ref next));
                 threads[i].Start();
             }
             foreach (var thread in threads)
@@ -55,21 +55,21 @@ namespace FastPoints.Benchmarks
         public void Dispose() { }
 
         /// <summary>Takes one stretch after the other until none is left.</summary>
-        void TakeStretches(long bytes, ref long next)
+        void TakeSegments(long bytes, ref long next)
         {
-            int stretch = StretchPoints * m_recordBytes;
-            byte* source = (byte*)Marshal.AllocHGlobal(stretch), target = (byte*)Marshal.AllocHGlobal(stretch);
+            int segment = SegmentPoints * m_recordBytes;
+            byte* source = (byte*)Marshal.AllocHGlobal(segment), target = (byte*)Marshal.AllocHGlobal(segment);
             using (var stream = new FileStream(m_path, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
-                for (long offset; (offset = Interlocked.Increment(ref next) * stretch) < bytes;)
+                for (long offset; (offset = Interlocked.Increment(ref next) * segment) < bytes;)
                 {
                     stream.Position = offset;
                     int count = 0, got;
-                    while ((got = stream.Read(new Span<byte>(source + count, stretch - count))) > 0)
+                    while ((got = stream.Read(new Span<byte>(source + count, segment - count))) > 0)
                         count += got;
                     if (m_decode != null)
                         m_decode(source, target, count / m_recordBytes);
                     else
-                        Buffer.MemoryCopy(source, target, stretch, count);
+                        Buffer.MemoryCopy(source, target, segment, count);
                 }
             Marshal.FreeHGlobal((IntPtr)source);
             Marshal.FreeHGlobal((IntPtr)target);

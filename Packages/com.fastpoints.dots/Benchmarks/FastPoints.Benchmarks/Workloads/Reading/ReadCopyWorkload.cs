@@ -36,7 +36,7 @@ namespace FastPoints.Benchmarks
             long points, bytes;
             using (var reader = PointReaders.Open(m_path))
             {
-                WorkPump.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.FindBlocks());
                 points = reader.PointCount;
                 bytes = points * reader.Info.Schema.BytesPerPoint;
             }

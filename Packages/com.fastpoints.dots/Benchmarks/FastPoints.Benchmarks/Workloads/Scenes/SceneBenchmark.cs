@@ -16,7 +16,7 @@ namespace FastPoints.Benchmarks
     sealed class SceneBenchmark : IDisposable
     {
         /// <summary>Of a bank: as graphics cards have them, or smaller ones in a small pool.</summary>
-        public const int LeastBankBytes = 1 << 20, MostBankBytes = 8 << 20;
+        public const int MinBankBytes = 1 << 20, MaxBankBytes = 8 << 20;
 
         readonly World m_world = new World("scene benchmark");
         readonly PointCloudSystemGroup m_group;
@@ -32,7 +32,7 @@ namespace FastPoints.Benchmarks
                 typeof(TrackNodesSystem), typeof(ReportFailuresSystem));
             m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
             m_group.Begin(new MemoryNodePool(poolBytes,
-                (int)math.clamp(poolBytes / 16, LeastBankBytes, MostBankBytes)));
+                (int)math.clamp(poolBytes / 16, MinBankBytes, MaxBankBytes)));
             PointFileReaders.Register();
         }
 
@@ -45,7 +45,7 @@ namespace FastPoints.Benchmarks
         public StreamSettings Settings => m_group.Stream.Settings;
 
         /// <summary>Whether all of the cloud that the camera needs is drawn, and nothing newer is expected.</summary>
-        public bool IsAtRest => m_group.Stats.IsSettled && !m_group.IsOpening && IsOpen;
+        public bool IsIdle => m_group.Stats.IsSettled && !m_group.IsOpening && IsOpen;
 
         public bool IsOpen => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
 

@@ -15,7 +15,7 @@ namespace FastPoints.Benchmarks
         const double EyeMetres = 3;
 
         /// <summary>In the pool.</summary>
-        const int MostBytesPerPoint = 10;
+        const int MaxBytesPerPoint = 10;
 
         double m_radiusMetres;
         SceneBenchmark m_scene;
@@ -28,12 +28,12 @@ namespace FastPoints.Benchmarks
             m_radiusMetres = 0.3 * TerrainBenchmarkFile.SideMetres(context);
             // Twice what is drawn, so that nodes come and go.
             int budget = context.Points / 16;
-            m_scene = new SceneBenchmark(2L * MostBytesPerPoint * budget);
+            m_scene = new SceneBenchmark(2L * MaxBytesPerPoint * budget);
             m_scene.Settings.Selection.PointBudget = budget;
             m_scene.Show(TerrainBenchmarkFile.MakeConverted(context));
             do
                 m_scene.Frame(ViewAt(0));
-            while (!m_scene.IsAtRest);
+            while (!m_scene.IsIdle);
         }
 
         public WorkloadResult Run()
@@ -67,9 +67,9 @@ namespace FastPoints.Benchmarks
         StreamView ViewAt(int frame)
         {
             double angle = 2 * math.PI_DBL * frame / Frames;
-            var ahead = new double3(math.cos(angle), -0.1, -math.sin(angle));
+            var limit = new double3(math.cos(angle), -0.1, -math.sin(angle));
             var eye = new double3(math.sin(angle) * m_radiusMetres, EyeMetres, math.cos(angle) * m_radiusMetres);
-            return Camera.Perspective(eye, eye + ahead, new double3(0, 1, 0), 60).ToStreamView(WidthPx, HeightPx);
+            return Camera.Perspective(eye, eye + limit, new double3(0, 1, 0), 60).ToStreamView(WidthPx, HeightPx);
         }
     }
 }

@@ -32,8 +32,8 @@ namespace FastPoints.Benchmarks
 
         public void Prepare(WorkloadContext context)
         {
-            m_scene = new SceneBenchmark(math.max(20L * context.Points, SceneBenchmark.MostBankBytes));
-            m_scene.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
+            m_scene = new SceneBenchmark(math.max(20L * context.Points, SceneBenchmark.MaxBankBytes));
+            m_scene.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
             m_scene.Settings.UploadBytesPerFrame = 16 << 20;
             if (m_hasEntities)
                 m_scene.WantNodes();
@@ -41,8 +41,8 @@ namespace FastPoints.Benchmarks
             long all;
             do
                 all = m_scene.Frame(StreamView.Everything(1)).PoolBytes;
-            while (!m_scene.IsAtRest);
-            m_scene.PoolBytes = math.max((long)(ShareKept * all), SceneBenchmark.LeastBankBytes);
+            while (!m_scene.IsIdle);
+            m_scene.PoolBytes = math.max((long)(ShareKept * all), SceneBenchmark.MinBankBytes);
             // More than the camera sees.
             m_scene.Settings.Selection.PointBudget = context.Points / 3;
             Run();

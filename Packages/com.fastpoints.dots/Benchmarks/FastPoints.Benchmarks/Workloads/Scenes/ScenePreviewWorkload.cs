@@ -41,7 +41,7 @@ namespace FastPoints.Benchmarks
             if (m_path == null)
                 return default;
             using var scene = new SceneBenchmark(256 << 20);
-            scene.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
+            scene.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
             var view = StreamView.Everything(1e9);
             var watch = Stopwatch.StartNew();
             scene.Show(m_path);
@@ -55,7 +55,7 @@ namespace FastPoints.Benchmarks
                 if (points > 0 && firstMs == 0)
                     firstMs = watch.Elapsed.TotalMilliseconds;
             }
-            while (!scene.IsAtRest);
+            while (!scene.IsIdle);
             return new WorkloadResult
             {
                 Points = points,

@@ -55,9 +55,9 @@ namespace FastPoints.Benchmarks
     /// <summary>A camera over a billion points that nobody stored, and what is chosen for it.</summary>
     public sealed unsafe class SelectionBenchmark : System.IDisposable
     {
-        readonly NodeSelector m_selector = new NodeSelector();
+        readonly LodSelector m_selector = new LodSelector();
         readonly SimulatedHierarchy m_cloud;
-        readonly SelectionSettings m_settings = SelectionSettings.Default;
+        readonly LodSettings m_settings = LodSettings.Default;
         NativeArray<StreamView> m_views;
 
         /// <param name="levels">9 for 100,000 nodes.</param>
@@ -75,14 +75,14 @@ namespace FastPoints.Benchmarks
         public string Note { get; }
 
         /// <summary>Points that were chosen.</summary>
-        public long Choose(in StreamView view, bool withForecast)
+        public long Choose(in StreamView view, bool withPrefetch)
         {
             m_views[0] = view;
             m_selector.Begin();
             m_selector.Add(0, m_cloud.Pages, new CloudPlacement(double3x3.identity, new double3(4_000_000, 5_000_000, 0)));
             m_selector.Choose(m_views, m_settings);
-            if (withForecast)
-                m_selector.Forecast(m_views, m_settings, m_settings.PointBudget / 4);
+            if (withPrefetch)
+                m_selector.Prefetch(m_views, m_settings, m_settings.PointBudget / 4);
             return m_selector.Points;
         }
 

@@ -54,7 +54,7 @@ namespace FastPoints.Benchmarks
         (long Bytes, long Points) Fill(long budget)
         {
             using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
-            stream.Settings.Selection = new SelectionSettings { PointBudget = budget, Hysteresis = 1 };
+            stream.Settings.Selection = new LodSettings { PointBudget = budget, Hysteresis = 1 };
             stream.Settings.UploadBytesPerFrame = 64 << 20;
             var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));

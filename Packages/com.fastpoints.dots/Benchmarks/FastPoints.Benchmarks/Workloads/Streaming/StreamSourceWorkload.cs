@@ -60,10 +60,10 @@ namespace FastPoints.Benchmarks
             if (m_path == null)
                 return default;
             using var stream = new StreamContext(new MemoryNodePool(PoolBytes, 16 << 20));
-            stream.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
+            stream.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
             stream.Settings.UploadBytesPerFrame = PoolBytes;
             var reader = PointReaders.Open(m_path);
-            WorkPump.RunToEnd(TreeSource.FindTop(reader));
+            JobCoroutine.RunToEnd(TreeSource.FindTop(reader));
             var source = new TreeSource(reader, StoreLayout.ColorName, AttributeNames.Intensity);
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             long bytes = 0;

@@ -22,7 +22,7 @@ namespace FastPoints.Build
         public RecordPages Returned;
 
         /// <summary>The most pages that the chunks may hold.</summary>
-        public long MostPages;
+        public long MaxPages;
 
         /// <summary>Number of pages held elsewhere, on their way to a disk.</summary>
         public NativeReference<long> PagesDetached;
@@ -47,8 +47,8 @@ namespace FastPoints.Build
                 if (count > 0)
                     pool.Append(ref chunks[c], records + (long)first * pool.StrideBytes, count);
             }
-            if (pool.PagesInUse - detached > MostPages)
-                detached += Detach(chunks, pool.PagesInUse - detached - MostPages / 4 * 3);
+            if (pool.PagesInUse - detached > MaxPages)
+                detached += Detach(chunks, pool.PagesInUse - detached - MaxPages / 4 * 3);
             PagesDetached.Value = detached;
             Slices.End(begin);
         }

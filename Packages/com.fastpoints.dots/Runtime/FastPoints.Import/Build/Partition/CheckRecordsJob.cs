@@ -47,9 +47,9 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    if (Cube.Contains(Layout.PlaceOf(record)))
+                    if (Cube.Contains(Layout.PositionOf(record)))
                         continue;
-                    Layout.SetPlace(record, Cube.Corner.X, Cube.Corner.Y, Cube.Corner.Z);
+                    Layout.SetPosition(record, Cube.Corner.X, Cube.Corner.Y, Cube.Corner.Z);
                     outside++;
                 }
             }

@@ -40,7 +40,7 @@ namespace FastPoints.Build
         public unsafe void ChunksOf(int* chunkOfCell, uint* x, uint* y, uint* z, int count, Grid3 origin, int* chunks)
         {
             var corner = m_cells.Corner - origin;
-            Morton.EncodeFew(x, y, z, count, new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2,
+            Morton.EncodeShort(x, y, z, count, new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2,
                 (uint*)chunks);
             for (int i = 0; i < count; i++)
             {
@@ -56,11 +56,11 @@ namespace FastPoints.Build
             uint px = (uint)((x - m_cells.Corner.X) >> m_partLog2) & mask;
             uint py = (uint)((y - m_cells.Corner.Y) >> m_partLog2) & mask;
             uint pz = (uint)((z - m_cells.Corner.Z) >> m_partLog2) & mask;
-            return Morton.EncodeFew(px, py, pz);
+            return Morton.EncodeShort(px, py, pz);
         }
     }
 
-    /// <summary>Maps a position to its cell in a cube of 8^n cells, n at most <see cref="Morton.FewBits"/>.
+    /// <summary>Maps a position to its cell in a cube of 8^n cells, n at most <see cref="Morton.ShortBits"/>.
     /// Blittable.</summary>
     internal struct CellFinder
     {
@@ -82,7 +82,7 @@ namespace FastPoints.Build
             ulong dx = (ulong)(x - Corner.X), dy = (ulong)(y - Corner.Y), dz = (ulong)(z - Corner.Z);
             if ((dx | dy | dz) >> SideLog2 != 0)
                 return -1;
-            return Morton.EncodeFew((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
+            return Morton.EncodeShort((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
         }
     }
 }

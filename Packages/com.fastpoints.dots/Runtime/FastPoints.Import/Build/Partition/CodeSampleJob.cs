@@ -33,7 +33,8 @@ namespace FastPoints.Build
                 long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);
                 long y = SourceGrid.ToGrid(Grid.Y, Stored[i].y);
                 long z = SourceGrid.ToGrid(Grid.Z, Stored[i].z);
-                bool isInside = x != SourceGrid.Nowhere && y != SourceGrid.Nowhere && z != SourceGrid.Nowhere
+                bool isInside = x != SourceGrid.InvalidPosition && y != SourceGrid.InvalidPosition &&
+                    z != SourceGrid.InvalidPosition
                     && Cube.Contains(new Grid3(x, y, z));
                 CodeOfPoint[First + i] = isInside
                     ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))

@@ -28,7 +28,7 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record);
+                    var place = Layout.PositionOf(record);
                     PointsOfCell[Cells.CellOf(place.X, place.Y, place.Z)]++;
                 }
             }

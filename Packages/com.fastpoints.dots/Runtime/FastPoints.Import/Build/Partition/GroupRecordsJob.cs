@@ -101,10 +101,10 @@ namespace FastPoints.Build
             uint* y = stackalloc uint[RunPoints];
             uint* z = stackalloc uint[RunPoints];
             LoadOffsets(bytes, first, count, x, y, z);
-            Store.BlockCodec.FindRange(x, count, out uint leastX, out uint mostX);
-            Store.BlockCodec.FindRange(y, count, out uint leastY, out uint mostY);
-            Store.BlockCodec.FindRange(z, count, out uint leastZ, out uint mostZ);
-            Grid3 min = Layout.Base + new Grid3(leastX, leastY, leastZ), max = Layout.Base + new Grid3(mostX, mostY, mostZ);
+            Store.BlockCodec.FindRange(x, count, out uint minX, out uint maxX);
+            Store.BlockCodec.FindRange(y, count, out uint minY, out uint maxY);
+            Store.BlockCodec.FindRange(z, count, out uint minZ, out uint maxZ);
+            Grid3 min = Layout.Base + new Grid3(minX, minY, minZ), max = Layout.Base + new Grid3(maxX, maxY, maxZ);
             if (!Chunks.Contains(min, max))
                 return false;
             statistics.Min = Grid3.Min(statistics.Min, min);
@@ -123,7 +123,8 @@ namespace FastPoints.Build
             for (int i = 0; i < count; i++)
             {
                 chunks[i] = -1;
-                if (x[i] == SourceGrid.Nowhere || y[i] == SourceGrid.Nowhere || z[i] == SourceGrid.Nowhere)
+                if (x[i] == SourceGrid.InvalidPosition || y[i] == SourceGrid.InvalidPosition ||
+                    z[i] == SourceGrid.InvalidPosition)
                 {
                     statistics.LeftOut++;
                     continue;
@@ -160,7 +161,7 @@ namespace FastPoints.Build
         /// stays zero.</summary>
         void WriteRun(byte* bytes, int first, int count, byte* records)
         {
-            WritePlaces(bytes, first, count, records);
+            WritePositions(bytes, first, count, records);
             int stride = Layout.StrideBytes;
             byte* attributes = Layout.AttributesOf(records);
             var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
@@ -174,7 +175,7 @@ namespace FastPoints.Build
             }
         }
 
-        void WritePlaces(byte* bytes, int first, int count, byte* records)
+        void WritePositions(byte* bytes, int first, int count, byte* records)
         {
             int stride = Layout.StrideBytes;
             if (Layout.IsWide)
@@ -183,7 +184,7 @@ namespace FastPoints.Build
                 double ignored = 0;
                 LoadRun(bytes, first, count, wide, wide + RunPoints, wide + 2 * RunPoints, ref ignored);
                 for (int i = 0; i < count; i++)
-                    Layout.SetPlace(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
+                    Layout.SetPosition(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
                 return;
             }
             uint* x = stackalloc uint[RunPoints];

@@ -28,7 +28,7 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record);
+                    var place = Layout.PositionOf(record);
                     min = Grid3.Min(min, place);
                     max = Grid3.Max(max, place);
                 }

@@ -16,7 +16,7 @@ namespace FastPoints.Build
         public const int MaxLevels = 6;
 
         /// <summary>The most levels of parts of a cell, for cells that need them.</summary>
-        const int MostPartLevels = DensityNumbers.Levels - MaxLevels;
+        const int MaxPartLevels = DensityNumbers.Levels - MaxLevels;
 
         /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
         const double ErrorsAllowed = 2;
@@ -72,7 +72,7 @@ namespace FastPoints.Build
         public static PartitionMap Plan(GridCube cube, DensityTree density, long target)
         {
             int levels = LevelsFor(cube.SideLog2, MaxLevels);
-            int partLevels = LevelsFor(cube.SideLog2 - levels, MostPartLevels);
+            int partLevels = LevelsFor(cube.SideLog2 - levels, MaxPartLevels);
             using var chunkOfCell = new NativeList<int>(1 << 3 * levels, Allocator.Persistent);
             chunkOfCell.ResizeUninitialized(1 << 3 * levels);
             var chunks = new List<GridCube>();

@@ -96,12 +96,12 @@ namespace FastPoints.Build
                 X86.Avx.mm256_storeu_si256(found + VectorBytes, high);
                 X86.Avx.mm256_storeu_si256(found + 2 * VectorBytes, or);
                 X86.Avx.mm256_storeu_si256(found + 3 * VectorBytes, notDoubled);
-                for (int lane = 0; lane < VectorBytes; lane += size)
+                for (int workspace = 0; workspace < VectorBytes; workspace += size)
                 {
-                    result.Min = math.min(result.Min, Load(found + lane, size));
-                    result.Max = math.max(result.Max, Load(found + VectorBytes + lane, size));
-                    result.Or |= Load(found + 2 * VectorBytes + lane, size);
-                    result.NotDoubled |= found[3 * VectorBytes + lane];
+                    result.Min = math.min(result.Min, Load(found + workspace, size));
+                    result.Max = math.max(result.Max, Load(found + VectorBytes + workspace, size));
+                    result.Or |= Load(found + 2 * VectorBytes + workspace, size);
+                    result.NotDoubled |= found[3 * VectorBytes + workspace];
                 }
             }
             for (; at < bytes; at += size)

@@ -42,7 +42,7 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record);
+                    var place = Layout.PositionOf(record);
                     int cube = LastFrom(place);
                     if (cube >= 0 && Cubes[cube].Contains(place))
                         pool.Append(ref chunks[cube], record, 1);

@@ -32,7 +32,7 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record);
+                    var place = Layout.PositionOf(record);
                     pool.Append(ref chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]], record, 1);
                 }
                 var next = page->Next;

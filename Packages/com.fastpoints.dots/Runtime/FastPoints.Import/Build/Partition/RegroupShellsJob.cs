@@ -35,7 +35,7 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PlaceOf(record);
+                    var place = Layout.PositionOf(record);
                     int shell = 0;
                     while (!Shells[shell].Contains(place))
                         shell++;

@@ -47,7 +47,7 @@ namespace FastPoints.Build
                 var range = Ranges[node.FirstRange + p];
                 byte* plane = file + (range.OffsetBytes - FileOffset);
                 if (ContentHash.Of(plane, range.LengthBytes) != range.Hash ||
-                    !PlaneView.IsSound(plane, range.LengthBytes, ShapeOf(p, node.IsWide), node.HostedBlocks))
+                    !PlaneView.IsValid(plane, range.LengthBytes, ShapeOf(p, node.IsWide), node.PlaneBlocks))
                 {
                     IsDamaged[index] = true;
                     return;
@@ -64,7 +64,7 @@ namespace FastPoints.Build
 
         PlaneView ViewOf(in ChosenNode node, byte* file, int plane) =>
             new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),
-                node.HostedBlocks);
+                node.PlaneBlocks);
 
         void WritePositions(in ChosenNode node, byte* file)
         {
@@ -108,7 +108,7 @@ namespace FastPoints.Build
     {
         public int FirstBlock;
         public int BlockCount;
-        public int HostedBlocks;
+        public int PlaneBlocks;
         public bool IsWide;
 
         /// <summary>The corner that its positions count from, relative to the batch's corner.</summary>

@@ -12,7 +12,7 @@ namespace FastPoints.Build
     {
         /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
         /// scattered over upper.bin, which grows with the cloud.</summary>
-        public const long MostBytesARead = 4 << 20;
+        public const long MaxBytesPerRead = 4 << 20;
 
         /// <summary>Parts that are read while others are decoded.</summary>
         const int PartsInFlight = 4;
@@ -30,14 +30,14 @@ namespace FastPoints.Build
             return new PointSchema(attributes);
         }
 
-        /// <summary>Reads the nodes as work for a pump. Positions come as grid steps from the root's corner: see
+        /// <summary>Reads the nodes as a coroutine. Positions come as grid steps from the root's corner: see
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
         /// selection.</param>
-        /// <param name="mostBytes">The most bytes that are read at once.</param>
+        /// <param name="maxBytes">The most bytes that are read at once.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
-        public static IEnumerator<Work> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
-            StageProgress progress, long mostBytes = MostBytesARead)
+        public static IEnumerator<JobStep> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+            StageProgress progress, long maxBytes = MaxBytesPerRead)
         {
             var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
             var loads = new List<FileLoad>();
@@ -47,7 +47,7 @@ namespace FastPoints.Build
                 int points = 0;
                 foreach (int file in selection.Files)
                 {
-                    var load = new FileLoad(folder, selection, file, batch, points, mostBytes);
+                    var load = new FileLoad(folder, selection, file, batch, points, maxBytes);
                     loads.Add(load);
                     points += load.Points;
                     for (int part = 0; part < load.Parts.Count; part++)
@@ -128,7 +128,7 @@ namespace FastPoints.Build
             readonly NativeArray<bool>[] m_isDamaged;
 
             public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
-                long mostBytes)
+                long maxBytes)
             {
                 m_selection = selection;
                 m_file = file;
@@ -171,14 +171,14 @@ namespace FastPoints.Build
                 {
                     begins[i] = long.MaxValue;
                     var node = table.Nodes[chosen[i]];
-                    var host = table.Nodes[node.Host];
+                    var planeNode = table.Nodes[node.PlaneNode];
                     nodes[i] = new ChosenNode
                     {
                         FirstBlock = node.FirstBlock,
                         BlockCount = node.BlockCount,
-                        HostedBlocks = host.HostedBlocks,
-                        IsWide = host.IsWide,
-                        Corner = host.Corner - folder.Manifest.Root.Corner,
+                        PlaneBlocks = planeNode.PlaneBlocks,
+                        IsWide = planeNode.IsWide,
+                        Corner = planeNode.Corner - folder.Manifest.Root.Corner,
                         FirstPoint = firstPoint + Points,
                         FirstRange = i * planes.Count,
                     };
@@ -188,7 +188,7 @@ namespace FastPoints.Build
                     for (int p = 0; p < planes.Count; p++)
                     {
                         int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
-                        var range = table.Planes[node.Host * table.PlaneCount + (average >= 0 ? average : planes[p])];
+                        var range = table.Planes[node.PlaneNode * table.PlaneCount + (average >= 0 ? average : planes[p])];
                         ranges[i * planes.Count + p] = range;
                         begins[i] = Math.Min(begins[i], range.OffsetBytes);
                         ends[i] = Math.Max(ends[i], range.OffsetBytes + range.LengthBytes);
@@ -199,7 +199,7 @@ namespace FastPoints.Build
                 for (int i = 0; i < m_order.Length; i++)
                     m_order[i] = i;
                 Array.Sort(m_order, (a, b) => begins[a].CompareTo(begins[b]));
-                Parts = Cut(m_order, begins, ends, mostBytes);
+                Parts = Cut(m_order, begins, ends, maxBytes);
                 m_nodes = new NativeArray<ChosenNode>(Array.ConvertAll(m_order, i => nodes[i]), Allocator.Persistent);
                 m_ranges = new NativeArray<PlaneRange>(ranges, Allocator.Persistent);
                 m_shapes = new NativeArray<PlaneShape>(shapes.ToArray(), Allocator.Persistent);
@@ -262,14 +262,14 @@ namespace FastPoints.Build
                         isDamaged.Dispose();
             }
 
-            static List<Part> Cut(int[] order, long[] begins, long[] ends, long mostBytes)
+            static List<Part> Cut(int[] order, long[] begins, long[] ends, long maxBytes)
             {
                 var parts = new List<Part>();
                 for (int i = 0; i < order.Length; i++)
                 {
                     long begin = begins[order[i]], end = ends[order[i]];
                     var part = parts.Count > 0 ? parts[parts.Count - 1] : default;
-                    if (parts.Count == 0 || end > part.FirstByte + Math.Max(part.ByteCount, mostBytes))
+                    if (parts.Count == 0 || end > part.FirstByte + Math.Max(part.ByteCount, maxBytes))
                         parts.Add(part = new Part { FirstNode = i, FirstByte = begin });
                     part.NodeCount++;
                     part.ByteCount = Math.Max(part.ByteCount, end - part.FirstByte);

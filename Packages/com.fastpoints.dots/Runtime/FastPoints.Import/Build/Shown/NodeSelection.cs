@@ -18,12 +18,12 @@ namespace FastPoints.Build
 
         /// <summary>The selection restarts when it lacks this many chunks: a smaller number would cost more turns, a larger one
         /// would load what the budget does not reach.</summary>
-        const int ChunksATurn = 16;
+        const int ChunksPerRound = 16;
 
         readonly CloudFolder m_folder;
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
         readonly Dictionary<int, List<int>> m_nodesOfFile = new Dictionary<int, List<int>>();
-        readonly NodeSelector m_selector = new NodeSelector();
+        readonly LodSelector m_selector = new LodSelector();
         NativeArray<HierarchyPage> m_pages;
 
         public NodeSelection(CloudFolder folder)
@@ -74,27 +74,27 @@ namespace FastPoints.Build
         {
             var record = TableOf(file).Nodes[node];
             for (int child = record.FirstChild; child < record.FirstChild + record.ChildCount; child++)
-                if (!IsSettled(file, child))
+                if (!IsResolved(file, child))
                     return false;
             for (int chunk = record.FirstChunk; chunk < record.FirstChunk + record.ChunkCount; chunk++)
             {
                 var page = m_pages[1 + chunk];
-                if (page.SeenFrame != m_selector.Frame)
+                if (page.VisitedFrame != m_selector.Frame)
                     continue;
                 if (!page.IsLoaded)
                     return false;
                 for (int n = 0; n < page.RootCount; n++)
-                    if (!IsSettled(chunk, n))
+                    if (!IsResolved(chunk, n))
                         return false;
             }
             return true;
         }
 
-        /// <summary>Whether it is chosen, its host is chosen if it is a guest, or it is out of view.</summary>
-        bool IsSettled(int file, int node)
+        /// <summary>Whether it is chosen, its parent is chosen if it is an inlined leaf, or it is out of view.</summary>
+        bool IsResolved(int file, int node)
         {
-            var state = m_pages[1 + file].States[TableOf(file).Nodes[node].Host];
-            return state.SelectedFrame == m_selector.Frame || state.SeenFrame != m_selector.Frame;
+            var state = m_pages[1 + file].States[TableOf(file).Nodes[node].PlaneNode];
+            return state.SelectedFrame == m_selector.Frame || state.VisitedFrame != m_selector.Frame;
         }
 
         /// <summary>Chooses for a view in georeferenced space, or, without one, evenly from the root down.</summary>
@@ -102,11 +102,11 @@ namespace FastPoints.Build
         /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>
         public void Choose(StreamView? camera, long budget)
         {
-            var settings = SelectionSettings.Default;
+            var settings = LodSettings.Default;
             settings.PointBudget = budget;
             settings.Hysteresis = 1;
             if (!camera.HasValue)
-                settings.FinestSpacingPx = settings.SmallestNodePx = 0;
+                settings.MinScreenErrorPx = settings.SmallestNodePx = 0;
             var view = camera ?? StreamView.Everything(1);
             using (var views = new NativeArray<StreamView>(1, Allocator.TempJob) { [0] = view })
             {
@@ -117,11 +117,11 @@ namespace FastPoints.Build
                     m_selector.Begin();
                     m_selector.Add(0, (HierarchyPage*)m_pages.GetUnsafePtr(), CloudPlacement.Geo(m_folder.Manifest.Grid,
                         m_folder.Manifest.Root));
-                    m_selector.Choose(views, settings, ChunksATurn);
+                    m_selector.Choose(views, settings, ChunksPerRound);
                 }
                 while (m_selector.Missing.Length > 0);
             }
-            TakeOver(m_selector.Selected);
+            SortByFile(m_selector.Selected);
         }
 
         public void Dispose()
@@ -140,8 +140,8 @@ namespace FastPoints.Build
             m_tables.Clear();
         }
 
-        /// <summary>Sorts the chosen nodes with their guests by file, in the order of its table.</summary>
-        void TakeOver(NativeArray<SelectedNode> selected)
+        /// <summary>Sorts the chosen nodes with their inlined leaves by file, in the order of its table.</summary>
+        void SortByFile(NativeArray<SelectedNode> selected)
         {
             Clear();
             foreach (var chosen in selected)
@@ -151,7 +151,7 @@ namespace FastPoints.Build
                 Add(file, chosen.Node, nodes[chosen.Node].PointCount);
                 int end = nodes[chosen.Node].FirstChild + nodes[chosen.Node].ChildCount;
                 for (int child = nodes[chosen.Node].FirstChild; child < end; child++)
-                    if (nodes[child].Host == chosen.Node)
+                    if (nodes[child].PlaneNode == chosen.Node)
                         Add(file, child, nodes[child].PointCount);
             }
             foreach (var nodes in m_nodesOfFile.Values)

@@ -11,19 +11,19 @@ namespace FastPoints.Build
     {
         const int PointsToMeasure = 200_000;
 
-        /// <summary>Measures as work for a pump.</summary>
+        /// <summary>Measures as a coroutine.</summary>
         /// <param name="selection">A selection of the folder, whose choice changes.</param>
         /// <param name="schema">See <see cref="LoadNodes.SchemaFor"/>.</param>
         /// <param name="ranges">The ranges to fill.</param>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        public static IEnumerator<Work> Measure(CloudFolder folder, NodeSelection selection, PointSchema schema,
+        public static IEnumerator<JobStep> Measure(CloudFolder folder, NodeSelection selection, PointSchema schema,
             UpAxis upAxis, DisplayRanges ranges)
         {
             selection.Choose(null, PointsToMeasure);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
             using var batch = new PointBatch(schema, CheckedCount(folder, selection.Points), Allocator.Persistent);
-            yield return Work.Of(LoadNodes.Run(folder, selection, batch, null));
-            yield return Work.Of(ranges.Measure(batch, transform, upAxis));
+            yield return JobStep.Of(LoadNodes.Run(folder, selection, batch, null));
+            yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
         }
 
         /// <exception cref="PointCloudException">There are more points than a batch takes.</exception>

@@ -59,14 +59,14 @@ namespace FastPoints.Build
         /// <summary>Reads a text that a killed build left, or returns null if there is none.</summary>
         public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;
 
-        /// <summary>Work for a pump: writes a small file behind everything queued, replacing the one of that name.</summary>
-        public IEnumerator<Work> WriteText(string name, string text)
+        /// <summary>Coroutine: writes a small file behind everything queued, replacing the one of that name.</summary>
+        public IEnumerator<JobStep> WriteText(string name, string text)
         {
             using var bytes = new NativeArray<byte>(new UTF8Encoding(false).GetBytes(text), Allocator.Persistent);
             var ticket = Write(name, bytes);
             try
             {
-                yield return Work.Of(Await(ticket));
+                yield return JobStep.Of(Await(ticket));
             }
             finally
             {
@@ -102,15 +102,15 @@ namespace FastPoints.Build
 
         /// <summary>Deletes files in a folder of the build, before anything that is queued later.</summary>
         /// <param name="kept">Paths to keep, which nobody changes any more.</param>
-        public void DeleteOthers(string folder, ICollection<string> kept) => m_queue.Do(PathOf(folder), () =>
+        public void DeleteOthers(string folder, ICollection<string> kept) => m_queue.Run(PathOf(folder), () =>
         {
             foreach (string file in Directory.GetFiles(PathOf(folder)))
                 if (!kept.Contains(PathOf(folder + "/" + Path.GetFileName(file))))
                     FileChanges.Delete(file);
         });
 
-        /// <summary>Work for a pump: deletes everything in it, so that the build starts over.</summary>
-        public IEnumerator<Work> Clear() => Await(m_queue.Do(m_part, () =>
+        /// <summary>Coroutine: deletes everything in it, so that the build starts over.</summary>
+        public IEnumerator<JobStep> Clear() => Await(m_queue.Run(m_part, () =>
         {
             foreach (string folder in Directory.GetDirectories(m_part))
                 FileChanges.DeleteFolder(folder);
@@ -146,7 +146,7 @@ namespace FastPoints.Build
 
         /// <summary>Deletes a file that the build no longer needs, behind everything queued. What somebody has open is deleted at
         /// the end.</summary>
-        public void Delete(string name) => m_queue.Do(PathOf(name), () => FileChanges.DeleteRemains(PathOf(name), () => false));
+        public void Delete(string name) => m_queue.Run(PathOf(name), () => FileChanges.TryDelete(PathOf(name), () => false));
 
         /// <summary>Deletes the files of one generation of the cloud in the making, if they exist.</summary>
         public void DeleteGeneration(long generation)
@@ -171,25 +171,25 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Work for a pump: gives the folder its final name, once streams have let go of it. Everything must be written,
+        /// <summary>Coroutine: gives the folder its final name, once streams have let go of it. Everything must be written,
         /// cloud.json last of all.</summary>
         /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
-        public IEnumerator<Work> Complete()
+        public IEnumerator<JobStep> Complete()
         {
-            StreamFiles.Leave(m_part);
-            StreamFiles.Leave(m_target);
+            StreamFiles.Release(m_part);
+            StreamFiles.Release(m_target);
             try
             {
                 for (var watch = Stopwatch.StartNew();
-                    !StreamFiles.HasLeft && watch.ElapsedMilliseconds < FileChanges.PatienceMs;)
+                    !StreamFiles.HasReleased && watch.ElapsedMilliseconds < FileChanges.RetryTimeoutMs;)
                     yield return default;
-                yield return Work.Of(Await(m_queue.Do(m_target, Finish)));
+                yield return JobStep.Of(Await(m_queue.Run(m_target, Finish)));
             }
             finally
             {
                 m_queue.End();
-                StreamFiles.Return(m_part);
-                StreamFiles.Return(m_target);
+                StreamFiles.Reacquire(m_part);
+                StreamFiles.Reacquire(m_target);
             }
         }
 
@@ -230,10 +230,10 @@ namespace FastPoints.Build
         /// <summary>The lock goes with the folder. One that cannot be moved is cleared by the next build of the target.</summary>
         static void Delete(string part, FolderLock taken)
         {
-            StreamFiles.Leave(part);
+            StreamFiles.Release(part);
             FileChanges.BeginDelete(part, failure =>
             {
-                StreamFiles.Return(part);
+                StreamFiles.Reacquire(part);
                 if (failure != null)
                     taken.Dispose();
             });
@@ -244,11 +244,11 @@ namespace FastPoints.Build
         {
             m_isLost |= !m_lock.IsHeld;
             if (m_isLost)
-                throw TakenOver();
+                throw LockLost();
             string old = m_target + ".old";
             try
             {
-                FileChanges.Insist(() => Rename(old), m_queue.IsPatient);
+                FileChanges.Retry(() => Rename(old), m_queue.ShouldRetry);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -263,7 +263,7 @@ namespace FastPoints.Build
             m_isComplete = true;
             // The lock was renamed with the folder.
             foreach (string name in new[] { LockName, BuildFiles.JournalName })
-                FileChanges.DeleteRemains(Path.Combine(m_target, name), m_queue.IsPatient);
+                FileChanges.TryDelete(Path.Combine(m_target, name), m_queue.ShouldRetry);
             foreach (string file in Directory.GetFiles(m_target, "*", SearchOption.AllDirectories))
                 BytesOnDisk += new FileInfo(file).Length;
             if (Directory.Exists(old))
@@ -293,7 +293,7 @@ namespace FastPoints.Build
             Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
         }
 
-        static IEnumerator<Work> Await(WriteTicket ticket)
+        static IEnumerator<JobStep> Await(WriteTicket ticket)
         {
             while (!ticket.IsDone(1))
                 yield return default;
@@ -322,11 +322,11 @@ namespace FastPoints.Build
         PointCloudException RenewLock()
         {
             m_isLost |= !m_lock.Renew(DateTime.UtcNow);
-            return m_isLost ? TakenOver() : null;
+            return m_isLost ? LockLost() : null;
         }
 
         /// <summary>The failure when, after a long sleep of the machine, another writer has taken the folder over.</summary>
-        PointCloudException TakenOver() =>
+        PointCloudException LockLost() =>
             new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
     }
 }

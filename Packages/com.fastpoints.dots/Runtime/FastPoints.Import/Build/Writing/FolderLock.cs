@@ -19,15 +19,15 @@ namespace FastPoints.Build
         public static readonly TimeSpan RenewAfter = TimeSpan.FromSeconds(20);
 
         /// <summary>An owner on another machine that has not renewed it for this long counts as gone.</summary>
-        public static readonly TimeSpan GoneAfter = TimeSpan.FromMinutes(3);
+        public static readonly TimeSpan StaleAfter = TimeSpan.FromMinutes(3);
 
-        const string Somebody = "another process";
-        const string NoNumber = "0";
+        const string UnknownOwner = "another process";
+        const string UnknownId = "0";
         const string GuardSuffix = ".taking";
 
         /// <summary>If the start times of two processes with the same number differ by more than this, they are not the same:
         /// runtimes report times less far apart.</summary>
-        const long SameBeginTicks = 10 * TimeSpan.TicksPerSecond;
+        const long BeginToleranceTicks = 10 * TimeSpan.TicksPerSecond;
 
         /// <summary>Identifies the loaded scripts: one process loads them many times.</summary>
         static readonly string s_load = Guid.NewGuid().ToString("N");
@@ -83,17 +83,17 @@ namespace FastPoints.Build
                     return null;
                 }
                 string other = StoreFile.ReadText(path);
-                if (!IsGone(path, other, machine))
-                    return ForPeople(other);
-                if (!TryTakeOver(path, machine, owner))
-                    return ForPeople(StoreFile.ReadText(path));
+                if (!IsStale(path, other, machine))
+                    return Describe(other);
+                if (!TryReplaceStale(path, machine, owner))
+                    return Describe(StoreFile.ReadText(path));
                 taken = new FolderLock(path, owner);
                 return null;
             }
             catch (PointCloudException e) when (e.Code == FailureCode.NotFound || e.Code == FailureCode.ReadFailed)
             {
                 // It was released between two looks, or is being written: the next try decides.
-                return Somebody;
+                return UnknownOwner;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -144,7 +144,7 @@ namespace FastPoints.Build
                 using var process = Process.GetCurrentProcess();
                 return (process.Id, process.StartTime.ToUniversalTime().Ticks);
             }
-            catch (Exception e) when (IsOfTheRuntime(e))
+            catch (Exception e) when (IsMissingInRuntime(e))
             {
                 return default;
             }
@@ -168,7 +168,7 @@ namespace FastPoints.Build
 
         /// <summary>Lets only one of several that found it stale take it over: a file beside it keeps the others off
         /// meanwhile.</summary>
-        static bool TryTakeOver(string path, string machine, string owner)
+        static bool TryReplaceStale(string path, string machine, string owner)
         {
             string guard = path + GuardSuffix;
             if (!TryCreate(guard, owner))
@@ -180,7 +180,7 @@ namespace FastPoints.Build
             }
             try
             {
-                if (!IsGone(path, StoreFile.ReadText(path), machine))
+                if (!IsStale(path, StoreFile.ReadText(path), machine))
                     return false;
                 FileChanges.Delete(path);
                 return TryCreate(path, owner);
@@ -191,7 +191,7 @@ namespace FastPoints.Build
             }
         }
 
-        static bool IsGone(string path, string owner, string machine)
+        static bool IsStale(string path, string owner, string machine)
         {
             string[] lines = owner.Split('\n');
             if (lines.Length < 3 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
@@ -200,16 +200,16 @@ namespace FastPoints.Build
                 // It is half-written: its writer completes it at once.
                 return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > RenewAfter;
             }
-            bool isSilent = DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > GoneAfter;
+            bool isSilent = DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > StaleAfter;
             if (lines[0] != machine)
                 return isSilent;
             var self = Self();
-            if (id == 0 || id == self.Id && Math.Abs(began - self.Began) <= SameBeginTicks)
+            if (id == 0 || id == self.Id && Math.Abs(began - self.Began) <= BeginToleranceTicks)
                 return lines.Length < 4 || lines[3] != s_load;
             try
             {
                 using var process = Process.GetProcessById(id);
-                return Math.Abs(process.StartTime.ToUniversalTime().Ticks - began) > SameBeginTicks;
+                return Math.Abs(process.StartTime.ToUniversalTime().Ticks - began) > BeginToleranceTicks;
             }
             catch (Exception e) when (e is ArgumentException || e is InvalidOperationException)
             {
@@ -220,21 +220,21 @@ namespace FastPoints.Build
                 // There is such a process, owned by another user.
                 return false;
             }
-            catch (Exception e) when (IsOfTheRuntime(e))
+            catch (Exception e) when (IsMissingInRuntime(e))
             {
                 return isSilent;
             }
         }
 
-        static bool IsOfTheRuntime(Exception e) => e is NotSupportedException || e is NotImplementedException;
+        static bool IsMissingInRuntime(Exception e) => e is NotSupportedException || e is NotImplementedException;
 
         static string Describe(string machine, (int Id, long Began) process) => string.Format(CultureInfo.InvariantCulture,
             "{0}\n{1}\n{2}\n{3}\n", machine, process.Id, process.Began, s_load);
 
-        static string ForPeople(string owner)
+        static string Describe(string owner)
         {
             string[] lines = owner.Split('\n');
-            return lines.Length < 2 || lines[1] == NoNumber ? Somebody : "process " + lines[1] + " on " + lines[0];
+            return lines.Length < 2 || lines[1] == UnknownId ? UnknownOwner : "process " + lines[1] + " on " + lines[0];
         }
     }
 }

@@ -32,7 +32,7 @@ namespace FastPoints.Build
             /// <summary>A flush to disk of what was written to such a file so far.</summary>
             Sync,
             /// <summary>Something else that takes its turn.</summary>
-            Act,
+            Call,
         }
 
         struct Order
@@ -44,7 +44,7 @@ namespace FastPoints.Build
             public long Offset;
             public RecordPages Pages;
             public int StrideBytes;
-            public Action Act;
+            public Action Call;
             public WriteTicket Ticket;
         }
 
@@ -52,9 +52,9 @@ namespace FastPoints.Build
         readonly Thread m_thread;
         readonly Func<Exception> m_check;
         readonly TimeSpan m_checkAfter;
-        readonly Action m_hurry;
+        readonly Action m_stopRetrying;
         volatile bool m_isEnding;
-        volatile bool m_isHurried;
+        volatile bool m_isRetryStopped;
 
         /// <param name="check">Called on the thread before each file and while it waits for one; returns why nothing may be
         /// written any more, or null.</param>
@@ -64,7 +64,7 @@ namespace FastPoints.Build
             m_check = check;
             m_checkAfter = checkAfter;
             // An editor stands still while it waits.
-            m_hurry = () => m_isHurried = true;
+            m_stopRetrying = () => m_isRetryStopped = true;
             m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
             m_thread.Start();
         }
@@ -92,7 +92,7 @@ namespace FastPoints.Build
             Pages = pages,
             StrideBytes = strideBytes,
             Offset = offset,
-            Ticket = new WriteTicket(m_hurry),
+            Ticket = new WriteTicket(m_stopRetrying),
         });
 
         /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
@@ -100,21 +100,21 @@ namespace FastPoints.Build
         {
             Kind = OrderKind.Sync,
             Path = path,
-            Ticket = new WriteTicket(m_hurry),
+            Ticket = new WriteTicket(m_stopRetrying),
         });
 
         /// <summary>Queues something else that is to be done with files.</summary>
         /// <param name="path">For messages.</param>
-        public WriteTicket Do(string path, Action act) => Enqueue(new Order
+        public WriteTicket Run(string path, Action act) => Enqueue(new Order
         {
-            Kind = OrderKind.Act,
+            Kind = OrderKind.Call,
             Path = path,
-            Act = act,
-            Ticket = new WriteTicket(m_hurry),
+            Call = act,
+            Ticket = new WriteTicket(m_stopRetrying),
         });
 
         /// <summary>Whether what the system refuses is to be tried again: nobody waits for the end.</summary>
-        public bool IsPatient() => !m_isEnding && !m_isHurried;
+        public bool ShouldRetry() => !m_isEnding && !m_isRetryStopped;
 
 
         /// <summary>Waits for everything queued. May be called twice.</summary>
@@ -148,7 +148,7 @@ namespace FastPoints.Build
                 try
                 {
                     if (Failure == null)
-                        FileChanges.Insist(() => Carry(order), IsPatient);
+                        FileChanges.Retry(() => Execute(order), ShouldRetry);
                 }
                 catch (Exception e)
                 {
@@ -167,7 +167,7 @@ namespace FastPoints.Build
             Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
             Count = bytes.Length,
             Offset = offset,
-            Ticket = new WriteTicket(m_hurry),
+            Ticket = new WriteTicket(m_stopRetrying),
         });
 
         WriteTicket Enqueue(Order order)
@@ -181,14 +181,14 @@ namespace FastPoints.Build
         }
 
         /// <summary>May be begun again after any of its steps.</summary>
-        static void Carry(in Order order)
+        static void Execute(in Order order)
         {
             var bytes = (byte*)order.Bytes;
             string temporary = order.Path + TemporarySuffix;
             switch (order.Kind)
             {
-                case OrderKind.Act:
-                    order.Act();
+                case OrderKind.Call:
+                    order.Call();
                     break;
                 case OrderKind.Piece:
                     using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))

@@ -8,12 +8,12 @@ namespace FastPoints.Build
     internal sealed class WriteTicket
     {
         readonly object m_lock = new object();
-        readonly Action m_hurry;
+        readonly Action m_stopRetrying;
         bool m_isDone;
         Exception m_failure;
 
-        /// <param name="hurry">Called where somebody waits for what is not done yet.</param>
-        public WriteTicket(Action hurry) => m_hurry = hurry;
+        /// <param name="stopRetrying">Called where somebody waits for what is not done yet.</param>
+        public WriteTicket(Action stopRetrying) => m_stopRetrying = stopRetrying;
 
         /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
         /// <exception cref="Base.PointCloudException">It could not be written.</exception>
@@ -36,7 +36,7 @@ namespace FastPoints.Build
             lock (m_lock)
             {
                 if (!m_isDone)
-                    m_hurry();
+                    m_stopRetrying();
                 while (!m_isDone)
                     Monitor.Wait(m_lock);
             }

@@ -34,9 +34,9 @@ namespace FastPoints.Export
             }
         }
 
-        /// <summary>Work for a pump: fills in what the levels say of points across chunks.</summary>
+        /// <summary>Coroutine: fills in what the levels say of points across chunks.</summary>
         /// <param name="atSides">For each level, the points that may be close to those of other chunks.</param>
-        public static IEnumerator<Work> Run(List<NativeList<double3>> atSides, List<VerifyResult.Level> levels)
+        public static IEnumerator<JobStep> Run(List<NativeList<double3>> atSides, List<VerifyResult.Level> levels)
         {
             var searches = new List<Search>();
             var fills = new List<(int Level, NearStep Step, int First, int End)>();
@@ -63,10 +63,11 @@ namespace FastPoints.Export
                     for (int first = 0; first < count; first += PointsPerSearch)
                         finds.Add((level, first, Math.Min(count, first + PointsPerSearch)));
                 }
-                yield return Work.Of(Slices.Run(0, fills.Count, 1, (n, _, after) =>
+                yield return JobStep.Of(Slices.Run(0, fills.Count, 1, (n, _, after) =>
                     JobFor(searches[fills[n].Level], fills[n].Step, fills[n].First, fills[n].End).Schedule(after)));
-                yield return Work.Of(Slices.Run(0, finds.Count, 1, (n, _, after) =>
-                    JobFor(searches[finds[n].Level], NearStep.Find, finds[n].First, finds[n].End).Schedule(after), Slices.Lanes));
+                yield return JobStep.Of(Slices.Run(0, finds.Count, 1, (n, _, after) =>
+                    JobFor(searches[finds[n].Level], NearStep.Find, finds[n].First, finds[n].End).Schedule(after),
+                    Slices.MaxChains));
                 for (int level = 0; level < searches.Count; level++)
                     levels[level] = With(levels[level], searches[level]);
             }

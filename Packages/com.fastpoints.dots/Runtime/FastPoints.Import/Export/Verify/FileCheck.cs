@@ -66,8 +66,8 @@ namespace FastPoints.Export
         public long Bytes => m_fileBytes + (long)m_sampled.Length * (PositionBytes + (m_isUpper ? PositionBytes : 0)) +
             4L * m_scratch.Length;
 
-        /// <summary>Work for a pump: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
-        public IEnumerator<Work> Begin()
+        /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
+        public IEnumerator<JobStep> Begin()
         {
             m_read.Begin(Path, 0, m_fileBytes);
             var job = new VerifyNodesJob
@@ -92,13 +92,13 @@ namespace FastPoints.Export
             foreach (bool isOfPlanes in new[] { true, false })
             {
                 var slices = isOfPlanes ? m_nodeSlices : m_partSlices;
-                yield return Work.Of(Slices.Schedule(0, slices.Count - 1, 1, (slice, _, after) =>
+                yield return JobStep.Of(Slices.Schedule(0, slices.Count - 1, 1, (slice, _, after) =>
                 {
                     job.ChecksPlanes = isOfPlanes;
                     job.First = slices[slice];
                     job.End = slices[slice + 1];
                     return job.Schedule(after);
-                }, Slices.Lanes, isOfPlanes ? m_read.Done : Done, scheduled => Done = scheduled));
+                }, Slices.MaxChains, isOfPlanes ? m_read.Done : Done, scheduled => Done = scheduled));
             }
             var corner = m_cube.Corner - m_manifest.Root.Corner;
             var min = new double3(corner.X, corner.Y, corner.Z) * m_manifest.Grid.Step;
@@ -115,7 +115,7 @@ namespace FastPoints.Export
                 Scratch = m_scratch,
                 AtSides = m_atSides,
             };
-            yield return Work.Of(Slices.Schedule(0, MeasureSpacingJob.SlicesOf(m_groups), 1,
+            yield return JobStep.Of(Slices.Schedule(0, MeasureSpacingJob.SlicesOf(m_groups), 1,
                 (_, __, after) => measure.Schedule(after), 1, Done, scheduled => Done = scheduled));
             JobHandle.ScheduleBatchedJobs();
         }
@@ -134,17 +134,17 @@ namespace FastPoints.Export
         }
 
         /// <summary>What each node's points showed, in the nodes' order.</summary>
-        public IEnumerable<NodeCheckResult> Verdicts()
+        public IEnumerable<NodeCheckResult> NodeResults()
         {
             int part = 0;
             for (int n = 0; n < Table.Nodes.Length; n++)
             {
-                var verdict = NodeCheckResult.Empty;
+                var result = NodeCheckResult.Empty;
                 for (; part < m_parts.Length && m_parts[part].Node == n; part++)
-                    verdict.Include(m_results[part]);
-                if (verdict.What == NodeCheckResult.Fault.None && !verdict.HasBoundsOf(Table.Nodes[n]))
-                    verdict.What = NodeCheckResult.Fault.Bounds;
-                yield return verdict;
+                    result.Include(m_results[part]);
+                if (result.What == NodeCheckResult.Fault.None && !result.HasBoundsOf(Table.Nodes[n]))
+                    result.What = NodeCheckResult.Fault.Bounds;
+                yield return result;
             }
         }
 
@@ -232,19 +232,19 @@ namespace FastPoints.Export
 
         void ListParts()
         {
-            const int most = VerifyNodesJob.PointsPerSlice, blocks = most / PlaneShape.MaxPointsPerBlock;
+            const int max = VerifyNodesJob.PointsPerSlice, blocks = max / PlaneShape.MaxPointsPerBlock;
             var parts = new List<NodePart>();
             int ofNodes = 0, ofParts = 0;
             for (int n = 0; n < Table.Nodes.Length; n++)
             {
                 var node = Table.Nodes[n];
                 // Planes take a tenth of what their points take.
-                Cut(m_nodeSlices, n, ref ofNodes, node.PointCount, 10 * most);
+                Cut(m_nodeSlices, n, ref ofNodes, node.PointCount, 10 * max);
                 for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount; b += blocks)
                 {
                     var part = new NodePart { Node = n, FirstBlock = b };
                     part.EndBlock = Math.Min(b + blocks, node.FirstBlock + node.BlockCount);
-                    Cut(m_partSlices, parts.Count, ref ofParts, (part.EndBlock - b) * PlaneShape.MaxPointsPerBlock, most);
+                    Cut(m_partSlices, parts.Count, ref ofParts, (part.EndBlock - b) * PlaneShape.MaxPointsPerBlock, max);
                     parts.Add(part);
                 }
             }
@@ -254,9 +254,9 @@ namespace FastPoints.Export
         }
 
         /// <summary>Begins another slice if what is added does not fit into the last one.</summary>
-        static void Cut(List<int> slices, int at, ref int filled, int added, int most)
+        static void Cut(List<int> slices, int at, ref int filled, int added, int max)
         {
-            if (filled > 0 && filled + added > most)
+            if (filled > 0 && filled + added > max)
             {
                 slices.Add(at);
                 filled = 0;

@@ -17,9 +17,9 @@ namespace FastPoints.Export
     public sealed class VerifyCloud : IDisposable
     {
         /// <summary>Memory of the files in flight, unless one takes more: enough for half a second's work of a worker.</summary>
-        const long MostBytes = 96L << 20;
+        const long MaxBytes = 96L << 20;
 
-        const int TablesAhead = 8;
+        const int MaxTablesInFlight = 8;
 
         readonly CloudFolder m_folder;
         readonly VerifyResult m_result;
@@ -38,10 +38,10 @@ namespace FastPoints.Export
             m_store = new NativeStoreLayout(folder.Layout);
         }
 
-        /// <summary>Verifies as work for a pump. Problems of the cloud are in the result and throw nothing.</summary>
+        /// <summary>Verifies as a coroutine. Problems of the cloud are in the result and throw nothing.</summary>
         /// <param name="against">The sources to compare with; none to skip that.</param>
         /// <exception cref="PointCloudException">The path is not a cloud at all, or a source cannot be read.</exception>
-        public static IEnumerator<Work> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
+        public static IEnumerator<JobStep> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
             StageProgress progress)
         {
             if (!CloudFolder.IsCloud(path))
@@ -62,14 +62,14 @@ namespace FastPoints.Export
             using (var verify = new VerifyCloud(folder, result))
             {
                 progress?.Begin("verify");
-                yield return Work.Of(verify.CheckFiles(progress));
+                yield return JobStep.Of(verify.CheckFiles(progress));
                 if (result.Ok)
-                    yield return Work.Of(CrossCheck.Run(verify.m_atSides, result.Levels));
+                    yield return JobStep.Of(CrossCheck.Run(verify.m_atSides, result.Levels));
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
                     progress?.Begin("compare");
-                    yield return Work.Of(verify.Compare(against, progress));
+                    yield return JobStep.Of(verify.Compare(against, progress));
                 }
                 progress?.End();
             }
@@ -84,9 +84,9 @@ namespace FastPoints.Export
         }
 
         /// <summary>Checks the files in their order, several ahead of the one whose result is taken next.</summary>
-        IEnumerator<Work> CheckFiles(StageProgress progress)
+        IEnumerator<JobStep> CheckFiles(StageProgress progress)
         {
-            var tables = new Queue<PoolWork<NodeTable>>();
+            var tables = new Queue<PoolTask<NodeTable>>();
             var inFlight = new Queue<(FileCheck Check, string Problem)>();
             FileCheck next = null;
             int file = m_folder.Upper.Nodes.Length > 0 ? -1 : 0, asked = 0, taken = file;
@@ -95,7 +95,7 @@ namespace FastPoints.Export
             {
                 while (taken < m_folder.Chunks.Length)
                 {
-                    for (; asked < m_folder.Chunks.Length && tables.Count < TablesAhead; asked++)
+                    for (; asked < m_folder.Chunks.Length && tables.Count < MaxTablesInFlight; asked++)
                         tables.Enqueue(Load(asked));
                     if (next == null && file < m_folder.Chunks.Length && (file < 0 || tables.Peek().IsDone))
                     {
@@ -109,13 +109,13 @@ namespace FastPoints.Export
                         }
                         file++;
                     }
-                    if (next != null && (inFlight.Count == 0 || bytes + next.Bytes <= MostBytes))
+                    if (next != null && (inFlight.Count == 0 || bytes + next.Bytes <= MaxBytes))
                     {
                         var begun = next;
                         inFlight.Enqueue((begun, null));
                         next = null;
                         bytes += begun.Bytes;
-                        yield return Work.Of(begun.Begin());
+                        yield return JobStep.Of(begun.Begin());
                         continue;
                     }
                     if (inFlight.Count == 0)
@@ -153,12 +153,12 @@ namespace FastPoints.Export
             }
         }
 
-        PoolWork<NodeTable> Load(int chunk)
+        PoolTask<NodeTable> Load(int chunk)
         {
             var folder = m_folder;
             var record = folder.Chunks[chunk];
             string path = folder.ChunkPath(chunk);
-            return PoolWork.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
+            return PoolTask.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
         }
 
         void Take(FileCheck check)
@@ -178,26 +178,26 @@ namespace FastPoints.Export
                 return;
             }
             int node = 0;
-            foreach (var verdict in check.Verdicts())
-                Take(check.Path, node++, check.Table, verdict);
+            foreach (var result in check.NodeResults())
+                Take(check.Path, node++, check.Table, result);
             if (m_result.Ok)
                 check.TakeDistances(m_result.Levels, m_atSides);
         }
 
-        void Take(string path, int index, NodeTable table, in NodeCheckResult verdict)
+        void Take(string path, int index, NodeTable table, in NodeCheckResult result)
         {
             var node = table.Nodes[index];
-            if (verdict.What != NodeCheckResult.Fault.None)
+            if (result.What != NodeCheckResult.Fault.None)
             {
-                var range = table.Planes[node.Host * table.PlaneCount + verdict.Plane];
+                var range = table.Planes[node.PlaneNode * table.PlaneCount + result.Plane];
                 m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: at byte {1}: node {2}, plane \"{3}\": {4}", path,
-                    range.OffsetBytes, index, m_folder.Layout.Planes[verdict.Plane].Name, Describe(verdict.What)));
+                    range.OffsetBytes, index, m_folder.Layout.Planes[result.Plane].Name, Describe(result.What)));
                 return;
             }
             m_nodes++;
             m_result.Points += node.PointCount;
-            m_firstSum += verdict.FirstSum;
-            m_secondSum += verdict.SecondSum;
+            m_firstSum += result.FirstSum;
+            m_secondSum += result.SecondSum;
             int level = m_folder.Manifest.Root.SideLog2 - node.SideLog2;
             while (m_result.Levels.Count <= level)
                 m_result.Levels.Add(VerifyResult.Level.None);
@@ -241,7 +241,7 @@ namespace FastPoints.Export
             }
         }
 
-        IEnumerator<Work> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
+        IEnumerator<JobStep> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
         {
             var manifest = m_folder.Manifest;
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
@@ -257,11 +257,11 @@ namespace FastPoints.Export
                 if (!HasAttributes(reader))
                     yield break;
                 if (!reader.BlocksAreKnown)
-                    yield return Work.Of(reader.FindBlocks());
+                    yield return JobStep.Of(reader.FindBlocks());
                 var wanted = reader.Info.Schema.Select(names.ToArray());
                 using var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
                     reader.MaxPointsPerBlock);
-                yield return Work.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
+                yield return JobStep.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
                 var found = sums.TakeStatistics(out ulong second, attributes);
                 points += found.Count;
                 leftOut += found.LeftOut;

@@ -62,44 +62,44 @@ namespace FastPoints.Export
                 if (ChecksPlanes)
                     PlaneResults[i] = CheckPlanes(i);
                 else
-                    Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].Host]);
+                    Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].PlaneNode]);
         }
 
         PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
 
-        PlaneView ViewOf(int host, int plane)
+        PlaneView ViewOf(int planeNode, int plane)
         {
-            var node = Nodes[host];
-            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Planes[host * PlaneCount + plane].OffsetBytes,
-                ShapeOf(plane, node.IsWide), node.HostedBlocks);
+            var node = Nodes[planeNode];
+            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Planes[planeNode * PlaneCount + plane].OffsetBytes,
+                ShapeOf(plane, node.IsWide), node.PlaneBlocks);
         }
 
         NodeCheckResult CheckPlanes(int index)
         {
-            var verdict = NodeCheckResult.Empty;
-            if (Nodes[index].Host != index)
-                return verdict;
+            var result = NodeCheckResult.Empty;
+            if (Nodes[index].PlaneNode != index)
+                return result;
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
-            for (int p = 0; p < PlaneCount && verdict.What == NodeCheckResult.Fault.None; p++)
+            for (int p = 0; p < PlaneCount && result.What == NodeCheckResult.Fault.None; p++)
             {
                 var range = Planes[index * PlaneCount + p];
-                verdict.Plane = p;
+                result.Plane = p;
                 if (ContentHash.Of(file + range.OffsetBytes, range.LengthBytes) != range.Hash)
-                    verdict.What = NodeCheckResult.Fault.PlaneHash;
-                else if (!PlaneView.IsSound(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
-                    Nodes[index].HostedBlocks))
-                    verdict.What = NodeCheckResult.Fault.PlaneShape;
+                    result.What = NodeCheckResult.Fault.PlaneHash;
+                else if (!PlaneView.IsValid(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
+                    Nodes[index].PlaneBlocks))
+                    result.What = NodeCheckResult.Fault.PlaneShape;
             }
-            return verdict;
+            return result;
         }
 
-        NodeCheckResult CheckPoints(NodePart part, NodeCheckResult verdict)
+        NodeCheckResult CheckPoints(NodePart part, NodeCheckResult result)
         {
             int index = part.Node;
-            if (verdict.What != NodeCheckResult.Fault.None)
-                return verdict;
+            if (result.What != NodeCheckResult.Fault.None)
+                return result;
             var node = Nodes[index];
-            var host = Nodes[node.Host];
+            var planeNode = Nodes[node.PlaneNode];
             var points = FirstSampled[index] >= 0 ? (double3*)Sampled.GetUnsafePtr() + FirstSampled[index] : null;
             ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
@@ -109,58 +109,58 @@ namespace FastPoints.Export
             UnsafeUtility.MemClear(records, math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock);
             // Blocks before are full, or their part has the fault.
             int done = (part.FirstBlock - node.FirstBlock) * PlaneShape.MaxPointsPerBlock;
-            for (int b = part.FirstBlock; b < part.EndBlock && verdict.What == NodeCheckResult.Fault.None; b++)
+            for (int b = part.FirstBlock; b < part.EndBlock && result.What == NodeCheckResult.Fault.None; b++)
             {
-                var position = ViewOf(node.Host, 0);
+                var position = ViewOf(node.PlaneNode, 0);
                 int count = position.PointsOf(b);
                 if (count != math.min(PlaneShape.MaxPointsPerBlock, node.PointCount - done))
                 {
-                    verdict.What = NodeCheckResult.Fault.BlockCounts;
-                    verdict.Plane = 0;
+                    result.What = NodeCheckResult.Fault.BlockCounts;
+                    result.Plane = 0;
                     break;
                 }
                 for (int c = 0; c < 3; c++)
                     position.UnpackWide(b, c, places + c * PlaneShape.MaxPointsPerBlock);
-                LoadAttributes(node.Host, b, count, values, records, recordBytes, ref verdict);
-                if (verdict.What != NodeCheckResult.Fault.None)
+                LoadAttributes(node.PlaneNode, b, count, values, records, recordBytes, ref result);
+                if (result.What != NodeCheckResult.Fault.None)
                     break;
                 for (int i = 0; i < count; i++)
                 {
-                    var place = host.Corner + new Grid3((long)places[i], (long)places[PlaneShape.MaxPointsPerBlock + i],
+                    var place = planeNode.Corner + new Grid3((long)places[i], (long)places[PlaneShape.MaxPointsPerBlock + i],
                         (long)places[2 * PlaneShape.MaxPointsPerBlock + i]);
                     if (!node.Cube.Contains(place))
                     {
-                        verdict.What = NodeCheckResult.Fault.OutsideCube;
-                        verdict.Plane = 0;
+                        result.What = NodeCheckResult.Fault.OutsideCube;
+                        result.Plane = 0;
                         break;
                     }
                     var offset = place - node.Corner;
-                    verdict.Min = Grid3.Min(verdict.Min, offset);
-                    verdict.Max = Grid3.Max(verdict.Max, offset);
+                    result.Min = Grid3.Min(result.Min, offset);
+                    result.Max = Grid3.Max(result.Max, offset);
                     if (points != null)
                     {
                         var fromOrigin = place - Origin;
                         points[done + i] = new double3(fromOrigin.X, fromOrigin.Y, fromOrigin.Z) * Step;
                     }
-                    verdict.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
-                    verdict.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
+                    result.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
+                    result.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
                 }
                 done += count;
             }
             UnsafeUtility.Free(records, Allocator.Temp);
-            return verdict;
+            return result;
         }
 
-        void LoadAttributes(int host, int block, int count, ulong* values, byte* records, int recordBytes,
-            ref NodeCheckResult verdict)
+        void LoadAttributes(int planeNode, int block, int count, ulong* values, byte* records, int recordBytes,
+            ref NodeCheckResult result)
         {
             for (int p = 1; p < PlaneCount; p++)
             {
-                var plane = ViewOf(host, p);
-                verdict.Plane = p;
+                var plane = ViewOf(planeNode, p);
+                result.Plane = p;
                 if (plane.PointsOf(block) != count)
                 {
-                    verdict.What = NodeCheckResult.Fault.BlockCounts;
+                    result.What = NodeCheckResult.Fault.BlockCounts;
                     return;
                 }
                 for (int c = 0; c < plane.Shape.ColumnCount; c++)
@@ -172,7 +172,7 @@ namespace FastPoints.Export
                     {
                         ulong value = values[i] * (ulong)column.Divisor;
                         if (bits < 64 && value >> bits != 0)
-                            verdict.What = NodeCheckResult.Fault.Value;
+                            result.What = NodeCheckResult.Fault.Value;
                         // Averages are not part of the point.
                         if (AverageOf[p - 1] < 0)
                             OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);

@@ -26,12 +26,12 @@ namespace FastPoints.Laz
         {
             if (Next != End)
                 return false;
-            const uint Least = RangeCode.MinLength;
-            bool isLong = Length > 2 * Least;
+            const uint Min = RangeCode.MinLength;
+            bool isLong = Length > 2 * Min;
             for (int i = 1; i <= (isLong ? 3 : 2) && Next - i >= input; i++)
                 if (Next[-i] != 0)
                     return false;
-            return isLong ? Value > 0 && Value <= Least : Value <= Least >> 1 && Value > (Least >> 1) - (1 << 16);
+            return isLong ? Value > 0 && Value <= Min : Value <= Min >> 1 && Value > (Min >> 1) - (1 << 16);
         }
 
         /// <summary>Starts at a stream's first byte.</summary>

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Laz
 {
-    /// <summary>An adaptive model of an alphabet of up to 1,024 symbols: a header in front of its tables, all in one stretch of
+    /// <summary>An adaptive model of an alphabet of up to 1,024 symbols: a header in front of its tables, all in one segment of
     /// native memory without pointers, so that a decoder's state can be copied as bytes. HPC#.</summary>
     /// <remarks><code>
     /// byte   0  header (this struct)

@@ -5,7 +5,7 @@ namespace FastPoints.Laz
 {
     /// <summary>The decoder of pointwise compressed chunks (point formats 0 to 5): the first point as it is, then one range-coded
     /// stream in which the items of each point follow each other. HPC#.</summary>
-    /// <remarks>All state is this struct and what lies behind it in one stretch of native memory without pointers: a chunk is
+    /// <remarks>All state is this struct and what lies behind it in one segment of native memory without pointers: a chunk is
     /// decoded in slices of any number of points, and a copy of the bytes is a place to go on from.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct PointwiseChunk
@@ -35,7 +35,7 @@ namespace FastPoints.Laz
 
         /// <summary>Number of the last decoded points behind the first place where the stream can have ended: if there are fewer
         /// points than claimed, these may not exist. They took no byte, and less than eight bits together.</summary>
-        public int PointsInDoubt => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
+        public int UncertainPoints => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
 
         /// <summary>Bytes of decoder state for a list of items.</summary>
         public static long StateBytes(LazItem[] items)

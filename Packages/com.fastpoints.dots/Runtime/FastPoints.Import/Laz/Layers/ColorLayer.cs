@@ -45,7 +45,7 @@ namespace FastPoints.Laz
                     break;
                 field += stride;
             }
-            layer->Keep(current, value, length, next);
+            layer->SaveState(current, value, length, next);
             return done;
         }
 
@@ -84,7 +84,7 @@ namespace FastPoints.Laz
                 *(ushort*)field = *last;
                 field += stride;
             }
-            layer->Keep(current, value, length, next);
+            layer->SaveState(current, value, length, next);
             return done;
         }
 
@@ -110,7 +110,7 @@ namespace FastPoints.Laz
                 }
                 RgbItem.Encode(place, last, field, ref low, ref length, ref next);
             }
-            layer->Keep(current, low, length, next);
+            layer->SaveState(current, low, length, next);
         }
 
         public static void EncodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
@@ -143,7 +143,7 @@ namespace FastPoints.Laz
                     last[b] = field[b];
                 }
             }
-            layer->Keep(current, low, length, next);
+            layer->SaveState(current, low, length, next);
         }
     }
 }

@@ -67,7 +67,7 @@ namespace FastPoints.Laz
                 *(ushort*)field = (ushort)((Integer16Layer*)place)->m_last;
                 field += stride;
             }
-            layer->Keep(channel, value, length, next);
+            layer->SaveState(channel, value, length, next);
             return done;
         }
 
@@ -106,7 +106,7 @@ namespace FastPoints.Laz
                 }
                 ((Integer16Layer*)place)->m_last = *(ushort*)field;
             }
-            layer->Keep(channel, low, length, next);
+            layer->SaveState(channel, low, length, next);
         }
     }
 }

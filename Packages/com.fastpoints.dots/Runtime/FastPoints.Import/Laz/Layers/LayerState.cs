@@ -42,7 +42,7 @@ namespace FastPoints.Laz
         }
 
         /// <summary>Keeps where a coder stops.</summary>
-        public void Keep(int context, uint value, uint length, byte* next)
+        public void SaveState(int context, uint value, uint length, byte* next)
         {
             Current = context;
             Stream.Value = value;

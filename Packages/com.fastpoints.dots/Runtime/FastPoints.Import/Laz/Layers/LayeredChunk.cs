@@ -87,7 +87,7 @@ namespace FastPoints.Laz
         /// or its layers together are as long. If neither holds, it would decode to points that were never written.</summary>
         /// <param name="points">Of the chunk, as told.</param>
         /// <param name="bytes">Of the chunk, as told.</param>
-        public static bool IsThere(LayeredChunk* chunk, byte* input, long inputBytes, long points, long bytes)
+        public static bool IsPlausible(LayeredChunk* chunk, byte* input, long inputBytes, long points, long bytes)
         {
             long end = BytesOf(chunk, input, inputBytes, out long pointsInChunk);
             return end == 0 || pointsInChunk == points || end == bytes;

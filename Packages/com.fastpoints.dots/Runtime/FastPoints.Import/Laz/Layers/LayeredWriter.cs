@@ -29,13 +29,13 @@ namespace FastPoints.Laz
         /// <summary>Bytes of state for chunks of at most so many points.</summary>
         public static long StateBytes(LazLayer[] layers, int points)
         {
-            long most = 0;
+            long max = 0;
             foreach (var layer in layers)
             {
                 long bytes = 4L * LayeredChunk.ContextBytes(layer.Kind);
-                most = most > bytes ? most : bytes;
+                max = max > bytes ? max : bytes;
             }
-            return ContextsOffset(points) + most;
+            return ContextsOffset(points) + max;
         }
 
         /// <summary>Begins a chunk: the first point as it is, the number of points, and room for the layers' sizes.</summary>

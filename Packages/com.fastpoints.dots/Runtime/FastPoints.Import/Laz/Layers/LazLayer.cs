@@ -118,7 +118,7 @@ namespace FastPoints.Laz
 
         /// <summary>Whether each layer is wanted. The first always is: the others' contexts come from it.</summary>
         /// <exception cref="ArgumentException">The records lack an attribute.</exception>
-        public static bool[] Make(LazLayer[] layers, PointFields fields, PointSchema wanted)
+        public static bool[] Choose(LazLayer[] layers, PointFields fields, PointSchema wanted)
         {
             var isWanted = new bool[layers.Length];
             isWanted[0] = true;

@@ -154,7 +154,7 @@ namespace FastPoints.Laz
                 record[15] = (byte)(flags | channel << 4);
                 record += stride;
             }
-            layer->Keep(channel, value, length, next);
+            layer->SaveState(channel, value, length, next);
             return done;
         }
 
@@ -233,7 +233,7 @@ namespace FastPoints.Laz
                 context->m_y = *(int*)(record + 4);
                 points[i] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
             }
-            layer->Keep(channel, low, length, next);
+            layer->SaveState(channel, low, length, next);
         }
 
         /// <summary>The <see cref="PointContext"/> of a point.</summary>

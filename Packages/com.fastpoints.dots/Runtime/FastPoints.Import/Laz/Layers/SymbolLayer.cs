@@ -54,7 +54,7 @@ namespace FastPoints.Laz
                 *field = kind == LazLayerKind.Flags ? (byte)(symbol & 15 | symbol >> 4 << 6 | *field & 0x30) : (byte)symbol;
                 field += stride;
             }
-            layer->Keep(channel, value, length, next);
+            layer->SaveState(channel, value, length, next);
             return done;
         }
 
@@ -81,7 +81,7 @@ namespace FastPoints.Laz
                 SymbolModel.Encode(model, 256, (uint)symbol, ref low, ref length, ref next);
                 ((SymbolLayer*)place)->m_last = symbol;
             }
-            layer->Keep(channel, low, length, next);
+            layer->SaveState(channel, low, length, next);
         }
 
         /// <summary>The model by the last symbol, made on first use.</summary>

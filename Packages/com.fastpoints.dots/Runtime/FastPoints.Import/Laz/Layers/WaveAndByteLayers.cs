@@ -71,7 +71,7 @@ namespace FastPoints.Laz
                 *field = *last;
                 field += stride;
             }
-            layer->Keep(current, value, length, next);
+            layer->SaveState(current, value, length, next);
             return done;
         }
 
@@ -121,7 +121,7 @@ namespace FastPoints.Laz
                 SymbolModel.Encode(place + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
                 *last = *field;
             }
-            layer->Keep(current, low, length, next);
+            layer->SaveState(current, low, length, next);
         }
     }
 }

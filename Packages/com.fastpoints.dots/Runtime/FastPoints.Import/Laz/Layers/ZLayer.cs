@@ -52,7 +52,7 @@ namespace FastPoints.Laz
                 *(int*)field = added;
                 field += stride;
             }
-            layer->Keep(channel, value, length, next);
+            layer->SaveState(channel, value, length, next);
             return done;
         }
 
@@ -78,7 +78,7 @@ namespace FastPoints.Laz
                     ref low, ref length, ref next);
                 *last = ((ZLayer*)place)->m_last = *(int*)field;
             }
-            layer->Keep(channel, low, length, next);
+            layer->SaveState(channel, low, length, next);
         }
     }
 }

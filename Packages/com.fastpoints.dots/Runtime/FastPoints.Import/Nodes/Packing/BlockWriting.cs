@@ -28,33 +28,33 @@ namespace FastPoints.Nodes
             for (int c = 0; c < shape.ColumnCount; c++)
             {
                 int at = shape.MinimumWord(c), width;
-                ulong least, most;
+                ulong low, high;
                 if (shape.IsWide(c))
                 {
                     ulong* column = WideOf(values, c);
-                    least = most = column[0];
+                    low = high = column[0];
                     for (int i = 1; i < count; i++)
                     {
-                        least = math.min(least, column[i]);
-                        most = math.max(most, column[i]);
+                        low = math.min(low, column[i]);
+                        high = math.max(high, column[i]);
                     }
-                    width = BlockCodec.WidthOf(most - least);
-                    descriptor[at + 1] = (uint)(least >> 32);
-                    word += BlockCodec.PackWide(column, least, count, width, plane + word);
+                    width = BlockCodec.WidthOf(high - low);
+                    descriptor[at + 1] = (uint)(low >> 32);
+                    word += BlockCodec.PackWide(column, low, count, width, plane + word);
                 }
                 else
                 {
                     uint* column = NarrowOf(values, c);
-                    BlockCodec.FindRange(column, count, out uint leastNarrow, out uint mostNarrow);
-                    least = leastNarrow;
-                    most = mostNarrow;
-                    width = BlockCodec.WidthOf(most - least);
-                    word += BlockCodec.Pack(column, leastNarrow, count, width, plane + word);
+                    BlockCodec.FindRange(column, count, out uint minNarrow, out uint maxNarrow);
+                    low = minNarrow;
+                    high = maxNarrow;
+                    width = BlockCodec.WidthOf(high - low);
+                    word += BlockCodec.Pack(column, minNarrow, count, width, plane + word);
                 }
-                min[c] = math.min(min[c], least);
-                max[c] = math.max(max[c], most);
+                min[c] = math.min(min[c], low);
+                max[c] = math.max(max[c], high);
                 widths |= (uint)width << (8 * c);
-                descriptor[at] = (uint)least;
+                descriptor[at] = (uint)low;
             }
             descriptor[1] = widths;
             descriptor += shape.DescriptorWords;

@@ -6,7 +6,7 @@ using Unity.Jobs;
 namespace FastPoints.Nodes
 {
     /// <summary>Turns one chunk at a time into nodes: orders and samples its points, and writes them into memory. It
-    /// owns what comes of a chunk; what the jobs need meanwhile is the lane's.</summary>
+    /// owns what comes of a chunk; what the jobs need meanwhile is the workspace's.</summary>
     internal sealed class ChunkIndexer : IDisposable
     {
         readonly RecordLayout m_records;
@@ -15,7 +15,7 @@ namespace FastPoints.Nodes
         readonly ulong m_cloudId;
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
-        IndexLane m_lane;
+        IndexWorkspace m_workspace;
 
         NativeArray<ChunkTop> m_tops;
         NativeReference<ulong> m_checksum;
@@ -69,27 +69,27 @@ namespace FastPoints.Nodes
         /// <summary>Bytes of each plane in the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Begins a chunk, behind those that are in the lane. The caller owns its pages again when the job is
+        /// <summary>Begins a chunk, behind those that are in the workspace. The caller owns its pages again when the job is
         /// done.</summary>
         /// <param name="ready">Completes when the pages have their records.</param>
-        public void Begin(GridCube cube, RecordPages pages, int number, IndexLane lane, JobHandle ready)
+        public void Begin(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace, JobHandle ready)
         {
             Cube = cube;
             Pages = pages;
             Number = number;
-            m_lane = lane;
+            m_workspace = workspace;
             int count = checked((int)pages.Count);
-            var ordered = Order(count, pages, cube, lane.Begin(count, ready));
-            var sampled = Sample(count, cube, m_records, lane.Sorted, m_tops, ordered);
-            Job = Write(count, m_records, cube.Corner, true, true, lane.Sorted, sampled);
+            var ordered = Order(count, pages, cube, workspace.Begin(count, ready));
+            var sampled = Sample(count, cube, m_records, workspace.Sorted, m_tops, ordered);
+            Job = Write(count, m_records, cube.Corner, true, true, workspace.Sorted, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
         /// <summary>The same where only the top is kept: <see cref="Checksum"/> is the top's.</summary>
-        public void BeginTop(GridCube cube, RecordPages pages, int number, IndexLane lane)
+        public void BeginTop(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace)
         {
-            Begin(cube, pages, number, lane, default);
-            Job = lane.Last = new SumTopJob
+            Begin(cube, pages, number, workspace, default);
+            Job = workspace.Last = new SumTopJob
             {
                 Records = Top,
                 Layout = m_records.ForTops(m_store.HasAverages),
@@ -103,23 +103,24 @@ namespace FastPoints.Nodes
         /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
         /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
         /// does.</param>
-        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot, IndexLane lane)
+        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot,
+            IndexWorkspace workspace)
         {
-            m_lane = lane;
+            m_workspace = workspace;
             Number = 0;
             Cube = cube;
             Pages = default;
             var layout = m_records.ForTops(m_store.HasAverages);
             int count = records.Length / layout.StrideBytes;
-            var prepared = lane.Begin(count, default);
+            var prepared = workspace.Begin(count, default);
             var prepare = new PrepareUpperJob
             {
                 Slices = m_slices,
                 Layout = layout,
                 Corner = m_rootCorner,
                 Records = records,
-                CommonCubeLog2 = m_lane.Common,
-                Priority = m_lane.Priority,
+                CommonCubeLog2 = m_workspace.Common,
+                Priority = m_workspace.Priority,
             };
             while (prepare.End < count)
             {
@@ -156,11 +157,11 @@ namespace FastPoints.Nodes
                 Pages = pages,
                 Layout = m_records,
                 Cube = cube,
-                Scratch = m_lane.Ordering,
-                BucketOfPoint = m_lane.Numbers,
-                Records = m_lane.Sorted,
-                CommonCubeLog2 = m_lane.Common,
-                Priority = m_lane.Priority,
+                Scratch = m_workspace.Ordering,
+                BucketOfPoint = m_workspace.Numbers,
+                Records = m_workspace.Sorted,
+                CommonCubeLog2 = m_workspace.Common,
+                Priority = m_workspace.Priority,
                 Checksum = m_checksum,
                 CostPerSlice = OrderChunkJob.CostOfSlice,
             };
@@ -185,25 +186,25 @@ namespace FastPoints.Nodes
                 IsRandom = isRandom,
                 Corner = cube.Corner,
                 Records = records,
-                CommonCubeLog2 = m_lane.Common,
-                Priority = m_lane.Priority,
+                CommonCubeLog2 = m_workspace.Common,
+                Priority = m_workspace.Priority,
                 Tops = tops,
-                NodeOfPoint = m_lane.NodeOfPoint,
+                NodeOfPoint = m_workspace.NodeOfPoint,
                 Nodes = Drafts,
                 Averaged = Averaged,
-                Scratch = m_lane.Sampling,
+                Scratch = m_workspace.Sampling,
                 CostPerSlice = SampleNodesJob.CostOfSlice,
             };
             // Slices that come after the end have nothing to do; one takes what is left where levels are many.
-            long usual = (long)count * (isRandom ? SampleNodesJob.UsualCost : SampleNodesJob.UsualCostOfDarts) +
-                (Averaged.IsOn ? (long)count * SampleNodesJob.UsualCostOfAverages : 0);
-            for (long done = 0; done < usual; done += job.CostPerSlice)
+            long typical = (long)count * (isRandom ? SampleNodesJob.TypicalCost : SampleNodesJob.TypicalCostOfDarts) +
+                (Averaged.IsOn ? (long)count * SampleNodesJob.TypicalCostOfAverages : 0);
+            for (long done = 0; done < typical; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             job.CostPerSlice = int.MaxValue;
             return job.Schedule(inputDeps);
         }
 
-        JobHandle Write(int count, RecordLayout layout, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records,
+        JobHandle Write(int count, RecordLayout layout, Grid3 corner, bool isChunk, bool omitsTop, NativeArray<byte> records,
             JobHandle inputDeps)
         {
             var job = new WriteNodesJob
@@ -215,9 +216,9 @@ namespace FastPoints.Nodes
                 CloudId = m_cloudId,
                 Number = Number,
                 IsChunk = isChunk,
-                KeepsTopOut = keepsTopOut,
+                OmitsTop = omitsTop,
                 Records = records,
-                NodeOfPoint = m_lane.NodeOfPoint,
+                NodeOfPoint = m_workspace.NodeOfPoint,
                 Drafts = Drafts,
                 Columns = m_store.Columns,
                 FirstColumnOfPlane = m_store.FirstColumnOfPlane,
@@ -229,22 +230,22 @@ namespace FastPoints.Nodes
                 AverageOf = m_store.AverageOf,
                 Averaged = Averaged,
                 BytesOfPlane = m_bytesOfPlane,
-                Points = m_lane.Numbers,
-                Scratch = m_lane.Writing,
+                Points = m_workspace.Numbers,
+                Scratch = m_workspace.Writing,
                 ValuesPerSlice = WriteNodesJob.ValuesOfSlice,
             };
             for (long done = 0; done < job.Cost; done += job.ValuesPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             // Slices end at planes: what they leave.
             job.ValuesPerSlice = int.MaxValue;
-            return m_lane.Last = job.Schedule(inputDeps);
+            return m_workspace.Last = job.Schedule(inputDeps);
         }
 
         AveragedColumns Averaged => new AveragedColumns
         {
             Columns = m_store.AveragedColumns,
-            AverageOfPoint = m_lane.AverageOfPoint,
-            Averages = m_lane.Averages,
+            AverageOfPoint = m_workspace.AverageOfPoint,
+            Averages = m_workspace.Averages,
         };
     }
 }

@@ -119,7 +119,7 @@ namespace FastPoints.Nodes
         {
             for (int i = 0; i < count; i++)
             {
-                var offset = Layout.PlaceOf(Records + (long)points[i] * Layout.StrideBytes) - corner;
+                var offset = Layout.PositionOf(Records + (long)points[i] * Layout.StrideBytes) - corner;
                 BlockWriting.WideOf(values, 0)[i] = (ulong)offset.X;
                 BlockWriting.WideOf(values, 1)[i] = (ulong)offset.Y;
                 BlockWriting.WideOf(values, 2)[i] = (ulong)offset.Z;
@@ -135,7 +135,7 @@ namespace FastPoints.Nodes
             {
                 for (int i = 0; i < count; i++)
                 {
-                    var offset = Layout.PlaceOf(records + points[i] * stride) - corner;
+                    var offset = Layout.PositionOf(records + points[i] * stride) - corner;
                     x[i] = (uint)offset.X;
                     y[i] = (uint)offset.Y;
                     z[i] = (uint)offset.Z;

@@ -22,8 +22,8 @@ namespace FastPoints.Nodes
         const int CostOfPlace = 4;
         const int CostOfAverage = 16;
 
-        /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
-        public const int TinyPoints = PlaneShape.MaxPointsPerBlock;
+        /// <summary>Leaves with fewer points are inlined leaves in their parent's planes.</summary>
+        public const int InlinedLeafPoints = PlaneShape.MaxPointsPerBlock;
 
         public int Count;
         public RecordLayout Layout;
@@ -37,7 +37,7 @@ namespace FastPoints.Nodes
         public bool IsChunk;
 
         /// <summary>Whether the first node goes to <see cref="Top"/> instead of the file.</summary>
-        public bool KeepsTopOut;
+        public bool OmitsTop;
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> NodeOfPoint;
         [ReadOnly] public NativeList<NodeDraft> Drafts;
@@ -58,7 +58,7 @@ namespace FastPoints.Nodes
         /// <summary>Scratch: points, grouped by draft.</summary>
         public NativeArray<uint> Points;
 
-        /// <summary>Its <see cref="WriteScratch.Now"/> is reset before the first slice.</summary>
+        /// <summary>Its <see cref="WriteScratch.Progress"/> is reset before the first slice.</summary>
         public WriteScratch Scratch;
 
         /// <summary>About this many values are written in one run; to group a point costs as much as one.</summary>
@@ -110,7 +110,7 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            m_now = Scratch.Now.Value;
+            m_now = Scratch.Progress.Value;
             m_budget = ValuesPerSlice;
             m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
             m_points = (uint*)Points.GetUnsafePtr();
@@ -127,8 +127,8 @@ namespace FastPoints.Nodes
             if (m_now.Stage == Stage.Plan && m_budget > 0)
                 Plan();
             if (m_now.Stage == Stage.Write)
-                WriteHosts();
-            Scratch.Now.Value = m_now;
+                WritePlanes();
+            Scratch.Progress.Value = m_now;
         }
 
         void Start()
@@ -178,7 +178,7 @@ namespace FastPoints.Nodes
             Scratch.FirstChild.ResizeUninitialized(Drafts.Length);
             Scratch.ChildCount.ResizeUninitialized(Drafts.Length);
             NumberNodes();
-            if (KeepsTopOut && Drafts.Length > 0)
+            if (OmitsTop && Drafts.Length > 0)
                 CopyTop();
             m_now.At = 0;
             m_now.Stage = Stage.Done;
@@ -214,7 +214,7 @@ namespace FastPoints.Nodes
             if (drafts > 0)
             {
                 nodeOfDraft[0] = -1;
-                if (KeepsTopOut)
+                if (OmitsTop)
                     Append(firstOf[0], nextOf, ref count);
                 else
                     Scratch.DraftOfNode[count++] = 0;
@@ -259,7 +259,7 @@ namespace FastPoints.Nodes
             }
         }
 
-        void WriteHosts()
+        void WritePlanes()
         {
             int planes = Shapes.Length + 1;
             var nodes = Scratch.Nodes.GetUnsafePtr();
@@ -268,8 +268,8 @@ namespace FastPoints.Nodes
             {
                 if (m_budget <= 0)
                     return;
-                if (nodes[m_now.At].Host == m_now.At)
-                    WriteHost(m_now.At, nodes, ranges + (long)m_now.At * planes);
+                if (nodes[m_now.At].PlaneNode == m_now.At)
+                    WritePlanesOf(m_now.At, nodes, ranges + (long)m_now.At * planes);
                 if (m_now.Plane > 0)
                     return;
             }
@@ -308,8 +308,8 @@ namespace FastPoints.Nodes
         {
             var draft = m_drafts[Scratch.DraftOfNode[node]];
             int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
-            bool isGuest = draft.IsLeaf && draft.Count < TinyPoints && parent >= 0;
-            var place = Layout.PlaceOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
+            bool isInlined = draft.IsLeaf && draft.Count < InlinedLeafPoints && parent >= 0;
+            var place = Layout.PositionOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
             long whole = -1L << draft.SideLog2;
             return new NodeRecord
             {
@@ -322,28 +322,28 @@ namespace FastPoints.Nodes
                 ChildCount = childCount,
                 PointCount = draft.Count,
                 BlockCount = PlaneShape.BlocksOf(draft.Count),
-                Host = isGuest ? parent : node,
+                PlaneNode = isInlined ? parent : node,
             };
         }
 
-        void WriteHost(int host, NodeRecord* nodes, PlaneRange* ranges)
+        void WritePlanesOf(int planeNode, NodeRecord* nodes, PlaneRange* ranges)
         {
-            // These are the node's own points, then each guest's.
-            int first = nodes[host].FirstChild, end = first + nodes[host].ChildCount;
-            var runs = Allocate<PackedRun>(1 + nodes[host].ChildCount);
-            int* nodeOfRun = Allocate<int>(1 + nodes[host].ChildCount);
+            // These are the node's own points, then each inlined leaf's.
+            int first = nodes[planeNode].FirstChild, end = first + nodes[planeNode].ChildCount;
+            var runs = Allocate<PackedRun>(1 + nodes[planeNode].ChildCount);
+            int* nodeOfRun = Allocate<int>(1 + nodes[planeNode].ChildCount);
             int runCount = 0, blocks = 0;
-            AddRun(host, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            AddRun(planeNode, nodes, runs, nodeOfRun, ref runCount, ref blocks);
             for (int child = first; child < end; child++)
-                if (nodes[child].Host == host)
+                if (nodes[child].PlaneNode == planeNode)
                     AddRun(child, nodes, runs, nodeOfRun, ref runCount, ref blocks);
-            nodes[host].HostedBlocks = blocks;
+            nodes[planeNode].PlaneBlocks = blocks;
             long points = 0;
             for (int r = 0; r < runCount; r++)
                 points += runs[r].Count;
             if (m_now.Plane == 0)
             {
-                WritePositions(host, nodes, ranges, runs, nodeOfRun, runCount);
+                WritePositions(planeNode, nodes, ranges, runs, nodeOfRun, runCount);
                 m_budget -= points * CostOfPlace;
             }
             WriteAttributes(ranges, runs, runCount, points);
@@ -351,14 +351,14 @@ namespace FastPoints.Nodes
             UnsafeUtility.Free(runs, Allocator.Temp);
         }
 
-        void WritePositions(int host, NodeRecord* nodes, PlaneRange* ranges, PackedRun* runs, int* nodeOfRun, int runCount)
+        void WritePositions(int planeNode, NodeRecord* nodes, PlaneRange* ranges, PackedRun* runs, int* nodeOfRun, int runCount)
         {
             ulong* min = Allocate<ulong>(3 * runCount);
             ulong* max = Allocate<ulong>(3 * runCount);
-            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[host].Corner, nodes[host].IsWide, min, max);
+            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[planeNode].Corner, nodes[planeNode].IsWide, min, max);
             BytesOfPlane[0] += ranges[0].LengthBytes;
             for (int r = 0; r < runCount; r++)
-                SetBounds(ref nodes[nodeOfRun[r]], nodes[host].Corner, min + 3 * r, max + 3 * r);
+                SetBounds(ref nodes[nodeOfRun[r]], nodes[planeNode].Corner, min + 3 * r, max + 3 * r);
             UnsafeUtility.Free(max, Allocator.Temp);
             UnsafeUtility.Free(min, Allocator.Temp);
             m_now.HasAverages = HasAverages(runs, runCount);
@@ -422,10 +422,10 @@ namespace FastPoints.Nodes
             };
         }
 
-        /// <summary>Sets bounds from the node's own corner; offsets are from the host's.</summary>
-        static void SetBounds(ref NodeRecord node, Grid3 hostCorner, ulong* min, ulong* max)
+        /// <summary>Sets bounds from the node's own corner; offsets are from the plane node's.</summary>
+        static void SetBounds(ref NodeRecord node, Grid3 planeCorner, ulong* min, ulong* max)
         {
-            var corner = node.Corner - hostCorner;
+            var corner = node.Corner - planeCorner;
             int shift = node.BoundsShift;
             node.MinX = (uint)(min[0] - (ulong)corner.X >> shift);
             node.MinY = (uint)(min[1] - (ulong)corner.Y >> shift);

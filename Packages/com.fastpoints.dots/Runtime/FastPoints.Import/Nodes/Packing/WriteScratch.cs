@@ -32,7 +32,7 @@ namespace FastPoints.Nodes
             public int AveragedColumn;
         }
 
-        public NativeReference<State> Now;
+        public NativeReference<State> Progress;
 
         /// <summary>For each draft, the index of its first point in the order of drafts.</summary>
         public NativeList<int> FirstPointOfDraft;
@@ -48,7 +48,7 @@ namespace FastPoints.Nodes
 
         public WriteScratch(Allocator allocator)
         {
-            Now = new NativeReference<State>(allocator);
+            Progress = new NativeReference<State>(allocator);
             FirstPointOfDraft = new NativeList<int>(64, allocator);
             DraftOfNode = new NativeList<int>(64, allocator);
             FirstChild = new NativeList<int>(64, allocator);
@@ -57,13 +57,13 @@ namespace FastPoints.Nodes
             Ranges = new NativeList<PlaneRange>(64, allocator);
         }
 
-        public bool IsDone => Now.Value.Stage == Stage.Done;
+        public bool IsDone => Progress.Value.Stage == Stage.Done;
 
         public void Dispose()
         {
-            if (!Now.IsCreated)
+            if (!Progress.IsCreated)
                 return;
-            Now.Dispose();
+            Progress.Dispose();
             FirstPointOfDraft.Dispose();
             DraftOfNode.Dispose();
             FirstChild.Dispose();

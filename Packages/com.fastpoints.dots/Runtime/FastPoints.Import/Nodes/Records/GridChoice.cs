@@ -47,8 +47,8 @@ namespace FastPoints.Nodes
                         choice.Sources[i].Z = axes[i];
                     var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
                     isNarrow &= axes[i].IsInteger && type.SizeOf() <= 4;
-                    type.RangeOf(out long least, out long most);
-                    long a = least * axes[i].Factor + axes[i].Shift, b = most * axes[i].Factor + axes[i].Shift;
+                    type.RangeOf(out long min, out long max);
+                    long a = min * axes[i].Factor + axes[i].Shift, b = max * axes[i].Factor + axes[i].Shift;
                     lowest = Math.Min(lowest, Math.Min(a, b));
                     highest = Math.Max(highest, Math.Max(a, b));
                 }
@@ -120,27 +120,27 @@ namespace FastPoints.Nodes
         /// <summary>A power of two that keeps all digits of the sample if its extent then fits 31 bits.</summary>
         static double FloatStep(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis, string name)
         {
-            double least = double.PositiveInfinity, most = double.NegativeInfinity, finestScale = double.PositiveInfinity;
+            double min = double.PositiveInfinity, max = double.NegativeInfinity, finestScale = double.PositiveInfinity;
             int digit = int.MaxValue;
             for (int i = 0; i < infos.Count; i++)
             {
                 double scale = infos[i].Transform.Scale[axis], offset = infos[i].Transform.Offset[axis];
                 double a = samples[i].Min[axis] * scale + offset, b = samples[i].Max[axis] * scale + offset;
-                least = Math.Min(least, Math.Min(a, b));
-                most = Math.Max(most, Math.Max(a, b));
+                min = Math.Min(min, Math.Min(a, b));
+                max = Math.Max(max, Math.Max(a, b));
                 if (infos[i].Schema[infos[i].Schema.IndexOf(name)].Type.IsFloat())
                     digit = Math.Min(digit, samples[i].LowestDigit[axis]);
                 else
                     finestScale = Math.Min(finestScale, Math.Abs(scale));
             }
-            if (!(least <= most))
+            if (!(min <= max))
                 return 1;
             if (finestScale < double.PositiveInfinity)
                 return finestScale;
-            double largest = Math.Max(Math.Abs(least), Math.Abs(most));
+            double largest = Math.Max(Math.Abs(min), Math.Abs(max));
             if (digit == int.MaxValue || largest == 0)
                 return 1;
-            digit = Math.Max(digit, Exponent(most - least) + 1 - FloatExtentLog2);
+            digit = Math.Max(digit, Exponent(max - min) + 1 - FloatExtentLog2);
             digit = Math.Max(digit, Exponent(largest) + 1 - 58);
             return math.pow(2.0, Math.Max(-1000, Math.Min(900, digit)));
         }

@@ -38,8 +38,8 @@ namespace FastPoints.Nodes
         const int CostOfTouch = 3000;
         const int TouchedBytes = 4096;
 
-        public const int MostBuckets = 1 << 3 * MostLevels;
-        const int MostLevels = 4;
+        public const int MaxBuckets = 1 << 3 * MaxLevels;
+        const int MaxLevels = 4;
 
         // Points to a bucket, in a surface: a level has four times the buckets.
         const int PointsOfBucket = 2048;
@@ -57,7 +57,7 @@ namespace FastPoints.Nodes
         public RecordLayout Layout;
         public GridCube Cube;
 
-        /// <summary>Its <see cref="OrderScratch.Now"/> is reset before the first slice.</summary>
+        /// <summary>Its <see cref="OrderScratch.Progress"/> is reset before the first slice.</summary>
         public OrderScratch Scratch;
 
         /// <summary>Scratch: the bucket of each record, as they came.</summary>
@@ -108,7 +108,7 @@ namespace FastPoints.Nodes
             get
             {
                 int levels = 0;
-                while (levels < MostLevels && levels < Cube.SideLog2 && Count >> 2 * levels > PointsOfBucket)
+                while (levels < MaxLevels && levels < Cube.SideLog2 && Count >> 2 * levels > PointsOfBucket)
                     levels++;
                 return levels;
             }
@@ -130,7 +130,7 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            m_now = Scratch.Now.Value;
+            m_now = Scratch.Progress.Value;
             m_budget = CostPerSlice;
             m_records = (byte*)Records.GetUnsafePtr();
             if (m_now.Stage == Stage.Start)
@@ -150,12 +150,12 @@ namespace FastPoints.Nodes
                 else
                     Emit();
             }
-            Scratch.Now.Value = m_now;
+            Scratch.Progress.Value = m_now;
         }
 
         void Start()
         {
-            UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (MostBuckets + 1) * sizeof(int));
+            UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (MaxBuckets + 1) * sizeof(int));
             Checksum.Value = 0;
             m_now = new OrderScratch.State { Stage = Stage.Touch, Page = Pages.First };
         }
@@ -198,7 +198,7 @@ namespace FastPoints.Nodes
                 m_budget -= (long)count * CostOfCount;
             }
             int sum = 0;
-            for (int b = 0; b <= MostBuckets; b++)
+            for (int b = 0; b <= MaxBuckets; b++)
             {
                 int with = countOfBucket[b];
                 countOfBucket[b] = sum;
@@ -215,14 +215,14 @@ namespace FastPoints.Nodes
             for (int first = 0; first < count; first += PointsOfRun)
             {
                 int run = math.min(PointsOfRun, count - first);
-                Layout.LoadPlaces(records + first * Layout.StrideBytes, run, x, y, z);
-                Morton.EncodeFew(x, y, z, run, CornerOffset, shift, bucketOf + first);
+                Layout.LoadPositions(records + first * Layout.StrideBytes, run, x, y, z);
+                Morton.EncodeShort(x, y, z, run, CornerOffset, shift, bucketOf + first);
             }
         }
 
         ulong CodeOf(byte* record, int shift)
         {
-            var place = Layout.PlaceOf(record) - Cube.Corner;
+            var place = Layout.PositionOf(record) - Cube.Corner;
             return Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
         }
 
@@ -244,7 +244,7 @@ namespace FastPoints.Nodes
                 m_budget -= (long)count * CostOfMove;
             }
             // Each start has moved to its end, which is the start of the next one.
-            for (int b = MostBuckets; b > 0; b--)
+            for (int b = MaxBuckets; b > 0; b--)
                 next[b] = next[b - 1];
             next[0] = 0;
             m_now = new OrderScratch.State { Stage = Stage.Keys };
@@ -254,9 +254,9 @@ namespace FastPoints.Nodes
         void MakeKeys()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            while (m_now.Bucket < MostBuckets && start[m_now.Bucket] == start[m_now.Bucket + 1])
+            while (m_now.Bucket < MaxBuckets && start[m_now.Bucket] == start[m_now.Bucket + 1])
                 m_now.Bucket++;
-            if (m_now.Bucket == MostBuckets)
+            if (m_now.Bucket == MaxBuckets)
             {
                 Scratch.Trim();
                 m_now.Stage = Stage.Done;
@@ -284,7 +284,7 @@ namespace FastPoints.Nodes
                     (long)(end - m_now.Point) * stride);
                 if (IsNarrow)
                 {
-                    Layout.LoadPlaces(record, end - m_now.Point, x, y, z);
+                    Layout.LoadPositions(record, end - m_now.Point, x, y, z);
                     Morton.Encode(x, y, z, end - m_now.Point, CornerOffset, shift, keys + m_now.Point);
                 }
                 for (int i = m_now.Point; i < end; i++, record += stride)
@@ -441,10 +441,10 @@ namespace FastPoints.Nodes
             ulong sum = 0;
             int stride = layout.StrideBytes;
             byte* record = records + (long)first * stride;
-            var before = layout.PlaceOf(first > 0 ? record - stride : record) - corner;
+            var before = layout.PositionOf(first > 0 ? record - stride : record) - corner;
             for (int i = first; i < end; i++, record += stride)
             {
-                var place = layout.PlaceOf(record);
+                var place = layout.PositionOf(record);
                 ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
                     Store.RecordHash.ChecksumSeed);
                 sum += hash;

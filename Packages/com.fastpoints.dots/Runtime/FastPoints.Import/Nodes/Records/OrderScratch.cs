@@ -44,7 +44,7 @@ namespace FastPoints.Nodes
             public bool IsSwapped;
         }
 
-        public NativeReference<State> Now;
+        public NativeReference<State> Progress;
 
         /// <summary>First record of each bucket, with one more entry.</summary>
         public NativeArray<int> FirstOfBucket;
@@ -55,13 +55,13 @@ namespace FastPoints.Nodes
 
         public OrderScratch(Allocator allocator)
         {
-            Now = new NativeReference<State>(allocator);
-            FirstOfBucket = new NativeArray<int>(OrderChunkJob.MostBuckets + 1, allocator);
+            Progress = new NativeReference<State>(allocator);
+            FirstOfBucket = new NativeArray<int>(OrderChunkJob.MaxBuckets + 1, allocator);
             Keys = new NativeList<ulong>(64, allocator);
             Bucket = new NativeList<byte>(64, allocator);
         }
 
-        public bool IsDone => Now.Value.Stage == Stage.Done;
+        public bool IsDone => Progress.Value.Stage == Stage.Done;
 
         /// <summary>Makes room for a bucket.</summary>
         public void Reserve(int points, int strideBytes)
@@ -85,9 +85,9 @@ namespace FastPoints.Nodes
 
         public void Dispose()
         {
-            if (!Now.IsCreated)
+            if (!Progress.IsCreated)
                 return;
-            Now.Dispose();
+            Progress.Dispose();
             FirstOfBucket.Dispose();
             Keys.Dispose();
             Bucket.Dispose();

@@ -47,7 +47,7 @@ namespace FastPoints.Nodes
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Grid3 PlaceOf(byte* record)
+        public Grid3 PositionOf(byte* record)
         {
             if (IsWide)
                 return new Grid3(((long*)record)[0], ((long*)record)[1], ((long*)record)[2]);
@@ -56,7 +56,7 @@ namespace FastPoints.Nodes
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void SetPlace(byte* record, long x, long y, long z)
+        public void SetPosition(byte* record, long x, long y, long z)
         {
             if (IsWide)
             {
@@ -71,7 +71,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Loads positions of narrow records.</summary>
-        public void LoadPlaces(byte* records, int count, uint* x, uint* y, uint* z)
+        public void LoadPositions(byte* records, int count, uint* x, uint* y, uint* z)
         {
             int stride = StrideBytes;
             for (int i = 0; i < count; i++, records += stride)
@@ -98,7 +98,7 @@ namespace FastPoints.Nodes
         }
 
         public ulong HashOf(byte* record, ulong seed) =>
-            RecordHash.Of(PlaceOf(record), AttributesOf(record), AttributeBytes, seed);
+            RecordHash.Of(PositionOf(record), AttributesOf(record), AttributeBytes, seed);
     }
 
     /// <summary>The average of what a sampled point represents. Blittable.</summary>

@@ -35,8 +35,8 @@ namespace FastPoints.Nodes
             m_next = null;
             m_pagesLeft = 0;
             StrideBytes = strideBytes;
-            long most = SlabBytes / RecordPages.PageBytes(strideBytes);
-            m_pagesPerSlab = (int)(expectedPages > most ? most : expectedPages < MinSlabPages ? MinSlabPages : expectedPages);
+            long max = SlabBytes / RecordPages.PageBytes(strideBytes);
+            m_pagesPerSlab = (int)(expectedPages > max ? max : expectedPages < MinSlabPages ? MinSlabPages : expectedPages);
             PagesInUse = 0;
             SlabCount = 0;
         }

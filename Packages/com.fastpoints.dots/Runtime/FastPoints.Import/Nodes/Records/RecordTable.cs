@@ -21,7 +21,7 @@ namespace FastPoints.Nodes
         int Compare(uint a, uint b)
         {
             byte* first = At(a), second = At(b);
-            int order = MortonOrder.Compare(Layout.PlaceOf(first) - Corner, Layout.PlaceOf(second) - Corner);
+            int order = MortonOrder.Compare(Layout.PositionOf(first) - Corner, Layout.PositionOf(second) - Corner);
             if (order != 0)
                 return order;
             var x = (uint*)Layout.AttributesOf(first);

@@ -25,14 +25,14 @@ namespace FastPoints.Nodes
         public const long Limit = CommonGrid.Limit;
 
         /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
-        public const long Nowhere = CommonGrid.Nowhere;
+        public const long InvalidPosition = CommonGrid.InvalidPosition;
 
         public SourceAxis X;
         public SourceAxis Y;
         public SourceAxis Z;
 
-        /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="Nowhere"/> for numbers that are not
-        /// finite or too far out.</summary>
+        /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="InvalidPosition"/> for numbers that are
+        /// not finite or too far out.</summary>
         /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
         public static unsafe void ToGrid(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long* grid,
             ref double worstLoss)
@@ -51,7 +51,7 @@ namespace FastPoints.Nodes
                 double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * perStep;
                 if (!(math.abs(steps) < Limit))
                 {
-                    grid[i] = Nowhere;
+                    grid[i] = InvalidPosition;
                     continue;
                 }
                 double whole = math.round(steps);
@@ -85,9 +85,9 @@ namespace FastPoints.Nodes
         public static long ToGrid(in SourceAxis axis, double stored)
         {
             if (axis.IsInteger)
-                return math.abs(stored * axis.Factor) < Limit ? (long)stored * axis.Factor + axis.Shift : Nowhere;
+                return math.abs(stored * axis.Factor) < Limit ? (long)stored * axis.Factor + axis.Shift : InvalidPosition;
             double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * (1 / axis.Step);
-            return math.abs(steps) < Limit ? (long)math.round(steps) : Nowhere;
+            return math.abs(steps) < Limit ? (long)math.round(steps) : InvalidPosition;
         }
 
         static unsafe void IntegersToGrid(byte* column, AttributeType type, int first, int count, long factor, long shift,
@@ -126,24 +126,24 @@ namespace FastPoints.Nodes
                         grid[i] = column[first + i] * factor + shift;
                     return;
                 case AttributeType.Int64:
-                    long most = Limit / math.max(1, math.abs(factor));
+                    long max = Limit / math.max(1, math.abs(factor));
                     for (int i = 0; i < count; i++)
                     {
                         long stored = ((long*)column)[first + i];
-                        grid[i] = stored > -most && stored < most ? stored * factor + shift : Nowhere;
+                        grid[i] = stored > -max && stored < max ? stored * factor + shift : InvalidPosition;
                     }
                     return;
                 case AttributeType.UInt64:
-                    ulong unsignedMost = (ulong)(Limit / math.max(1, math.abs(factor)));
+                    ulong unsignedMax = (ulong)(Limit / math.max(1, math.abs(factor)));
                     for (int i = 0; i < count; i++)
                     {
                         ulong stored = ((ulong*)column)[first + i];
-                        grid[i] = stored < unsignedMost ? (long)stored * factor + shift : Nowhere;
+                        grid[i] = stored < unsignedMax ? (long)stored * factor + shift : InvalidPosition;
                     }
                     return;
                 default:
                     for (int i = 0; i < count; i++)
-                        grid[i] = Nowhere;
+                        grid[i] = InvalidPosition;
                     return;
             }
         }

@@ -38,7 +38,7 @@ namespace FastPoints.Nodes
 
         const int Lanes = 8;
         const int WordsOfBucket = 2 * Lanes;
-        const int FewestSlots = 4096;
+        const int MinSlots = 4096;
         const int DartsOfBucket = 7;
 
         NativeList<uint> m_buckets;
@@ -97,7 +97,7 @@ namespace FastPoints.Nodes
             m_links.Clear();
             m_tiles.Clear();
             m_cells.Clear();
-            ClearSlots(FewestSlots);
+            ClearSlots(MinSlots);
             NewBucket(0);
         }
 
@@ -142,10 +142,10 @@ namespace FastPoints.Nodes
             int spacing = 1 << m_cell - m_dropped, size = spacing << TileSpacingsLog2, middle = size / 2;
             uint farX = (ushort)((int)tile.X * size + size + middle), y0 = (ushort)((int)tile.Y * size + middle);
             uint* bucket = m_buckets.GetUnsafePtr();
-            for (int lane = 0; lane < Lanes; lane++)
+            for (int workspace = 0; workspace < Lanes; workspace++)
             {
-                bucket[lane] = farX | y0 << 16;
-                bucket[Lanes + lane] = (ushort)((int)tile.Z * size + middle);
+                bucket[workspace] = farX | y0 << 16;
+                bucket[Lanes + workspace] = (ushort)((int)tile.Z * size + middle);
             }
             return isKnown;
         }
@@ -187,14 +187,14 @@ namespace FastPoints.Nodes
                 var near = X86.Avx.mm256_set1_epi32(m_nearSq);
                 if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, DistancesSq(buckets, at[0], xy, z))) != 0)
                     return true;
-                var least = DistancesSq(buckets, at[ox], xy, z);
-                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oy], xy, z));
-                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oz], xy, z));
-                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oy], xy, z));
-                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oz], xy, z));
-                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[oy + oz], xy, z));
-                least = X86.Avx2.mm256_min_epi32(least, DistancesSq(buckets, at[ox + oy + oz], xy, z));
-                if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, least)) != 0)
+                var min = DistancesSq(buckets, at[ox], xy, z);
+                min = X86.Avx2.mm256_min_epi32(min, DistancesSq(buckets, at[oy], xy, z));
+                min = X86.Avx2.mm256_min_epi32(min, DistancesSq(buckets, at[oz], xy, z));
+                min = X86.Avx2.mm256_min_epi32(min, DistancesSq(buckets, at[ox + oy], xy, z));
+                min = X86.Avx2.mm256_min_epi32(min, DistancesSq(buckets, at[ox + oz], xy, z));
+                min = X86.Avx2.mm256_min_epi32(min, DistancesSq(buckets, at[oy + oz], xy, z));
+                min = X86.Avx2.mm256_min_epi32(min, DistancesSq(buckets, at[ox + oy + oz], xy, z));
+                if (X86.Avx2.mm256_movemask_epi8(X86.Avx2.mm256_cmpgt_epi32(near, min)) != 0)
                     return true;
                 if (m_links[1] == 0)
                     return false;
@@ -213,8 +213,8 @@ namespace FastPoints.Nodes
                 {
                     short* sample = (short*)(m_buckets.GetUnsafePtr() + (long)bucket * WordsOfBucket);
                     bool isNear = false;
-                    for (int lane = 0; lane < Lanes; lane++)
-                        isNear |= DistanceSq(sample + 2 * lane, dart) < m_nearSq;
+                    for (int workspace = 0; workspace < Lanes; workspace++)
+                        isNear |= DistanceSq(sample + 2 * workspace, dart) < m_nearSq;
                     if (isNear)
                         return true;
                 }
@@ -237,9 +237,10 @@ namespace FastPoints.Nodes
                 for (; bucket != 0; bucket = links[2 * bucket + 1])
                 {
                     short* sample = (short*)(buckets + (long)bucket * WordsOfBucket);
-                    for (int lane = 0; lane < links[2 * bucket]; lane++)
+                    for (int workspace = 0; workspace < links[2 * bucket]; workspace++)
                     {
-                        int other = pointOfLane[bucket * Lanes + lane], distanceSq = DistanceSq(sample + 2 * lane, dart);
+                        int other = pointOfLane[bucket * Lanes + workspace],
+                            distanceSq = DistanceSq(sample + 2 * workspace, dart);
                         if (distanceSq > nearest || distanceSq == nearest && (point < 0 || other > point))
                             continue;
                         nearest = distanceSq;
@@ -262,12 +263,12 @@ namespace FastPoints.Nodes
                     m_links[1] = 1;
                 cell = fresh;
             }
-            int lane = m_links[2 * cell]++;
+            int workspace = m_links[2 * cell]++;
             uint* bucket = m_buckets.GetUnsafePtr() + (long)cell * WordsOfBucket;
-            bucket[lane] = (uint)dart;
-            bucket[Lanes + lane] = (uint)(dart >> 32 & 0xFFFF);
+            bucket[workspace] = (uint)dart;
+            bucket[Lanes + workspace] = (uint)(dart >> 32 & 0xFFFF);
             if (m_hasPoints)
-                m_pointOfLane[cell * Lanes + lane] = point;
+                m_pointOfLane[cell * Lanes + workspace] = point;
         }
 
         public void Dispose()
@@ -292,10 +293,10 @@ namespace FastPoints.Nodes
                 m_pointOfLane.ResizeUninitialized((number + 1) * Lanes);
             uint* bucket = m_buckets.GetUnsafePtr() + (long)number * WordsOfBucket;
             uint far = (ushort)(dart + (1 << 14)) | (uint)dart & 0xFFFF0000;
-            for (int lane = 0; lane < Lanes; lane++)
+            for (int workspace = 0; workspace < Lanes; workspace++)
             {
-                bucket[lane] = far;
-                bucket[Lanes + lane] = (uint)(dart >> 32 & 0xFFFF);
+                bucket[workspace] = far;
+                bucket[Lanes + workspace] = (uint)(dart >> 32 & 0xFFFF);
             }
             return number;
         }

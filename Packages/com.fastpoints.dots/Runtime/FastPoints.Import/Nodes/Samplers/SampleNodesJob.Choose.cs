@@ -17,7 +17,7 @@ namespace FastPoints.Nodes
         static int PointOf(long rank) => int.MaxValue - (int)(rank & int.MaxValue);
 
         /// <summary>Takes the best candidate of each cell, without a branch that depends on the points.</summary>
-        void TakeCells()
+        void ChooseCells()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
             int* offered = Scratch.Offered.GetUnsafePtr();
@@ -68,7 +68,7 @@ namespace FastPoints.Nodes
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        Grid3 PlaceAt(int point) => Layout.PlaceOf(m_records + (long)point * Layout.StrideBytes) - Corner;
+        Grid3 PositionAt(int point) => Layout.PositionOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
         DartGrid Grid => Scratch.Grid.For(m_now.Cell, Averaged.IsOn);
 
@@ -93,7 +93,7 @@ namespace FastPoints.Nodes
                     int point = part.OffersAll ? part.First + m_now.Candidate : offered[part.First + m_now.Candidate];
                     if (m_rangeOfPoint[point] < 0 && !m_now.IsFixing)
                         continue;
-                    var place = PlaceAt(point);
+                    var place = PositionAt(point);
                     var tile = grid.TileOf(place);
                     if (darts == 0)
                     {
@@ -179,12 +179,12 @@ namespace FastPoints.Nodes
             ulong* darts = Scratch.Darts.GetUnsafePtr();
             int* order = Scratch.Order.GetUnsafePtr(), points = Scratch.PointOfDart.GetUnsafePtr();
             int end = Spend(m_now.Dart, m_now.Darts, CostOfDart), taken = m_now.Taken;
-            int most = m_now.IsFixing ? int.MaxValue : Sizes.MaxPointsPerNode;
-            for (int d = m_now.Dart; d < end && taken < most; d++)
+            int max = m_now.IsFixing ? int.MaxValue : Sizes.MaxPointsPerNode;
+            for (int d = m_now.Dart; d < end && taken < max; d++)
             {
                 int dart = order[d];
                 if (!m_now.IsFixing && (grid.IsNear(darts[dart]) || DartGrid.ClassOf(darts[dart]) >= PoissonPriority.Classes &&
-                    grid.IsNear(grid.DartOf(Inward(PlaceAt(points[dart])), 0))))
+                    grid.IsNear(grid.DartOf(Inward(PositionAt(points[dart])), 0))))
                     continue;
                 grid.Add(darts[dart], m_now.IsFixing ? -1 : points[dart]);
                 darts[dart] |= DartGrid.TakenFlag;
@@ -222,7 +222,7 @@ namespace FastPoints.Nodes
             var ranges = Scratch.Ranges.GetUnsafePtr();
             for (number++; number < Scratch.Ranges.Length && !IsRandom; number++)
             {
-                if (!IsBesideSpacing(ranges, number))
+                if (!IsOutsideSpacing(ranges, number))
                     continue;
                 m_now.Range = number;
                 m_now.Candidate = m_now.Darts = 0;
@@ -232,7 +232,7 @@ namespace FastPoints.Nodes
             BeginAverages(-1);
         }
 
-        bool IsBesideSpacing(SampledRange* ranges, int number)
+        bool IsOutsideSpacing(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];
             bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_now.Cell;
@@ -250,7 +250,7 @@ namespace FastPoints.Nodes
         bool IsWithinSpacing(in SampledRange a, in SampledRange b)
         {
             long near = 1L << m_now.Cell, wholeA = -1L << a.SideLog2, wholeB = -1L << b.SideLog2;
-            Grid3 p = PlaceAt(a.First), q = PlaceAt(b.First);
+            Grid3 p = PositionAt(a.First), q = PositionAt(b.First);
             return IsWithin((p.X & wholeA) - (q.X & wholeB), near, ~wholeA, ~wholeB) &&
                 IsWithin((p.Y & wholeA) - (q.Y & wholeB), near, ~wholeA, ~wholeB) &&
                 IsWithin((p.Z & wholeA) - (q.Z & wholeB), near, ~wholeA, ~wholeB);
@@ -269,7 +269,7 @@ namespace FastPoints.Nodes
                 m_budget -= CostOfBar;
                 int i = range.First + m_now.Candidate;
                 i = range.OffersAll ? i : Scratch.Offered[i];
-                var place = PlaceAt(i);
+                var place = PositionAt(i);
                 var tile = grid.TileOf(place);
                 if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
                     m_now.IsEmpty = !grid.BeginTile(tile);

@@ -43,7 +43,7 @@ namespace FastPoints.Nodes
                 if (own == m_now.Range || Scratch.Ranges[own].Parent != m_now.Range)
                     continue;
                 m_budget -= CostOfAverage;
-                var place = PlaceAt(i);
+                var place = PositionAt(i);
                 var tile = grid.TileOf(place);
                 if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
                     grid.BeginTile(tile);

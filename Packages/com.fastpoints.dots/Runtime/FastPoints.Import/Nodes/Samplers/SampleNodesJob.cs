@@ -32,9 +32,9 @@ namespace FastPoints.Nodes
         public const int CostOfSlice = 2500000;
 
         /// <summary>More than a point costs in most clouds (20 to 30, 95 to 120, and for averages 140 to 170 more).</summary>
-        public const int UsualCost = 40;
-        public const int UsualCostOfDarts = 150;
-        public const int UsualCostOfAverages = 200;
+        public const int TypicalCost = 40;
+        public const int TypicalCostOfDarts = 150;
+        public const int TypicalCostOfAverages = 200;
 
         const int CostOfLook = 2;
         const int CostOfFill = 4;
@@ -76,7 +76,7 @@ namespace FastPoints.Nodes
         /// spacing, with all that this represents at finer ones. Off for the plain samplers.</summary>
         public AveragedColumns Averaged;
 
-        /// <summary>Its <see cref="SampleScratch.Now"/> is reset before the first slice.</summary>
+        /// <summary>Its <see cref="SampleScratch.Progress"/> is reset before the first slice.</summary>
         public SampleScratch Scratch;
 
         /// <summary>About this much is done in one run.</summary>
@@ -101,7 +101,7 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            m_now = Scratch.Now.Value;
+            m_now = Scratch.Progress.Value;
             m_records = (byte*)Records.GetUnsafeReadOnlyPtr();
             m_rangeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
             m_common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
@@ -123,8 +123,8 @@ namespace FastPoints.Nodes
                     case Stage.NextSpacing:
                         NextSpacing();
                         break;
-                    case Stage.TakeCells:
-                        TakeCells();
+                    case Stage.ChooseCells:
+                        ChooseCells();
                         break;
                     case Stage.Gather:
                         Gather();
@@ -146,7 +146,7 @@ namespace FastPoints.Nodes
                         break;
                 }
             }
-            Scratch.Now.Value = m_now;
+            Scratch.Progress.Value = m_now;
         }
 
         /// <summary>The end of what the budget allows from here.</summary>
@@ -323,14 +323,14 @@ namespace FastPoints.Nodes
                 return;
             for (int r = count - 1; r >= 0; r--)
                 if (ranges[r].Kind == RangeKind.Passed && ranges[r].CellLog2 == next)
-                    PassOn(ranges, r);
+                    OfferToParent(ranges, r);
             if (!IsRandom)
                 Scratch.Grid.Clear(Count);
             m_now.IsFixing = !IsRandom && Tops.Length > 0;
             BeginRange(-1);
         }
 
-        void PassOn(SampledRange* ranges, int number)
+        void OfferToParent(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];
             int to = range.First;
@@ -373,7 +373,7 @@ namespace FastPoints.Nodes
             m_now.Range = number;
             m_now.Part = m_now.IsFixing ? number : ranges[number].FirstPart;
             m_now.Candidate = m_now.Taken = m_now.Darts = 0;
-            m_now.Stage = IsRandom ? Stage.TakeCells : Stage.Gather;
+            m_now.Stage = IsRandom ? Stage.ChooseCells : Stage.Gather;
         }
 
         bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_now.Cell;

@@ -15,7 +15,7 @@ namespace FastPoints.Nodes
             Plan,
             Fill,
             NextSpacing,
-            TakeCells,
+            ChooseCells,
             Gather,
             Throw,
             Bar,
@@ -62,7 +62,7 @@ namespace FastPoints.Nodes
             public long Best;
         }
 
-        public NativeReference<State> Now;
+        public NativeReference<State> Progress;
         public NativeList<SampledRange> Ranges;
 
         /// <summary>While ranges are planned: how many neighbours have a cube of each side in common, in four tables that take
@@ -84,7 +84,7 @@ namespace FastPoints.Nodes
 
         public SampleScratch(Allocator allocator)
         {
-            Now = new NativeReference<State>(allocator);
+            Progress = new NativeReference<State>(allocator);
             Ranges = new NativeList<SampledRange>(64, allocator);
             Counts = new NativeArray<int>(SampleNodesJob.CountTables * SampleNodesJob.CountsOfTable, allocator);
             Offered = new NativeList<int>(64, allocator);
@@ -95,13 +95,13 @@ namespace FastPoints.Nodes
             Grid = new DartGrid(allocator);
         }
 
-        public bool IsDone => Now.Value.Stage == Stage.Done;
+        public bool IsDone => Progress.Value.Stage == Stage.Done;
 
         public void Dispose()
         {
-            if (!Now.IsCreated)
+            if (!Progress.IsCreated)
                 return;
-            Now.Dispose();
+            Progress.Dispose();
             Ranges.Dispose();
             Counts.Dispose();
             Offered.Dispose();

@@ -31,7 +31,7 @@ namespace FastPoints.Octrees
         long m_pageBytesLeft;
         long m_chunkBytesLeft;
         int m_warnings;
-        int m_untold;
+        int m_unreported;
 
         public CopcHierarchy(LazBlocks blocks, CopcInfo copc, SourceTree tree)
         {
@@ -42,14 +42,14 @@ namespace FastPoints.Octrees
             AddPage(default, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
         }
 
-        /// <summary>Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
+        /// <summary>Coroutine: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
         /// as they concern <paramref name="node"/> and what is below it.</summary>
-        public IEnumerator<Work> Read(int4 node, int levels)
+        public IEnumerator<JobStep> Read(int4 node, int levels)
         {
             while (m_pages.TryPeek(node, levels, out var next))
             {
                 // A page takes effect when it is completely read, so that this work can be abandoned and begun again.
-                yield return Work.Of(Read(next));
+                yield return JobStep.Of(Read(next));
                 m_tree.PageCount++;
             }
         }
@@ -58,15 +58,15 @@ namespace FastPoints.Octrees
         public bool IsKnown(int4 node, int levels) => !m_pages.TryPeek(node, levels, out _);
 
         /// <summary>Reports, after everything is read, how many anomalies were not reported one by one.</summary>
-        public void WarnRest()
+        public void WarnUnreported()
         {
-            if (m_untold > 0)
-                m_blocks.Info.Warn(m_copc.FileOffset, NumberText.Of(m_untold)
+            if (m_unreported > 0)
+                m_blocks.Info.Warn(m_copc.FileOffset, NumberText.Of(m_unreported)
                     + " more entries of the octree's hierarchy are wrong");
-            m_untold = 0;
+            m_unreported = 0;
         }
 
-        IEnumerator<Work> Read(UnreadPage page)
+        IEnumerator<JobStep> Read(UnreadPage page)
         {
             var entries = new List<(CopcEntry Entry, long At)>();
             using (var read = new NativeFileRead(PieceBytes, Allocator.Persistent))
@@ -132,14 +132,14 @@ namespace FastPoints.Octrees
 
         void AddNode(CopcEntry entry, long at)
         {
-            string trouble = Trouble(entry, out long bytes);
-            if (trouble == null && !m_keys.Add(entry.Key))
-                trouble = "is there twice: the second is left out";
-            if (trouble == null && entry.PointCount > 0 && !m_chunkOffsets.Add(entry.Offset))
-                trouble = "has the chunk of another node: left out";
-            if (trouble != null)
+            string problem = Problem(entry, out long bytes);
+            if (problem == null && !m_keys.Add(entry.Key))
+                problem = "is there twice: the second is left out";
+            if (problem == null && entry.PointCount > 0 && !m_chunkOffsets.Add(entry.Offset))
+                problem = "has the chunk of another node: left out";
+            if (problem != null)
             {
-                Warn(at, Name(entry) + " " + trouble);
+                Warn(at, Name(entry) + " " + problem);
                 return;
             }
             if (bytes < entry.ByteSize)
@@ -170,7 +170,7 @@ namespace FastPoints.Octrees
         }
 
         /// <param name="bytes">Bytes of the chunk, as far as the file goes.</param>
-        string Trouble(CopcEntry entry, out long bytes)
+        string Problem(CopcEntry entry, out long bytes)
         {
             bytes = 0;
             if (entry.PointCount == 0)
@@ -197,7 +197,7 @@ namespace FastPoints.Octrees
             if (m_warnings++ < MaxWarnings)
                 m_blocks.Info.Warn(at, text);
             else
-                m_untold++;
+                m_unreported++;
         }
     }
 }

@@ -58,7 +58,7 @@ namespace FastPoints.Octrees
         }
 
         /// <returns>Why it is useless, or null.</returns>
-        public string Trouble(long fileBytes)
+        public string Problem(long fileBytes)
         {
             if (!Cube.IsFinite || !(HalfSize > 0))
                 return "the octree's cube is none (half of its edge is " + NumberText.Of(HalfSize) + ")";

@@ -15,7 +15,7 @@ namespace FastPoints.Octrees
     /// tree's blocks. A file without a readable hierarchy is read as the LAZ file that it is.</remarks>
     internal sealed class CopcReader : LazChunkReader
     {
-        const int UsualPointsAcross = 128;
+        const int DefaultPointsAcross = 128;
 
         readonly CopcHierarchy m_hierarchy;
         readonly SourceTree m_tree;
@@ -27,10 +27,10 @@ namespace FastPoints.Octrees
             double spacing = copc.Spacing;
             if (!(spacing > 0) || double.IsInfinity(spacing))
             {
-                spacing = 2 * copc.HalfSize / UsualPointsAcross;
+                spacing = 2 * copc.HalfSize / DefaultPointsAcross;
                 Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing)
                     + ": taken as the edge of its cube over "
-                    + UsualPointsAcross);
+                    + DefaultPointsAcross);
             }
             m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
             m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
@@ -44,10 +44,10 @@ namespace FastPoints.Octrees
             var copc = CopcInfo.Find(las);
             if (copc == null)
                 return null;
-            string trouble = copc.Trouble(source.Length);
-            if (trouble != null)
+            string problem = copc.Problem(source.Length);
+            if (problem != null)
             {
-                las.Info.Warn(copc.FileOffset, "COPC: " + trouble + ": read as LAZ, without the octree");
+                las.Info.Warn(copc.FileOffset, "COPC: " + problem + ": read as LAZ, without the octree");
                 return null;
             }
             var format = LazFormat.Read(las);
@@ -68,16 +68,16 @@ namespace FastPoints.Octrees
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 
-        public override IEnumerator<Work> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
         public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (m_tree.IsWhole)
                 yield break;
-            yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
-            m_hierarchy.WarnRest();
+            yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
+            m_hierarchy.WarnUnreported();
             if ((ulong)PointCount != Info.PointsClaimed)
                 Reconcile();
             Info.PointsReadable = PointCount;

@@ -16,7 +16,7 @@ namespace FastPoints.Octrees
 
         readonly EptIndex m_index;
         readonly List<EptBlock> m_blocks = new List<EptBlock>();
-        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<(int, int3), long> m_endOfNode = new Dictionary<(int, int3), long>();
         readonly int m_blockPoints;
 
@@ -95,7 +95,7 @@ namespace FastPoints.Octrees
         public void WarnBroken(int block, string what, string detail, long byteOffset)
         {
             var of = this[block];
-            if (m_toldBlocks.Add(block))
+            if (m_reportedBlocks.Add(block))
                 Warnings.Add(what, EptEntry.NameOf(of.Level, of.Cell), detail, byteOffset, PathOf(of));
         }
     }

@@ -53,9 +53,9 @@ namespace FastPoints.Octrees
             m_pages.Add(default);
         }
 
-        /// <summary>Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
+        /// <summary>Coroutine: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
         /// as they concern <paramref name="node"/> and what is below it.</summary>
-        public IEnumerator<Work> Read(int4 node, int levels)
+        public IEnumerator<JobStep> Read(int4 node, int levels)
         {
             while (m_waiting.TryPeek(node, levels, out var page))
             {
@@ -64,8 +64,8 @@ namespace FastPoints.Octrees
                 string path = Path.Combine(m_index.Folder, HierarchyFolder, name + ".json");
                 using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
                 {
-                    yield return Work.Of(Parse(path, name, entries));
-                    yield return Work.Of(Add(entries, path));
+                    yield return JobStep.Of(Parse(path, name, entries));
+                    yield return JobStep.Of(Add(entries, path));
                 }
                 m_waiting.Remove(page);
                 m_blocks.Tree.PageCount++;
@@ -77,10 +77,10 @@ namespace FastPoints.Octrees
 
         /// <summary>Parses a page's entries; a missing page has none.</summary>
         /// <param name="name">Name of the node that it begins with.</param>
-        IEnumerator<Work> Parse(string path, string name, NativeList<EptEntry> entries)
+        IEnumerator<JobStep> Parse(string path, string name, NativeList<EptEntry> entries)
         {
             long length = FileSource.NoSuchFile;
-            yield return Work.Of(PoolWork.Run(path, () => FileSource.LengthOf(path), found => length = found));
+            yield return JobStep.Of(PoolTask.Run(path, () => FileSource.LengthOf(path), found => length = found));
             string problem = null;
             if (length == FileSource.NoSuchFile)
                 problem = "there is no " + Path.GetFileName(path);
@@ -125,7 +125,7 @@ namespace FastPoints.Octrees
         }
 
         /// <summary>Adds the nodes of a page level by level: a parent comes before its children.</summary>
-        IEnumerator<Work> Add(NativeList<EptEntry> entries, string path)
+        IEnumerator<JobStep> Add(NativeList<EptEntry> entries, string path)
         {
             int first = int.MaxValue, last = -1;
             for (int i = 0; i < entries.Length; i++)
@@ -149,18 +149,18 @@ namespace FastPoints.Octrees
                         step.Add(entries[i]);
                     if (step.Count < StepNodes && (level < last || i < entries.Length - 1))
                         continue;
-                    yield return Work.Of(Add(step, path));
+                    yield return JobStep.Of(Add(step, path));
                     step.Clear();
                 }
         }
 
         /// <summary>Adds some nodes with their files' lengths.</summary>
-        IEnumerator<Work> Add(List<EptEntry> step, string path)
+        IEnumerator<JobStep> Add(List<EptEntry> step, string path)
         {
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)
                 files[i] = step[i].Points > 0 ? m_blocks.PathOf(step[i].Level, step[i].Cell) : null;
-            return PoolWork.Run(path, () => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
+            return PoolTask.Run(path, () => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
             {
                 for (int i = 0; i < lengths.Length; i++)
                     Add(step[i], lengths[i], path);
@@ -211,7 +211,7 @@ namespace FastPoints.Octrees
                 return;
             }
             m_index.Info.FileBytes += bytes;
-            long points = Math.Min(entry.Points, MostPoints(bytes));
+            long points = Math.Min(entry.Points, MaxPoints(bytes));
             if (points < entry.Points)
                 m_blocks.Warnings.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
                     + NumberText.Of(entry.Points) + ", got room for " + NumberText.Of(points) + " in " + NumberText.Of(bytes)
@@ -223,7 +223,7 @@ namespace FastPoints.Octrees
         }
 
         /// <summary>The most points that this many bytes of a node's file can hold.</summary>
-        long MostPoints(long bytes)
+        long MaxPoints(long bytes)
         {
             if (m_index.DataType == EptDataType.Binary)
                 return bytes / m_index.RecordBytes;

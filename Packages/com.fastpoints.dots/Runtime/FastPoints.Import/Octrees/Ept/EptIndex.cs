@@ -14,7 +14,7 @@ namespace FastPoints.Octrees
         /// <summary>Longer records than any cloud has.</summary>
         const int MaxRecordBytes = 1 << 14;
 
-        const int UsualSpan = 128;
+        const int DefaultSpan = 128;
 
         static readonly string[] s_axes = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
 
@@ -94,11 +94,11 @@ namespace FastPoints.Octrees
             Cube = Box(json.Numbers("bounds", 6));
             if (Cube.IsEmpty)
                 throw json.Bad("bounds", "a box");
-            double span = json.Number("span", UsualSpan);
+            double span = json.Number("span", DefaultSpan);
             if (!(span >= 1))
             {
-                Info.Warn(-1, "span: wanted at least 1, got " + NumberText.Of(span) + ": taken as " + UsualSpan);
-                span = UsualSpan;
+                Info.Warn(-1, "span: wanted at least 1, got " + NumberText.Of(span) + ": taken as " + DefaultSpan);
+                span = DefaultSpan;
             }
             Spacing = Cube.Size.x / span;
             if (!json.IsNumbers("boundsConforming", 6))
@@ -132,7 +132,7 @@ namespace FastPoints.Octrees
                     scale = 1;
                     offset = 0;
                 }
-                name = s_columnNames.TryGetValue(name, out string usual) ? usual : name;
+                name = s_columnNames.TryGetValue(name, out string typical) ? typical : name;
                 Fields.Add(new PointField(name, type, (int)bytes, scale, offset));
                 bytes += type.SizeOf();
                 if (bytes > MaxRecordBytes)

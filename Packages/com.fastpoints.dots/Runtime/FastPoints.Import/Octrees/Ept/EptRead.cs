@@ -36,13 +36,13 @@ namespace FastPoints.Octrees
             return isBehindEnd ? default : Schedule(range, block);
         }
 
-        /// <summary>Reads a stretch of a block's file.</summary>
+        /// <summary>Reads a segment of a block's file.</summary>
         /// <param name="padding">Number of bytes behind it that jobs may touch.</param>
         protected JobHandle BeginRead(in EptBlock block, long offset, int bytes, int padding)
         {
             // Nodes come to be known while slots are in use: room for the largest is made when it is met.
             m_file.Reserve((long)bytes + padding);
-            return Behind(m_file.Begin(Blocks.PathOf(block), offset, bytes));
+            return DependencyOf(m_file.Begin(Blocks.PathOf(block), offset, bytes));
         }
 
         protected sealed override void EndRead() => m_file.End();

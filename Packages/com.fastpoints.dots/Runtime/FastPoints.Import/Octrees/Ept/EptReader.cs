@@ -101,15 +101,15 @@ namespace FastPoints.Octrees
             return (long)(block.FileBytes * Math.Min(1, share / block.NodePoints));
         }
 
-        public override IEnumerator<Work> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
         public override bool IsKnownBelow(int4 node, int levels) => m_blocks.Tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (m_blocks.Tree.IsWhole)
                 yield break;
-            yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
+            yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             string found = "ept.json claims " + NumberText.Of(Info.PointsClaimed)
                 + " points, the nodes that are there hold " + NumberText.Of(m_blocks.PointCount);
             if (m_blocks.PointCount == 0 && Info.PointsClaimed > 0)

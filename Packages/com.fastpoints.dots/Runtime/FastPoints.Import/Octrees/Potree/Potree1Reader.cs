@@ -118,7 +118,7 @@ namespace FastPoints.Octrees
             var reader = new Potree1Reader(index, files, layout, las, laz, listed);
             try
             {
-                using (var steps = new WorkSteps(reader.FindLevels(1)))
+                using (var steps = new CoroutineStack(reader.FindLevels(1)))
                     while (steps.MoveNext())
                         Thread.Yield();
                 return reader;
@@ -162,20 +162,20 @@ namespace FastPoints.Octrees
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !TryPeek(node, levels, out _);
 
-        private protected override IEnumerator<Work> ReadPages(int4 node, int levels)
+        private protected override IEnumerator<JobStep> ReadPages(int4 node, int levels)
         {
             while (true)
             {
-                IEnumerator<Work> looking;
+                IEnumerator<JobStep> looking;
                 if (m_found.Count > 0)
-                    looking = PoolWork.Run(Info.Path, LookerFor(m_found.ToArray()), AddFound);
+                    looking = PoolTask.Run(Info.Path, FileLookup(m_found.ToArray()), AddFound);
                 else if (FindNext())
                     continue;
                 else if (TryPeek(node, levels, out var page))
-                    looking = PoolWork.Run(Info.Path, ReaderOf(page), hierarchy => BeginPage(page, hierarchy));
+                    looking = PoolTask.Run(Info.Path, ReaderOf(page), hierarchy => BeginPage(page, hierarchy));
                 else
                     break;
-                yield return Work.Of(looking);
+                yield return JobStep.Of(looking);
             }
             Tree.IsWhole = Pages.Count == 0;
         }
@@ -231,7 +231,7 @@ namespace FastPoints.Octrees
                 {
                     using (var source = FileSource.Open(path))
                     {
-                        read.Records = source.ReadAtMost(0, MaxHierarchyBytes);
+                        read.Records = source.ReadUpTo(0, MaxHierarchyBytes);
                         read.FileBytes = source.Length;
                     }
                     if (read.Records.Length < RecordBytes)
@@ -302,7 +302,7 @@ namespace FastPoints.Octrees
         });
 
         /// <summary>Returns a function that looks up the files of some nodes, on any thread.</summary>
-        Func<Potree1Node[]> LookerFor(Potree1Node[] nodes)
+        Func<Potree1Node[]> FileLookup(Potree1Node[] nodes)
         {
             bool isLas = m_layout == null;
             return () =>
@@ -357,9 +357,9 @@ namespace FastPoints.Octrees
                 if (source.Length > MaxLasBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, node.Path, -1, "bytes of a node",
                         "at most " + NumberText.Of(MaxLasBytes), source.Length);
-                long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
-                most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
-                node.PointsOfLas = (long)Math.Min(header.PointsClaimed, (ulong)most);
+                long max = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
+                max = Math.Min(max, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
+                node.PointsOfLas = (long)Math.Min(header.PointsClaimed, (ulong)max);
             }
             catch (PointCloudException e)
             {
@@ -372,7 +372,7 @@ namespace FastPoints.Octrees
         {
             var points = new SortedDictionary<string, long>(Comparer<string>.Create((a, b) =>
                 a.Length != b.Length ? a.Length.CompareTo(b.Length) : string.CompareOrdinal(a, b)));
-            int odd = 0;
+            int malformed = 0;
             ulong claimed = 0;
             foreach (object item in hierarchy)
             {
@@ -380,7 +380,7 @@ namespace FastPoints.Octrees
                     || !PotreeNames.TryParse(name, MaxLevels, out _, out _)
                     || points.TryGetValue(name, out long before) && before > 0)
                 {
-                    odd++;
+                    malformed++;
                     continue;
                 }
                 double count = JsonReader.ToDouble(pair[1]);
@@ -390,8 +390,9 @@ namespace FastPoints.Octrees
                     parent = parent.Substring(0, parent.Length - 1))
                     points.Add(parent, 0);
             }
-            if (odd > 0)
-                info.Warn(-1, "\"hierarchy\": " + NumberText.Of(odd) + " entries are no name and count, or come twice: left out");
+            if (malformed > 0)
+                info.Warn(-1,
+                    "\"hierarchy\": " + NumberText.Of(malformed) + " entries are no name and count, or come twice: left out");
             if (info.PointsClaimed == 0)
                 info.PointsClaimed = claimed;
             var list = new List<(string, long)>();

@@ -61,7 +61,7 @@ namespace FastPoints.Octrees
             m_hierarchyBytes = hierarchyBytes;
             m_layout = index.Layout;
             IsBrotli = index.IsBrotli;
-            m_octree = new SourceHandle(Path.GetFullPath(BesideIndex(index.Info.Path, OctreeName)));
+            m_octree = new SourceHandle(Path.GetFullPath(SiblingOf(index.Info.Path, OctreeName)));
             m_octreeBytes = octreeBytes;
             m_recordsLeft = hierarchyBytes / RecordBytes;
             m_records = new ByteReader(Array.Empty<byte>(), hierarchyPath, 0);
@@ -74,11 +74,11 @@ namespace FastPoints.Octrees
         internal static Potree2Reader Open(JsonMembers json)
         {
             var index = Potree2Index.Read(json);
-            string path = BesideIndex(json.Path, HierarchyName);
+            string path = SiblingOf(json.Path, HierarchyName);
             long bytes;
             using (var hierarchy = FileSource.Open(path))
                 bytes = hierarchy.Length;
-            var octree = new FileInfo(BesideIndex(json.Path, OctreeName));
+            var octree = new FileInfo(SiblingOf(json.Path, OctreeName));
             long octreeBytes = octree.Exists ? octree.Length : -1;
             index.Info.FileBytes += bytes + Math.Max(0, octreeBytes);
             if (octreeBytes < 0)
@@ -87,7 +87,7 @@ namespace FastPoints.Octrees
             var reader = new Potree2Reader(index, path, bytes, octreeBytes);
             try
             {
-                using (var steps = new WorkSteps(reader.FindLevels(1)))
+                using (var steps = new CoroutineStack(reader.FindLevels(1)))
                     while (steps.MoveNext())
                         Thread.Yield();
                 return reader;
@@ -112,7 +112,7 @@ namespace FastPoints.Octrees
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             if (!HasPoints)
-                throw new PointCloudException(FailureCode.NotFound, BesideIndex(Info.Path, OctreeName), -1,
+                throw new PointCloudException(FailureCode.NotFound, SiblingOf(Info.Path, OctreeName), -1,
                     "no such file: the points that " + Path.GetFileName(Info.Path) + " tells of are not here");
             return IsBrotli
                 ? (BlockRead)new PotreeBrotliRead(this, wanted, capacity, allocator)
@@ -140,13 +140,13 @@ namespace FastPoints.Octrees
         bool IsRecordRead => m_recordOffset >= m_records.FileOffset &&
             m_recordOffset + RecordBytes <= m_records.FileOffset + m_records.Length;
 
-        private protected override IEnumerator<Work> ReadPages(int4 node, int levels)
+        private protected override IEnumerator<JobStep> ReadPages(int4 node, int levels)
         {
             int done = 0;
             while (m_nodesOfPage.Count > 0 || BeginPage(node, levels))
             {
                 if (HasRecord && !IsRecordRead)
-                    yield return Work.Of(PoolWork.Run(m_hierarchyPath, ReaderOf(m_recordOffset), TakeRecords));
+                    yield return JobStep.Of(PoolTask.Run(m_hierarchyPath, ReaderOf(m_recordOffset), ParseRecords));
                 for (; m_nodesOfPage.Count > 0 && HasRecord && IsRecordRead && done < StepRecords; done++)
                     ReadRecord();
                 if (m_nodesOfPage.Count == 0 || !HasRecord)
@@ -181,11 +181,11 @@ namespace FastPoints.Octrees
             return () =>
             {
                 using var hierarchy = FileSource.Open(path);
-                return hierarchy.ReadAtMost(start, StepRecords * RecordBytes);
+                return hierarchy.ReadUpTo(start, StepRecords * RecordBytes);
             };
         }
 
-        void TakeRecords(ByteReader records)
+        void ParseRecords(ByteReader records)
         {
             m_records = records;
             // The file is shorter than it was at opening.
@@ -279,30 +279,30 @@ namespace FastPoints.Octrees
         string FindProblem(ref long points, long offset, long bytes)
         {
             long claimed = points;
-            string story = "wanted " + NumberText.Of(points) + " points in " + NumberText.Of(bytes) + " bytes at byte "
+            string detail = "wanted " + NumberText.Of(points) + " points in " + NumberText.Of(bytes) + " bytes at byte "
                 + NumberText.Of(offset) + ", got ";
             // Without octree.bin the claims are shown as they are.
             long room = HasPoints ? m_octreeBytes : long.MaxValue;
             if (offset < 0 || bytes < 0 || offset > room || bytes > room - m_octreeBytesClaimed)
             {
                 points = 0;
-                return story + (bytes <= room && offset <= room && offset >= 0
+                return detail + (bytes <= room && offset <= room && offset >= 0
                     ? "bytes that other nodes have taken" : NumberText.Of(room) + " bytes in the file");
             }
             if (IsBrotli)
             {
                 bool isCut = bytes > room - offset;
-                long most = Math.Min(Math.Min(MaxNodePoints, MaxNodeBytes / m_layout.RecordBytes),
+                long max = Math.Min(Math.Min(MaxNodePoints, MaxNodeBytes / m_layout.RecordBytes),
                     bytes > MaxStreamBytes ? 0 : bytes * MaxPointsPerByte);
-                if (isCut || points > most)
+                if (isCut || points > max)
                     points = 0;
-                return points > 0 ? null : story + (isCut ? NumberText.Of(room - offset) + " bytes before the end of the file"
-                    : "room for " + NumberText.Of(most));
+                return points > 0 ? null : detail + (isCut ? NumberText.Of(room - offset) + " bytes before the end of the file"
+                    : "room for " + NumberText.Of(max));
             }
             points = Math.Min(points, Math.Min(bytes, room - offset) / m_layout.RecordBytes);
-            return points == claimed ? null : story + "room for " + NumberText.Of(points);
+            return points == claimed ? null : detail + "room for " + NumberText.Of(points);
         }
 
-        static string BesideIndex(string index, string name) => Path.Combine(Path.GetDirectoryName(index) ?? "", name);
+        static string SiblingOf(string index, string name) => Path.Combine(Path.GetDirectoryName(index) ?? "", name);
     }
 }

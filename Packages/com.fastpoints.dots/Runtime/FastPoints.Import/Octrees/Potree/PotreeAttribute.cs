@@ -55,12 +55,12 @@ namespace FastPoints.Octrees
             Kind == PotreeAttributeKind.SphereMappedNormal || Kind == PotreeAttributeKind.OctahedralNormal;
 
         /// <summary>Makes an attribute from the name, type and size in the index. If the size does not fit the type, or the type
-        /// is unknown, it is read as single bytes, and <paramref name="oddity"/> says so.</summary>
+        /// is unknown, it is read as single bytes, and <paramref name="anomaly"/> says so.</summary>
         /// <param name="scales">The scale of each element, in value = stored * scale + offset; null for 1.</param>
         public static PotreeAttribute Make(string name, string typeName, int bytes, double[] scales, double[] offsets,
-            out string oddity)
+            out string anomaly)
         {
-            oddity = null;
+            anomaly = null;
             var attribute = new PotreeAttribute { Name = name, Bytes = bytes };
             bool isKnown = s_types.TryGetValue(typeName, out attribute.Type);
             string canonical = name.ToUpperInvariant().Replace(' ', '_').Replace('-', '_');
@@ -68,7 +68,7 @@ namespace FastPoints.Octrees
                 return attribute;
             if (!isKnown || bytes % attribute.Type.SizeOf() != 0)
             {
-                oddity = "attribute \"" + name + "\": " + NumberText.Of(bytes) + " bytes of type \"" + typeName
+                anomaly = "attribute \"" + name + "\": " + NumberText.Of(bytes) + " bytes of type \"" + typeName
                     + "\": read as single bytes";
                 attribute.Type = AttributeType.UInt8;
             }

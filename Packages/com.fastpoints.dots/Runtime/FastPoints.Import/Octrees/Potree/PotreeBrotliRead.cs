@@ -74,7 +74,7 @@ namespace FastPoints.Octrees
 
         protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)
         {
-            var decoded = Behind(Reader.BeginRead(File, range.Block, block.Offset, (int)block.Bytes));
+            var decoded = DependencyOf(Reader.BeginRead(File, range.Block, block.Offset, (int)block.Bytes));
             bool isFirst = true;
             foreach (var part in m_parts)
             {

@@ -24,9 +24,9 @@ namespace FastPoints.Octrees
             if (scales != null && Array.IndexOf(scales, 0.0) >= 0)
                 scales = null;
             var attribute = PotreeAttribute.Make(item.Text("name"), item.Text("type", ""), (int)bytes, scales, offsets,
-                out string oddity);
-            if (oddity != null)
-                info.Warn(-1, oddity);
+                out string anomaly);
+            if (anomaly != null)
+                info.Warn(-1, anomaly);
             string description = item.Text("description", "");
             if (description.Length > 0)
                 info.Fact("attribute " + attribute.Name, description);

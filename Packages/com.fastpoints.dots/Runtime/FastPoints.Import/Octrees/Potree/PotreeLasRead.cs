@@ -40,7 +40,7 @@ namespace FastPoints.Octrees
         {
             int bytes = (int)m_reader.Block(range.Block).Bytes;
             m_file.Reserve((long)bytes + RangeCode.PaddingBytes);
-            var read = Behind(m_file.Begin(m_reader.FileOfBlock(range.Block, out _), 0, bytes));
+            var read = DependencyOf(m_file.Begin(m_reader.FileOfBlock(range.Block, out _), 0, bytes));
             return m_decoding.Schedule(m_file.Buffer, bytes, range.First, range.Count, true, Points, Result, read);
         }
 

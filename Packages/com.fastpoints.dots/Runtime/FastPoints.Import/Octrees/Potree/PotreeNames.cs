@@ -17,11 +17,11 @@ namespace FastPoints.Octrees
         }
 
         /// <returns>Whether it is a name of at most so many levels below the root.</returns>
-        public static bool TryParse(string name, int mostLevels, out int level, out int3 cell)
+        public static bool TryParse(string name, int maxLevels, out int level, out int3 cell)
         {
             level = name.Length - 1;
             cell = default;
-            if (level < 0 || level > mostLevels || name[0] != 'r')
+            if (level < 0 || level > maxLevels || name[0] != 'r')
                 return false;
             for (int i = 1; i < name.Length; i++)
             {

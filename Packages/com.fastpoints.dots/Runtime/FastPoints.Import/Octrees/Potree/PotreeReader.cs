@@ -34,7 +34,7 @@ namespace FastPoints.Octrees
         const int MaxBlockBytes = 1 << 26;
 
         readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
-        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly SourceTree m_tree;
         long m_pointCount;
         int m_maxPointsPerBlock;
@@ -74,12 +74,12 @@ namespace FastPoints.Octrees
         /// <summary>Pages of the hierarchy that are not read.</summary>
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
-        public override IEnumerator<Work> FindBlocks() => FindLevels(MaxLevels + 1);
+        public override IEnumerator<JobStep> FindBlocks() => FindLevels(MaxLevels + 1);
 
-        public override IEnumerator<Work> FindBelow(int4 node, int levels)
+        public override IEnumerator<JobStep> FindBelow(int4 node, int levels)
         {
             if (!m_tree.IsWhole)
-                yield return Work.Of(ReadPages(node, levels));
+                yield return JobStep.Of(ReadPages(node, levels));
             if (!m_tree.IsWhole)
                 yield break;
             Info.PointsReadable = m_pointCount;
@@ -87,9 +87,9 @@ namespace FastPoints.Octrees
                 Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
-        /// <summary>Work for a pump, which can be abandoned and begun again for another node: reads the parts of the hierarchy
+        /// <summary>Coroutine, which can be abandoned and begun again for another node: reads the parts of the hierarchy
         /// that the first levels need for a node and what is below it. Steps take some milliseconds at most.</summary>
-        private protected abstract IEnumerator<Work> ReadPages(int4 node, int levels);
+        private protected abstract IEnumerator<JobStep> ReadPages(int4 node, int levels);
 
         /// <summary>Adds a node and its block.</summary>
         /// <param name="bytes">Bytes of all its points in the file.</param>
@@ -102,10 +102,10 @@ namespace FastPoints.Octrees
                 m_tree.Add(node);
                 return;
             }
-            long most = bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points;
-            for (long first = 0; first < points; first += most)
+            long max = bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points;
+            for (long first = 0; first < points; first += max)
             {
-                int count = (int)Math.Min(most, points - first);
+                int count = (int)Math.Min(max, points - first);
                 node.Block = m_blocks.Count;
                 node.PointCount = count;
                 m_blocks.Add(new PotreeBlock
@@ -149,16 +149,16 @@ namespace FastPoints.Octrees
         /// <summary>Bytes of the longest block in the file, for a slot that takes any.</summary>
         internal long MaxBytesPerBlock()
         {
-            long most = 0;
+            long max = 0;
             foreach (var block in m_blocks)
-                most = Math.Max(most, block.Bytes);
-            return most;
+                max = Math.Max(max, block.Bytes);
+            return max;
         }
 
         /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
         internal void WarnBroken(int block, string kind, string detail, long byteOffset)
         {
-            if (m_toldBlocks.Add(block))
+            if (m_reportedBlocks.Add(block))
                 Warnings.Add(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
         }
 

@@ -25,7 +25,7 @@ namespace FastPoints.Octrees
         protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)
         {
             int recordBytes = Reader.Layout.RecordBytes;
-            var decoded = Behind(Reader.BeginRead(File, range.Block, block.Offset + (long)range.First * recordBytes,
+            var decoded = DependencyOf(Reader.BeginRead(File, range.Block, block.Offset + (long)range.First * recordBytes,
                 range.Count * recordBytes));
             var decode = new DecodePotreeJob
             {

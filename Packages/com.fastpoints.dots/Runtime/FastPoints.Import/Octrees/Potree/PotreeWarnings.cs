@@ -8,7 +8,7 @@ namespace FastPoints.Octrees
     /// count.</summary>
     sealed class PotreeWarnings
     {
-        const int MostTold = 3;
+        const int MaxReported = 3;
 
         sealed class Kind
         {
@@ -31,13 +31,13 @@ namespace FastPoints.Octrees
             if (!m_kinds.TryGetValue(what, out var kind))
                 m_kinds.Add(what, kind = new Kind());
             kind.Count++;
-            if (kind.Count <= MostTold)
+            if (kind.Count <= MaxReported)
             {
                 m_info.Warnings.Add(new CloudWarning(path ?? m_info.Path, byteOffset,
                     "node " + node + ": " + what + (detail != null ? ": " + detail : "")));
                 return;
             }
-            var others = new CloudWarning(m_info.Path, -1, NumberText.Of(kind.Count - MostTold) + " more nodes: " + what);
+            var others = new CloudWarning(m_info.Path, -1, NumberText.Of(kind.Count - MaxReported) + " more nodes: " + what);
             if (kind.Warning < 0)
             {
                 kind.Warning = m_info.Warnings.Count;

@@ -84,7 +84,7 @@ namespace FastPoints.Octrees
                 Spacing = (float)Grid.SpacingOf(source.Level),
                 FirstChild = firstChild,
                 ChildCount = endOfChildren - firstChild,
-                // A node without points would be a guest: one that only holds others together is a hole.
+                // A node without points would be an inlined leaf: one that only holds others together is a hole.
                 PointCount = hasPoints ? source.PointCount : 1,
                 BlockCount = hasPoints ? PlaneShape.BlocksOf(source.PointCount) : 0,
             };
@@ -93,7 +93,7 @@ namespace FastPoints.Octrees
             Grid.BoxOf(source.Key, out node.Center, out node.Half);
             page.Nodes[n] = node;
             page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.IsHole };
-            page.Places[n] = new NodePlace
+            page.Places[n] = new NodeAddress
             {
                 Corner = Grid.Corner - Grid.Root.Corner,
                 IsWide = Grid.IsWide,

@@ -30,7 +30,7 @@ namespace FastPoints.Octrees
         public bool IsWide;
 
         /// <summary>Position of the node's cube relative to <see cref="Corner"/>.</summary>
-        public Grid3 CubePlace;
+        public Grid3 CubePosition;
 
         /// <summary>Bits of the cube's edges.</summary>
         public int3 CubeBits;
@@ -46,7 +46,7 @@ namespace FastPoints.Octrees
         public NativeArray<byte> Offsets;
 
         /// <summary>Out: the point at each place along the curve.</summary>
-        public NativeArray<uint> PointOfPlace;
+        public NativeArray<uint> PointOfRank;
         public NativeReference<PackState> State;
 
         /// <summary>Scratch for a slice.</summary>
@@ -63,7 +63,7 @@ namespace FastPoints.Octrees
             if (!state.IsDamaged)
             {
                 state.IsDamaged = !TryPlace(count);
-                RadixSort.Sort((ulong*)Keys.GetUnsafePtr(), (uint*)PointOfPlace.GetUnsafePtr() + First,
+                RadixSort.Sort((ulong*)Keys.GetUnsafePtr(), (uint*)PointOfRank.GetUnsafePtr() + First,
                     (ulong*)KeyScratch.GetUnsafePtr(), (uint*)PointScratch.GetUnsafePtr(), count);
             }
             State.Value = state;
@@ -73,26 +73,26 @@ namespace FastPoints.Octrees
         {
             byte* columns = (byte*)Columns.GetUnsafeReadOnlyPtr();
             var keys = (ulong*)Keys.GetUnsafePtr();
-            uint* points = (uint*)PointOfPlace.GetUnsafePtr() + First;
+            uint* points = (uint*)PointOfRank.GetUnsafePtr() + First;
             long* x = stackalloc long[RunLength], y = stackalloc long[RunLength], z = stackalloc long[RunLength];
             double loss = 0;
-            bool isSound = true;
+            bool isValid = true;
             for (int at = 0; at < count; at += RunLength)
             {
                 int run = math.min(RunLength, count - at);
                 SourceGrid.ToGrid(Grid.X, columns, Positions.X, First + at, run, x, ref loss);
                 SourceGrid.ToGrid(Grid.Y, columns, Positions.Y, First + at, run, y, ref loss);
                 SourceGrid.ToGrid(Grid.Z, columns, Positions.Z, First + at, run, z, ref loss);
-                isSound &= Store(x, Corner.X, 0, First + at, run) & Store(y, Corner.Y, 1, First + at, run) &
+                isValid &= Store(x, Corner.X, 0, First + at, run) & Store(y, Corner.Y, 1, First + at, run) &
                     Store(z, Corner.Z, 2, First + at, run);
                 for (int i = 0; i < run; i++)
                 {
-                    keys[at + i] = Morton.Encode(Cell(x[i], CubePlace.X, CubeBits.x), Cell(y[i], CubePlace.Y, CubeBits.y),
-                        Cell(z[i], CubePlace.Z, CubeBits.z));
+                    keys[at + i] = Morton.Encode(Cell(x[i], CubePosition.X, CubeBits.x), Cell(y[i], CubePosition.Y, CubeBits.y),
+                        Cell(z[i], CubePosition.Z, CubeBits.z));
                     points[at + i] = (uint)(First + at + i);
                 }
             }
-            return isSound;
+            return isValid;
         }
 
         /// <summary>Moves consecutive positions to the corner and stores them.</summary>

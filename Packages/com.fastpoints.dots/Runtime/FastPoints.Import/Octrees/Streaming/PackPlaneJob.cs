@@ -20,7 +20,7 @@ namespace FastPoints.Octrees
         /// <summary>The batch that was decoded.</summary>
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeArray<byte> Offsets;
-        [ReadOnly] public NativeArray<uint> PointOfPlace;
+        [ReadOnly] public NativeArray<uint> PointOfRank;
         public PlaneShape Shape;
 
         /// <summary>The plane's columns in the batch; the position plane has none.</summary>
@@ -77,7 +77,7 @@ namespace FastPoints.Octrees
 
         void Gather(int first, int count, ulong* values)
         {
-            uint* points = (uint*)PointOfPlace.GetUnsafeReadOnlyPtr() + first;
+            uint* points = (uint*)PointOfRank.GetUnsafeReadOnlyPtr() + first;
             for (int c = 0; c < Shape.ColumnCount; c++)
             {
                 if (Plane == 0)

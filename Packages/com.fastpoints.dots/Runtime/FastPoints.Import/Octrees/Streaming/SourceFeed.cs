@@ -20,13 +20,13 @@ namespace FastPoints.Octrees
 
         readonly StageProgress m_progress = new StageProgress();
         readonly string m_path;
-        readonly WorkPump m_pump;
+        readonly JobCoroutine m_coroutine;
         readonly int m_previewPoints;
         PointReader m_reader;
         SampleReader m_sample;
         PreviewSample m_wave;
         CloudFacts m_newest;
-        bool m_isHurried;
+        bool m_skipsFullPass;
 
         /// <param name="reader">The reader, which this feed owns.</param>
         /// <param name="previewPoints">The most points of a source without an octree; a smaller one is shown whole.</param>
@@ -35,11 +35,11 @@ namespace FastPoints.Octrees
             m_reader = reader;
             m_previewPoints = previewPoints;
             m_path = reader.Info.Path;
-            m_pump = new WorkPump(reader.Tree != null ? OpenTree() : TakePreview());
+            m_coroutine = new JobCoroutine(reader.Tree != null ? OpenTree() : SamplePreview());
         }
 
         public override CloudFacts Newest => m_newest;
-        public override bool IsEnded => m_pump.IsDone;
+        public override bool IsEnded => m_coroutine.IsDone;
 
         public override NodeSource Take(params string[] planes)
         {
@@ -54,35 +54,35 @@ namespace FastPoints.Octrees
 
         public override void Update(double budgetMs)
         {
-            m_pump.Tick(budgetMs);
+            m_coroutine.Tick(budgetMs);
             // The octree's reader is handed over, or waits for that.
-            if (!m_pump.IsDone || m_reader == null || m_reader.Tree != null)
+            if (!m_coroutine.IsDone || m_reader == null || m_reader.Tree != null)
                 return;
             m_reader.Dispose();
             m_reader = null;
         }
 
-        public override void Hurry() => m_isHurried = true;
+        public override void SkipFullPass() => m_skipsFullPass = true;
 
         public override void Dispose()
         {
-            m_pump.Cancel();
+            m_coroutine.Cancel();
             m_sample?.Dispose();
             m_sample = null;
             m_reader?.Dispose();
             m_reader = null;
         }
 
-        IEnumerator<Work> OpenTree()
+        IEnumerator<JobStep> OpenTree()
         {
-            yield return Work.Of(TreeSource.FindTop(m_reader));
+            yield return JobStep.Of(TreeSource.FindTop(m_reader));
             PointBatch top = null;
             var ranges = NewRanges();
             try
             {
-                yield return Work.Of(TreeTop.Read(m_reader, ColorModes.AttributesToMeasure(ColorMode.Auto), PointsOfTop,
+                yield return JobStep.Of(TreeTop.Read(m_reader, ColorModes.AttributesToMeasure(ColorMode.Auto), PointsOfTop,
                     batch => top = batch));
-                yield return Work.Of(ranges.Measure(top, m_reader.Info.Transform, UpAxis.Z));
+                yield return JobStep.Of(ranges.Measure(top, m_reader.Info.Transform, UpAxis.Z));
             }
             finally
             {
@@ -91,24 +91,24 @@ namespace FastPoints.Octrees
             m_newest = Describe(CloudStage.Whole, ranges, m_reader.Tree.Cube);
         }
 
-        IEnumerator<Work> TakePreview()
+        IEnumerator<JobStep> SamplePreview()
         {
             using var preview = new PreviewSampling(m_reader, new SampleOptions { Points = m_previewPoints });
             preview.WaveReady += (sample, _) => m_wave = sample;
-            using var sampling = new WorkSteps(preview.Run(m_progress));
-            while (!IsLeftToTheBuild && sampling.MoveNext())
+            using var sampling = new CoroutineStack(preview.Run(m_progress));
+            while (!IsPassSkipped && sampling.MoveNext())
             {
                 if (m_wave != null)
-                    yield return Work.Of(KeepWave());
+                    yield return JobStep.Of(KeepWave());
                 yield return sampling.Current;
             }
         }
 
         /// <summary>Whether the next step would decode all of the source, which a build does anyway.</summary>
-        bool IsLeftToTheBuild => m_isHurried &&
+        bool IsPassSkipped => m_skipsFullPass &&
             (m_progress.Current == PreviewSampling.RefineStage || m_progress.Current == PreviewSampling.FindBlocksStage);
 
-        IEnumerator<Work> KeepWave()
+        IEnumerator<JobStep> KeepWave()
         {
             var wave = m_wave;
             m_wave = null;
@@ -116,10 +116,10 @@ namespace FastPoints.Octrees
             bool isKept = false;
             try
             {
-                yield return Work.Of(SampleReader.Copy(wave, m_path, copied => copy = copied));
+                yield return JobStep.Of(SampleReader.Copy(wave, m_path, copied => copy = copied));
                 copy.Info.Crs = m_reader.Info.Crs;
                 var ranges = NewRanges();
-                yield return Work.Of(ranges.Measure(copy.Points, wave.Transform, UpAxis.Z));
+                yield return JobStep.Of(ranges.Measure(copy.Points, wave.Transform, UpAxis.Z));
                 m_sample?.Dispose();
                 m_sample = copy;
                 m_newest = Describe(wave.IsWhole ? CloudStage.Whole : CloudStage.Preview, ranges, wave.Bounds);

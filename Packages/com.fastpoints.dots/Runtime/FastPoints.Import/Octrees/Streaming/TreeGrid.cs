@@ -85,7 +85,7 @@ namespace FastPoints.Octrees
         }
 
         /// <summary>Position of a node's cube relative to <see cref="Corner"/>.</summary>
-        public Grid3 PlaceOf(int4 key)
+        public Grid3 PositionOf(int4 key)
         {
             var steps = math.floor((MinOf(key) - Grid.Origin) / Grid.Step);
             return new Grid3((long)steps.x, (long)steps.y, (long)steps.z) - Corner;

@@ -20,16 +20,16 @@ namespace FastPoints.Octrees
         /// others.</summary>
         public const int FirstLevels = LevelsPerPage + 1;
 
-        const int NotNumbered = -1;
+        const int Unnumbered = -1;
         const int None = -1;
 
         readonly PointReader m_reader;
         readonly TreeGrid m_grid;
         readonly List<int4> m_rootOfPage = new List<int4> { default };
-        readonly List<int> m_firstHangingOfPage = new List<int> { NotNumbered };
+        readonly List<int> m_firstPendingOfPage = new List<int> { Unnumbered };
         readonly List<bool> m_isPageKnown = new List<bool> { true };
         NativeParallelHashMap<int4, int> m_nodeOfKey;
-        WorkSteps m_reading;
+        CoroutineStack m_reading;
         JobHandle m_step;
         JobHandle m_building;
         int m_nodes;
@@ -77,7 +77,7 @@ namespace FastPoints.Octrees
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
-            if (!IsReading || !WorkPump.HasEnded(m_step) || !WorkPump.HasEnded(m_building))
+            if (!IsReading || !JobCoroutine.HasEnded(m_step) || !JobCoroutine.HasEnded(m_building))
                 return null;
             m_step.Complete();
             m_building.Complete();
@@ -88,7 +88,7 @@ namespace FastPoints.Octrees
                     m_read = m_wanted;
                     m_wanted = None;
                     var root = m_rootOfPage[m_read];
-                    m_reading = new WorkSteps(m_reader.FindBelow(root, LevelsOf(root)));
+                    m_reading = new CoroutineStack(m_reader.FindBelow(root, LevelsOf(root)));
                 }
                 if (m_reading.MoveNext())
                 {
@@ -132,14 +132,14 @@ namespace FastPoints.Octrees
         /// <param name="planeCount">Number of streamed planes.</param>
         public unsafe void Number(int page, in HierarchyPage built, int planeCount)
         {
-            if (m_firstHangingOfPage[page] == NotNumbered)
+            if (m_firstPendingOfPage[page] == Unnumbered)
             {
-                m_firstHangingOfPage[page] = m_rootOfPage.Count;
+                m_firstPendingOfPage[page] = m_rootOfPage.Count;
                 for (int n = 0; n < built.NodeCount; n++)
                     if (built.Nodes[n].ChunkCount > 0)
-                        AddHanging(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
+                        AddPending(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
             }
-            int next = m_firstHangingOfPage[page];
+            int next = m_firstPendingOfPage[page];
             for (int n = 0; n < built.NodeCount; n++)
             {
                 // Chunk 0 is page 1.
@@ -171,7 +171,7 @@ namespace FastPoints.Octrees
             m_reading = null;
         }
 
-        void AddHanging(int4 key)
+        void AddPending(int4 key)
         {
             for (int octant = 0; octant < 8; octant++)
             {
@@ -179,7 +179,7 @@ namespace FastPoints.Octrees
                 if (!m_nodeOfKey.ContainsKey(child))
                     continue;
                 m_rootOfPage.Add(child);
-                m_firstHangingOfPage.Add(NotNumbered);
+                m_firstPendingOfPage.Add(Unnumbered);
                 m_isPageKnown.Add(m_isBroken || m_reader.IsKnownBelow(child, LevelsOf(child)));
             }
         }

@@ -17,27 +17,27 @@ namespace FastPoints.Octrees
     /// (<see cref="SampleReader"/>).</summary>
     public sealed class TreeSource : NodeSource
     {
-        /// <summary>The most nodes that are begun and not yet taken: a maker is free again in the frame after its last
+        /// <summary>The most nodes that are begun and not yet taken: a transcoder is free again in the frame after its last
         /// job.</summary>
-        const int MostMakers = 16;
+        const int MaxTranscoders = 16;
 
         /// <summary>The number of large ones at work: one is read while another is decoded.</summary>
-        const int LeastAtWork = 2;
+        const int MinBusyTranscoders = 2;
 
         /// <summary>The most points that are begun for each worker, except for single nodes: about 50 ms of work, so that workers
         /// have enough until the next frame, at 30 Hz as well.</summary>
         const int PointsPerWorker = 1 << 18;
 
         /// <summary>The same for all workers: a point at work takes some 60 bytes.</summary>
-        const int MostPoints = 1 << 21;
+        const int MaxPoints = 1 << 21;
 
         readonly TreePages m_pages;
         readonly TreePlanes m_planes;
-        readonly List<TreeNodeMaker> m_makers = new List<TreeNodeMaker>(MostMakers);
-        readonly List<TreeNodeMaker> m_idle = new List<TreeNodeMaker>(MostMakers);
-        readonly MakerChain[] m_chains;
-        readonly long m_mostPoints;
-        long m_pointsAtWork;
+        readonly List<TreeNodeTranscoder> m_transcoders = new List<TreeNodeTranscoder>(MaxTranscoders);
+        readonly List<TreeNodeTranscoder> m_idle = new List<TreeNodeTranscoder>(MaxTranscoders);
+        readonly TranscoderChain[] m_chains;
+        readonly long m_maxPoints;
+        long m_pointsInFlight;
         TreePlanes m_allPlanes;
         NativeArray<PlaneShape> m_shapes;
 
@@ -53,10 +53,10 @@ namespace FastPoints.Octrees
             Reader = reader;
             Grids = new TreeGrid(reader.Info, reader.Tree);
             m_pages = new TreePages(reader, Grids);
-            m_chains = new MakerChain[Math.Max(1, JobsUtility.JobWorkerCount)];
+            m_chains = new TranscoderChain[Math.Max(1, JobsUtility.JobWorkerCount)];
             for (int i = 0; i < m_chains.Length; i++)
-                m_chains[i] = new MakerChain();
-            m_mostPoints = Math.Min(MostPoints, (long)PointsPerWorker * m_chains.Length);
+                m_chains[i] = new TranscoderChain();
+            m_maxPoints = Math.Min(MaxPoints, (long)PointsPerWorker * m_chains.Length);
             Layout = TreePlanes.LayoutOf(reader.Info.Schema);
             m_planes = new TreePlanes(reader.Info.Schema, Layout, planes);
             m_shapes = Layout.CreateShapes(Allocator.Persistent);
@@ -74,13 +74,13 @@ namespace FastPoints.Octrees
         public override NativeArray<int> Planes => m_planes.Indices;
         public override NativeArray<PlaneShape> Shapes => m_shapes;
         public override int PageCount => m_pages.Count;
-        public override bool MakesNodes => true;
+        public override bool TranscodesNodes => true;
 
         internal TreeGrid Grids { get; }
 
-        /// <summary>Work for a pump, needed before a source is made: reads the upper levels of the hierarchy.</summary>
+        /// <summary>Coroutine, needed before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
-        public static IEnumerator<Work> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
+        public static IEnumerator<JobStep> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
 
         public override unsafe void CreatePages(HierarchyPage* pages)
         {
@@ -91,7 +91,7 @@ namespace FastPoints.Octrees
                 job.Run();
                 pages[0] = built.Value;
             }
-            Adopt(0, pages[0]);
+            RegisterPage(0, pages[0]);
         }
 
         public override string PathOf(int page) => Path;
@@ -105,7 +105,7 @@ namespace FastPoints.Octrees
 
         public override string Describe(int page, NativeArray<byte> table, TableProblem problem) => "its hierarchy is damaged";
 
-        public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
+        public override void RegisterPage(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
 
         public override HierarchyPage EmptyPage(int page) => m_pages.Empty(page);
 
@@ -115,45 +115,45 @@ namespace FastPoints.Octrees
 
         public override JobHandle Reading => m_pages.Step;
 
-        public override NodeMaker TakeMaker(int points)
+        public override NodeTranscoder RentTranscoder(int points)
         {
-            int atWork = m_makers.Count - m_idle.Count;
-            if (atWork == MostMakers || atWork >= LeastAtWork && m_pointsAtWork + points > m_mostPoints)
+            int busy = m_transcoders.Count - m_idle.Count;
+            if (busy == MaxTranscoders || busy >= MinBusyTranscoders && m_pointsInFlight + points > m_maxPoints)
                 return null;
             int best = BestIdle(points);
             if (best < 0)
             {
-                m_makers.Add(new TreeNodeMaker(Reader, Grids, m_planes, Planes.Length));
-                m_idle.Add(m_makers[m_makers.Count - 1]);
+                m_transcoders.Add(new TreeNodeTranscoder(Reader, Grids, m_planes, Planes.Length));
+                m_idle.Add(m_transcoders[m_transcoders.Count - 1]);
                 best = m_idle.Count - 1;
             }
-            var maker = m_idle[best];
+            var transcoder = m_idle[best];
             m_idle.RemoveAt(best);
             var chain = m_chains[0];
             foreach (var other in m_chains)
                 chain = other.Points < chain.Points ? other : chain;
-            maker.Join(chain, points);
-            m_pointsAtWork += points;
-            return maker;
+            transcoder.Join(chain, points);
+            m_pointsInFlight += points;
+            return transcoder;
         }
 
-        public override void GiveMaker(NodeMaker maker)
+        public override void ReturnTranscoder(NodeTranscoder transcoder)
         {
-            var given = (TreeNodeMaker)maker;
-            m_pointsAtWork -= given.LeaveChain();
+            var given = (TreeNodeTranscoder)transcoder;
+            m_pointsInFlight -= given.LeaveChain();
             m_idle.Add(given);
         }
 
-        public override NodeMaker CreateWholeMaker()
+        public override NodeTranscoder CreateFullTranscoder()
         {
             var names = new List<string>();
             foreach (var plane in Layout.Planes)
                 names.Add(plane.Name);
             m_allPlanes ??= new TreePlanes(Reader.Info.Schema, Layout, names);
-            return new TreeNodeMaker(Reader, Grids, m_allPlanes, Planes.Length);
+            return new TreeNodeTranscoder(Reader, Grids, m_allPlanes, Planes.Length);
         }
 
-        public override IEnumerator<Work> OpenForPicking(Action<NodeSource> opened)
+        public override IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened)
         {
             PointReader reader = (Reader as SampleReader)?.Share();
             if (Reader is SampleReader && reader == null)
@@ -162,9 +162,9 @@ namespace FastPoints.Octrees
             {
                 string path = Path;
                 if (reader == null)
-                    yield return Work.Of(PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other,
+                    yield return JobStep.Of(PoolTask.Run(path, () => PointReaders.Open(path), other => reader = other,
                         other => other.DisposeUnread()));
-                yield return Work.Of(FindTop(reader));
+                yield return JobStep.Of(FindTop(reader));
                 var source = new TreeSource(reader, AttributeNames.Classification);
                 reader = null;
                 opened(source);
@@ -179,8 +179,8 @@ namespace FastPoints.Octrees
         {
             if (!m_shapes.IsCreated)
                 return;
-            foreach (var maker in m_makers)
-                maker.Dispose();
+            foreach (var transcoder in m_transcoders)
+                transcoder.Dispose();
             m_pages.Dispose();
             m_planes.Dispose();
             m_allPlanes?.Dispose();
@@ -188,7 +188,7 @@ namespace FastPoints.Octrees
             Reader.Dispose();
         }
 
-        /// <summary>The smallest maker with enough memory, otherwise the largest, so that few grow large.</summary>
+        /// <summary>The smallest transcoder with enough memory, otherwise the largest, so that few grow large.</summary>
         /// <returns>-1 if none is idle.</returns>
         int BestIdle(int points)
         {

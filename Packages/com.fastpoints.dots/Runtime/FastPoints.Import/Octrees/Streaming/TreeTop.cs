@@ -9,36 +9,36 @@ namespace FastPoints.Octrees
     /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
     internal static class TreeTop
     {
-        const int MostSlots = 8;
+        const int MaxSlots = 8;
 
-        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they
+        /// <summary>Coroutine, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they
         /// have.</summary>
         /// <param name="attributes">Attributes besides the position; those that the source lacks are left out.</param>
         /// <param name="wanted">Number of points: whole nodes are read until there are this many.</param>
         /// <param name="read">Receives the points and owns them.</param>
-        public static IEnumerator<Work> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
+        public static IEnumerator<JobStep> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
         {
             var blocks = new List<int>();
-            int points = 0, most = 1;
+            int points = 0, max = 1;
             for (int node = 0; node < reader.Tree.NodeCount && points < wanted; node++)
             {
                 if (reader.Tree[node].Block < 0)
                     continue;
                 blocks.Add(reader.Tree[node].Block);
                 points += reader.Tree[node].PointCount;
-                most = Math.Max(most, reader.Tree[node].PointCount);
+                max = Math.Max(max, reader.Tree[node].PointCount);
             }
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             names.AddRange(attributes);
             var schema = reader.Info.Schema.Select(names.ToArray());
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
-            var slots = new BlockRead[Math.Min(MostSlots, blocks.Count)];
+            var slots = new BlockRead[Math.Min(MaxSlots, blocks.Count)];
             bool isDone = false;
             try
             {
-                yield return Work.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
+                yield return JobStep.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
                 {
-                    slots[slot] ??= reader.CreateRead(schema, most, Allocator.Persistent);
+                    slots[slot] ??= reader.CreateRead(schema, max, Allocator.Persistent);
                     slots[slot].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
                     return slots[slot].Decoded;
                 }, slot =>

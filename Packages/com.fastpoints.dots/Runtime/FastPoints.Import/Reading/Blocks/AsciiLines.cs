@@ -20,7 +20,7 @@ namespace FastPoints.Reading
         public int Rows;
 
         /// <param name="maxLineBytes">The last line may extend this far behind its block.</param>
-        public static AsciiRange Of(in StretchBlock block, BlockRange range, long fileBytes, int maxLineBytes)
+        public static AsciiRange Of(in SegmentBlock block, BlockRange range, long fileBytes, int maxLineBytes)
         {
             long left = fileBytes - block.OffsetBytes;
             int bytes = (int)Math.Min((long)block.Bytes + maxLineBytes, left);

@@ -6,8 +6,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Counts the lines of a text file up to the last point's, several stretches at a time, and records which stretches
-    /// have points. A stretch's count does not depend on earlier ones; whether it starts within a line does, and is settled here,
+    /// <summary>Counts the lines of a text file up to the last point's, several segments at a time, and records which segments
+    /// have points. A segment's count does not depend on earlier ones; whether it starts within a line does, and is settled here,
     /// in order.</summary>
     sealed class AsciiRowScan : IDisposable
     {
@@ -24,29 +24,29 @@ namespace FastPoints.Reading
         readonly ulong m_rowsBefore;
         readonly ulong m_rowsEnd;
         readonly Slot[] m_slots;
-        readonly List<StretchBlock> m_blocks = new List<StretchBlock>();
+        readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
         long m_offset;
         SlotRing m_ring;
         ulong m_rows;
         bool m_isInText;
 
-        /// <param name="reader">Its <see cref="PointReader.MostJobs"/> limits the jobs in flight.</param>
+        /// <param name="reader">Its <see cref="PointReader.MaxJobs"/> limits the jobs in flight.</param>
         /// <param name="offset">Offset of the first line.</param>
-        /// <param name="blockBytes">Bytes of a stretch.</param>
+        /// <param name="blockBytes">Bytes of a segment.</param>
         /// <param name="rowsBefore">Leading lines that are not points.</param>
         /// <param name="rowsEnd">Lines up to the last point's; a number beyond the file's for all.</param>
         public AsciiRowScan(PointReader reader, SourceHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
             long fileBytes = reader.Info.FileBytes;
-            int mostJobs = reader.MostJobs;
+            int maxJobs = reader.MaxJobs;
             m_file = file;
             m_fileBytes = fileBytes;
             m_blockBytes = blockBytes;
             m_rowsBefore = rowsBefore;
             m_rowsEnd = rowsEnd;
             m_offset = offset;
-            long stretches = (fileBytes - offset) / blockBytes + 1;
-            m_slots = new Slot[(int)Math.Min(stretches, mostJobs > 0 ? mostJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
+            long segments = (fileBytes - offset) / blockBytes + 1;
+            m_slots = new Slot[(int)Math.Min(segments, maxJobs > 0 ? maxJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
             long bytes = Math.Min(blockBytes, fileBytes);
             m_ring = new SlotRing(m_slots.Length);
             for (int i = 0; i < m_slots.Length; i++)
@@ -60,10 +60,10 @@ namespace FastPoints.Reading
         /// <summary>Number of points found.</summary>
         public long Points { get; private set; }
 
-        public StretchBlock[] TakeBlocks() => m_blocks.ToArray();
+        public SegmentBlock[] TakeBlocks() => m_blocks.ToArray();
 
-        /// <summary>Takes in the oldest stretch, whose handle must be complete, and keeps all slots at work.</summary>
-        /// <returns>Whether there is a stretch to wait for.</returns>
+        /// <summary>Takes in the oldest segment, whose handle must be complete, and keeps all slots at work.</summary>
+        /// <returns>Whether there is a segment to wait for.</returns>
         public bool Next(out JobHandle handle)
         {
             if (!m_ring.IsEmpty)
@@ -98,7 +98,7 @@ namespace FastPoints.Reading
             int points = (int)Math.Min(rows - before, left);
             if (points > 0)
             {
-                m_blocks.Add(new StretchBlock
+                m_blocks.Add(new SegmentBlock
                 {
                     OffsetBytes = slot.Read.Offset,
                     Bytes = slot.Read.Bytes,

@@ -28,7 +28,7 @@ namespace FastPoints.Reading
 
         /// <summary>Jobs that the decoding of the next range comes behind, beside its read: slots that are ahead then keep no
         /// more workers busy.</summary>
-        internal JobHandle After { get; set; }
+        internal JobHandle Dependency { get; set; }
 
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
         public abstract void Begin(BlockRange range);

@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Counts the lines of one stretch of an ascii file.</summary>
+    /// <summary>Counts the lines of one segment of an ascii file.</summary>
     [BurstCompile]
     unsafe struct CountAsciiRowsJob : IJob
     {
@@ -60,20 +60,20 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line.
+    /// <summary>The lines of one segment of an ascii file, counted without knowing whether the segment starts within a line.
     /// Blank lines do not count.</summary>
     struct AsciiRowCount
     {
-        /// <summary>Lines whose first character lies in the stretch, behind its first line end.</summary>
+        /// <summary>Lines whose first character lies in the segment, behind its first line end.</summary>
         public int RowsBehindFirstEnd;
 
-        /// <summary>Whether there is a character before the first line end: a line of this stretch unless it started
+        /// <summary>Whether there is a character before the first line end: a line of this segment unless it started
         /// earlier.</summary>
         public bool HasTextBeforeFirstEnd;
 
         public bool HasLineEnd;
 
-        /// <summary>Whether there is a character behind the last line end: the next stretch starts within a line.</summary>
+        /// <summary>Whether there is a character behind the last line end: the next segment starts within a line.</summary>
         public bool EndsInText;
     }
 }

@@ -46,9 +46,9 @@ namespace FastPoints.Reading
                 byte* start = (byte*)Input.GetUnsafeReadOnlyPtr() + state.Consumed;
                 var input = new ReadOnlySpan<byte>(start, InputBytes - state.Consumed);
                 var output = new Span<byte>(Output.GetUnsafePtr(), Wanted);
-                bool isSound = slot.Decompressor.Decode(input, output, out int consumed, out int written);
+                bool isValid = slot.Decompressor.Decode(input, output, out int consumed, out int written);
                 state.Consumed += consumed;
-                state.IsBroken = !isSound || written < Wanted;
+                state.IsBroken = !isValid || written < Wanted;
             }
             catch (Exception e)
             {

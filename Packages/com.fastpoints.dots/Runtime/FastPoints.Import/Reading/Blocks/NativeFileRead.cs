@@ -7,7 +7,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Reads one stretch of a file into native memory, or several with one request: at most one is in flight, into a
+    /// <summary>Reads one segment of a file into native memory, or several with one request: at most one is in flight, into a
     /// buffer that is reused.</summary>
     sealed unsafe class NativeFileRead : IDisposable
     {
@@ -22,12 +22,12 @@ namespace FastPoints.Reading
         string m_path;
         bool m_isReading;
 
-        /// <param name="stretches">The most stretches of one request.</param>
-        public NativeFileRead(long capacityBytes, Allocator allocator, int stretches = 1)
+        /// <param name="segments">The most segments of one request.</param>
+        public NativeFileRead(long capacityBytes, Allocator allocator, int segments = 1)
         {
             m_allocator = allocator;
             Reserve(capacityBytes);
-            m_commands = new NativeArray<ReadCommand>(Math.Max(1, stretches), allocator);
+            m_commands = new NativeArray<ReadCommand>(Math.Max(1, segments), allocator);
         }
 
         /// <summary>Makes room for so many bytes; what is in the buffer is lost. There is no read in flight.</summary>
@@ -46,13 +46,13 @@ namespace FastPoints.Reading
         /// <summary>The bytes, valid after the handle that <see cref="Begin(SourceHandle, int)"/> gives.</summary>
         public NativeArray<byte> Buffer => m_buffer;
 
-        /// <summary>For several stretches: where each lies in the file and goes in the buffer.</summary>
+        /// <summary>For several segments: where each lies in the file and goes in the buffer.</summary>
         public NativeArray<ReadCommand> Commands => m_commands;
 
-        /// <summary>Of the first stretch.</summary>
+        /// <summary>Of the first segment.</summary>
         public long Offset => m_commands[0].Offset;
 
-        /// <summary>Of the first stretch.</summary>
+        /// <summary>Of the first segment.</summary>
         public int Bytes => (int)m_commands[0].Size;
 
         public bool IsReading => m_isReading;
@@ -84,7 +84,7 @@ namespace FastPoints.Reading
             m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
             if (bytes <= 0)
                 return default;
-            m_handle = FileReads.Once(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
+            m_handle = FileReads.BeginOneShot(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
             m_isReading = true;
             return m_handle.JobHandle;
         }
@@ -100,7 +100,7 @@ namespace FastPoints.Reading
         }
 
         /// <summary>Closes a read that is finished, and says how it ended.</summary>
-        /// <param name="got">Bytes of a single stretch that came.</param>
+        /// <param name="got">Bytes of a single segment that came.</param>
         public ReadStatus Close(out long got)
         {
             got = Bytes;

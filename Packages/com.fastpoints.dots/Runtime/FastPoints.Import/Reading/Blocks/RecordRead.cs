@@ -36,7 +36,8 @@ namespace FastPoints.Reading
             Result = Result,
             RecordBytes = m_records.RecordBytes,
             Count = range.Count,
-        }.Schedule(Behind(m_file.Begin(m_records.File, m_records.OffsetOf(FirstPoint), range.Count * m_records.RecordBytes)));
+        }.Schedule(DependencyOf(m_file.Begin(m_records.File, m_records.OffsetOf(FirstPoint),
+            range.Count * m_records.RecordBytes)));
 
         protected override void Cancel() => m_file.Cancel();
 

@@ -39,8 +39,8 @@ namespace FastPoints.Reading
         /// <summary>Completes when the points are in place.</summary>
         public JobHandle Decoded { get; private set; }
 
-        /// <summary>Separate stretches of the file in the last request.</summary>
-        public int Stretches { get; private set; }
+        /// <summary>Separate segments of the file in the last request.</summary>
+        public int Segments { get; private set; }
 
         /// <summary>Bytes read by the last request, including gaps.</summary>
         public long BytesRead { get; private set; }
@@ -57,36 +57,36 @@ namespace FastPoints.Reading
         /// once.</summary>
         /// <param name="runs">Runs in the file's order, without overlaps, all within the file.</param>
         /// <param name="first">The first one to take.</param>
-        /// <param name="most">The most to take.</param>
-        /// <param name="gapBytes">Runs that are no farther apart are read in one stretch: use more for a file that is slow to
+        /// <param name="max">The most to take.</param>
+        /// <param name="gapBytes">Runs that are no farther apart are read in one segment: use more for a file that is slow to
         /// seek.</param>
         /// <returns>The number of runs that were taken.</returns>
-        public int Begin(NativeArray<PointRun> runs, int first, int most, int gapBytes)
+        public int Begin(NativeArray<PointRun> runs, int first, int max, int gapBytes)
         {
             if (m_file.IsReading)
                 throw new InvalidOperationException(SlotRing.InFlight);
-            most = Math.Min(Math.Min(most, runs.Length - first), m_runs.Length);
+            max = Math.Min(Math.Min(max, runs.Length - first), m_runs.Length);
             int capacity = m_file.Buffer.Length - NativeFileRead.PaddingBytes;
             byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();
             var commands = m_file.Commands;
-            int taken = 0, used = 0, stretches = 0;
-            long stretchEnd = -1;
-            for (; taken < most; taken++)
+            int taken = 0, used = 0, segments = 0;
+            long segmentEnd = -1;
+            for (; taken < max; taken++)
             {
                 var run = runs[first + taken];
                 long begin = m_records.OffsetOf(run.First);
                 long end = begin + BytesOf(run, m_records.RecordBytes);
-                bool joins = stretches > 0 && begin - stretchEnd <= gapBytes;
-                long added = joins ? end - stretchEnd : end - begin;
+                bool joins = segments > 0 && begin - segmentEnd <= gapBytes;
+                long added = joins ? end - segmentEnd : end - begin;
                 if (used + added > capacity)
                     break;
                 if (!joins)
-                    commands[stretches++] = new ReadCommand { Buffer = buffer + used, Offset = begin };
+                    commands[segments++] = new ReadCommand { Buffer = buffer + used, Offset = begin };
                 used += (int)added;
-                stretchEnd = end;
-                var command = commands[stretches - 1];
+                segmentEnd = end;
+                var command = commands[segments - 1];
                 command.Size = end - command.Offset;
-                commands[stretches - 1] = command;
+                commands[segments - 1] = command;
                 m_runs[taken] = new BufferedRun
                 {
                     FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
@@ -97,10 +97,10 @@ namespace FastPoints.Reading
             }
             if (taken == 0)
                 throw new ArgumentException("a run does not fit into the slot's " + capacity + " bytes", nameof(runs));
-            Stretches = stretches;
+            Segments = segments;
             BytesRead = used;
             Begun = ReadClock.Now;
-            var read = m_file.Begin(m_records.File, stretches);
+            var read = m_file.Begin(m_records.File, segments);
             var stamped = new TimestampJob { At = m_ended }.Schedule(read);
             var decoded = new DecodeRunsJob
             {
@@ -216,7 +216,7 @@ namespace FastPoints.Reading
         public void Execute() => At.Value = ReadClock.Now;
     }
 
-    /// <summary>The clock for the duration of reads. Jobs can read it; the pump would see a finished read only in its next
+    /// <summary>The clock for the duration of reads. Jobs can read it; the coroutine would see a finished read only in its next
     /// update.</summary>
     static class ReadClock
     {

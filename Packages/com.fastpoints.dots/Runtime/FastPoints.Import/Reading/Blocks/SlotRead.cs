@@ -33,8 +33,9 @@ namespace FastPoints.Reading
         /// <summary>Starts the read of a range that is not empty, and the jobs behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range);
 
-        /// <summary>What the decoding depends on: the read, and <see cref="BlockRead.After"/>.</summary>
-        protected JobHandle Behind(JobHandle read) => After.Equals(default) ? read : JobHandle.CombineDependencies(read, After);
+        /// <summary>What the decoding depends on: the read, and <see cref="BlockRead.Dependency"/>.</summary>
+        protected JobHandle DependencyOf(JobHandle read) =>
+            Dependency.Equals(default) ? read : JobHandle.CombineDependencies(read, Dependency);
 
         /// <summary>Closes the read of the range, whose jobs are finished.</summary>
         protected abstract void EndRead();

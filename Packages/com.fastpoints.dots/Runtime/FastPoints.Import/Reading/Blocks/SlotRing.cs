@@ -41,10 +41,10 @@ namespace FastPoints.Reading
             return oldest;
         }
 
-        /// <summary>Work for a pump: begins things with a few slots, and ends each when it is done.</summary>
+        /// <summary>Coroutine: begins things with a few slots, and ends each when it is done.</summary>
         /// <param name="begin">Begins the thing of a number with a slot.</param>
         /// <param name="end">Ends what a slot has, whose handle is complete.</param>
-        public static IEnumerator<Work> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end)
+        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end)
         {
             var ring = new SlotRing(slots);
             var handles = new JobHandle[slots];

@@ -13,11 +13,11 @@ namespace FastPoints.Reading
         readonly HashSet<int> m_isRead = new HashSet<int>();
         int m_added;
 
-        /// <param name="mostLevels">The most levels of nodes that pages begin with.</param>
-        public UnreadPages(int mostLevels)
+        /// <param name="maxLevels">The most levels of nodes that pages begin with.</param>
+        public UnreadPages(int maxLevels)
         {
-            m_ofLevel = new Queue<UnreadPage>[mostLevels];
-            for (int level = 0; level < mostLevels; level++)
+            m_ofLevel = new Queue<UnreadPage>[maxLevels];
+            for (int level = 0; level < maxLevels; level++)
                 m_ofLevel[level] = new Queue<UnreadPage>();
         }
 

@@ -83,7 +83,7 @@ namespace FastPoints.Reading
             ulong* bits = stackalloc ulong[RunLength];
             long factor = column.Factor, shift = column.Shift;
             bool isPlace = column.Kind == TileColumnKind.Place;
-            long most = isPlace ? CommonGrid.Limit / math.max(1, math.abs(factor)) : long.MaxValue;
+            long max = isPlace ? CommonGrid.Limit / math.max(1, math.abs(factor)) : long.MaxValue;
             bool isUnsigned64 = column.From.Type == AttributeType.UInt64;
             for (; first < end; first += RunLength)
             {
@@ -94,8 +94,8 @@ namespace FastPoints.Reading
                     for (int i = 0; i < run; i++)
                     {
                         long value = (long)bits[i];
-                        bool isOut = value < 0 ? isUnsigned64 || value < -most : value > most;
-                        ((long*)to)[first + i] = isOut ? CommonGrid.Nowhere : value * factor + shift;
+                        bool isOut = value < 0 ? isUnsigned64 || value < -max : value > max;
+                        ((long*)to)[first + i] = isOut ? CommonGrid.InvalidPosition : value * factor + shift;
                     }
                     continue;
                 }

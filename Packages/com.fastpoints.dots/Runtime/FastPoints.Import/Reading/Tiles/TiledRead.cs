@@ -30,7 +30,7 @@ namespace FastPoints.Reading
             var tile = m_reader.TileOfBlock(range.Block);
             if (tile != m_tile)
                 Change(tile);
-            m_inner.After = After;
+            m_inner.Dependency = Dependency;
             m_inner.Begin(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
             Result = m_inner.Result;
             return new FillTileColumnsJob
@@ -55,12 +55,12 @@ namespace FastPoints.Reading
             }
         }
 
-        protected override void DisposeMemory() => Leave();
+        protected override void DisposeMemory() => Release();
 
         void Change(Tile tile)
         {
-            Leave();
-            m_reader.Enter(tile);
+            Release();
+            m_reader.Acquire(tile);
             m_tile = tile;
             m_inner = tile.Reader.CreateRead(WantedOf(tile), Math.Min(m_capacity, tile.MaxPointsPerBlock), m_allocator);
             var columns = new List<TileColumn>();
@@ -87,7 +87,7 @@ namespace FastPoints.Reading
             return wanted.Count > 0 || names.Length == 0 ? wanted : tile.Schema.Select(AttributeNames.X);
         }
 
-        void Leave()
+        void Release()
         {
             if (m_tile == null)
                 return;
@@ -95,7 +95,7 @@ namespace FastPoints.Reading
             m_inner = null;
             if (m_columns.IsCreated)
                 m_columns.Dispose();
-            m_reader.Leave(m_tile);
+            m_reader.Release(m_tile);
             m_tile = null;
         }
     }

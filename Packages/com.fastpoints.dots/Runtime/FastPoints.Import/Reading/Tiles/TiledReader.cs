@@ -119,7 +119,7 @@ namespace FastPoints.Reading
             return new TiledRead(this, wanted, capacity, allocator);
         }
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -135,27 +135,27 @@ namespace FastPoints.Reading
                     continue;
                 }
                 tile.FirstBlock = m_pointsOfBlock.Count;
-                Enter(tile);
+                Acquire(tile);
                 try
                 {
-                    tile.Reader.MostJobs = MostJobs;
-                    using (var work = new WorkSteps(tile.Reader.FindBlocks()))
+                    tile.Reader.MaxJobs = MaxJobs;
+                    using (var work = new CoroutineStack(tile.Reader.FindBlocks()))
                         while (Step(work, tile))
                             yield return work.Current;
                     if (tile.Reader.BlocksAreKnown)
-                        TakeBlocks(tile);
+                        AddBlocks(tile);
                     TakeWarnings(tile);
                 }
                 finally
                 {
-                    Leave(tile);
+                    Release(tile);
                 }
             }
-            Settle();
+            Finish();
         }
 
         /// <summary>Runs a step of a tile's work; in a folder, a tile that turns out to be broken is left out.</summary>
-        bool Step(WorkSteps work, Tile tile)
+        bool Step(CoroutineStack work, Tile tile)
         {
             try
             {
@@ -184,8 +184,8 @@ namespace FastPoints.Reading
             return m_tiles[low];
         }
 
-        /// <summary>Opens a tile for one more user; <see cref="Leave"/> ends that.</summary>
-        internal void Enter(Tile tile)
+        /// <summary>Opens a tile for one more user; <see cref="Release"/> ends that.</summary>
+        internal void Acquire(Tile tile)
         {
             tile.LastUse = ++m_clock;
             if (tile.IsOpen)
@@ -212,7 +212,7 @@ namespace FastPoints.Reading
                 m_open.Add(tile);
         }
 
-        internal void Leave(Tile tile) => tile.Users--;
+        internal void Release(Tile tile) => tile.Users--;
 
         /// <summary>Takes over the warnings that a tile's reader has so far, each line once.</summary>
         internal void TakeWarnings(Tile tile)
@@ -224,17 +224,17 @@ namespace FastPoints.Reading
             for (int i = 0; i < warnings.Count; i++)
             {
                 var warning = warnings[i];
-                bool isTold = false;
+                bool isReported = false;
                 foreach (int place in tile.Warnings)
-                    isTold |= place >= 0 && Info.Warnings[place].ByteOffset == warning.ByteOffset &&
+                    isReported |= place >= 0 && Info.Warnings[place].ByteOffset == warning.ByteOffset &&
                         Info.Warnings[place].Path == warning.Path && Info.Warnings[place].Text == warning.Text;
-                if (isTold)
+                if (isReported)
                     continue;
                 // A reader continues counting in the warning that it has.
                 if (i < tile.Warnings.Count && tile.Warnings[i] >= 0 && !Contains(warnings, Info.Warnings[tile.Warnings[i]]))
                     Info.Warnings[tile.Warnings[i]] = warning;
                 else if (i >= tile.Warnings.Count)
-                    tile.Warnings.Add(Tell(warning));
+                    tile.Warnings.Add(Report(warning));
             }
         }
 
@@ -247,16 +247,16 @@ namespace FastPoints.Reading
         }
 
         /// <returns>Its index, or -1 if enough files have said the same.</returns>
-        int Tell(CloudWarning warning)
+        int Report(CloudWarning warning)
         {
-            m_equalWarnings.TryGetValue(warning.Text, out int told);
-            m_equalWarnings[warning.Text] = told + 1;
-            if (told > MaxEqualWarnings)
+            m_equalWarnings.TryGetValue(warning.Text, out int reported);
+            m_equalWarnings[warning.Text] = reported + 1;
+            if (reported > MaxEqualWarnings)
                 return -1;
-            if (told == MaxEqualWarnings)
+            if (reported == MaxEqualWarnings)
                 warning = new CloudWarning(Info.Path, -1, "more files say: " + warning.Text);
             Info.Warnings.Add(warning);
-            return told == MaxEqualWarnings ? -1 : Info.Warnings.Count - 1;
+            return reported == MaxEqualWarnings ? -1 : Info.Warnings.Count - 1;
         }
 
         public override void CloseFile()
@@ -341,7 +341,7 @@ namespace FastPoints.Reading
                     };
                     m_tiles.Add(tile);
                     if (tile.IsKnown)
-                        TakeBlocks(tile);
+                        AddBlocks(tile);
                     isKnown &= tile.IsKnown;
                     m_hasFixedStride &= tile.HasFixedStride;
                     summary.Include(reader.Info);
@@ -366,7 +366,7 @@ namespace FastPoints.Reading
             summary.End(m_tiles.Count);
             new TileSchema(m_tiles, Info).Unite();
             if (isKnown)
-                Settle();
+                Finish();
             return this;
         }
 
@@ -375,7 +375,7 @@ namespace FastPoints.Reading
             string text = failure.Message.StartsWith(failure.Path + ": ", StringComparison.Ordinal)
                 ? failure.Message.Substring(failure.Path.Length + 2)
                 : failure.Message;
-            Tell(new CloudWarning(path, -1, "left out: " + text));
+            Report(new CloudWarning(path, -1, "left out: " + text));
         }
 
         PointSchema Shared(PointSchema schema)
@@ -385,7 +385,7 @@ namespace FastPoints.Reading
             return shared;
         }
 
-        void TakeBlocks(Tile tile)
+        void AddBlocks(Tile tile)
         {
             var reader = tile.Reader;
             tile.FirstBlock = m_pointsOfBlock.Count;
@@ -396,7 +396,7 @@ namespace FastPoints.Reading
                 m_pointsOfBlock.Add(reader.PointsInBlock(block));
         }
 
-        void Settle()
+        void Finish()
         {
             // Tiles without points get the first block of the next tile, and come before it.
             var first = new long[m_pointsOfBlock.Count + 1];

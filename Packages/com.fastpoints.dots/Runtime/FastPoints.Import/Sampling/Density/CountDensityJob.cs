@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Counts some stretches of a sample into the bricks of one depth: see <see cref="DensityTree"/>.</summary>
+    /// <summary>Counts some segments of a sample into the bricks of one depth: see <see cref="DensityTree"/>.</summary>
     [BurstCompile]
     unsafe struct CountDensityJob : IJob
     {
@@ -16,11 +16,11 @@ namespace FastPoints.Sampling
         /// none.</summary>
         public NativeArray<int> BrickOfPoint;
 
-        /// <summary>Empty if each point is a stretch of its own and stands for <see cref="WeightOfEach"/>.</summary>
+        /// <summary>Empty if each point is a segment of its own and stands for <see cref="WeightOfEach"/>.</summary>
         [ReadOnly] public NativeArray<SampleRun> Runs;
         public double WeightOfEach;
 
-        /// <summary>First entry of <see cref="Runs"/>, or first point; stretches are never divided.</summary>
+        /// <summary>First entry of <see cref="Runs"/>, or first point; segments are never divided.</summary>
         public int First;
         public int End;
 
@@ -31,7 +31,7 @@ namespace FastPoints.Sampling
         [ReadOnly] public NativeList<int> ChildBricks;
         public NativeList<DensitySum> Sums;
 
-        /// <summary>Cells in which the current stretch has points.</summary>
+        /// <summary>Cells in which the current segment has points.</summary>
         public NativeList<int> Touched;
 
         public void Execute()
@@ -53,8 +53,8 @@ namespace FastPoints.Sampling
                 var run = Runs[r];
                 for (int i = 0; i < run.Count; i++)
                     Count(sums, run.First + i, run.Weight);
-                if (r + 1 == End || Runs[r + 1].Stretch != run.Stretch)
-                    Close(sums, run.Stretch);
+                if (r + 1 == End || Runs[r + 1].Segment != run.Segment)
+                    Close(sums, run.Segment);
             }
         }
 
@@ -83,15 +83,15 @@ namespace FastPoints.Sampling
 
         void Add(DensitySum* sums, int cell, double weight)
         {
-            if (sums[cell].InStretch == 0)
+            if (sums[cell].InSegment == 0)
                 Touched.Add(cell);
-            sums[cell].InStretch += weight;
+            sums[cell].InSegment += weight;
         }
 
-        void Close(DensitySum* sums, int stretch)
+        void Close(DensitySum* sums, int segment)
         {
             for (int i = 0; i < Touched.Length; i++)
-                sums[Touched[i]].Close(stretch);
+                sums[Touched[i]].Close(segment);
             Touched.Clear();
         }
     }

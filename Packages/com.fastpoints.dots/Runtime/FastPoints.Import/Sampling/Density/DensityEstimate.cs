@@ -9,28 +9,28 @@ namespace FastPoints.Sampling
 {
     /// <summary>Estimates the distribution of a cloud's points from a sample: the cells of an adaptive grid, each with its
     /// standard error, and the empty cells, of which nothing is known.</summary>
-    /// <remarks>The error is that of choosing stretches. It is valid if these lie at random places in their parts of the file, as
+    /// <remarks>The error is that of choosing segments. It is valid if these lie at random places in their parts of the file, as
     /// runs and text do. Prefixes of blocks (LAZ) are not random: if a block begins in one place and ends in another, no sample
     /// of prefixes shows it.</remarks>
     internal sealed class DensityEstimate : IDisposable
     {
-        /// <summary>A cell with points of fewer stretches is not divided: half of its parts would have two or three.</summary>
-        const int LeastStretches = 32;
+        /// <summary>A cell with points of fewer segments is not divided: half of its parts would have two or three.</summary>
+        const int MinSegments = 32;
 
-        /// <summary>Cells need more stretches if there are many, so that there are some thousands of cells.</summary>
-        const int StretchesPerLeast = 1 << 14;
+        /// <summary>Cells need more segments if there are many, so that there are some thousands of cells.</summary>
+        const int SegmentsPerMin = 1 << 14;
 
         const int PointsPerSlice = 1 << 16;
 
         readonly DensityTree m_tree;
         readonly double3 m_corner;
         readonly double m_edge;
-        readonly int m_leastStretches;
+        readonly int m_minSegments;
 
-        DensityEstimate(DensityTree tree, int leastStretches, double3 corner, double edge)
+        DensityEstimate(DensityTree tree, int minSegments, double3 corner, double edge)
         {
             m_tree = tree;
-            m_leastStretches = leastStretches;
+            m_minSegments = minSegments;
             m_corner = corner;
             m_edge = edge;
         }
@@ -38,17 +38,17 @@ namespace FastPoints.Sampling
         /// <summary>The part within the grid's cube.</summary>
         public DensityCell Inside => m_tree[DensityNumbers.Root];
 
-        /// <summary>The part farther out: strays.</summary>
+        /// <summary>The part farther out: outliers.</summary>
         public DensityCell Outside => m_tree[DensityNumbers.Outside];
 
-        /// <summary>Work for a pump: estimates from the current sample. Points that stand in for others are ignored.</summary>
+        /// <summary>Coroutine: estimates from the current sample. Points that stand in for others are ignored.</summary>
         /// <param name="bounds">The bounds that the grid divides, which hold nearly all points.</param>
         /// <param name="take">Receives the estimate, which the caller disposes; null if the sample does not say what its points
         /// stand for.</param>
-        public static IEnumerator<Work> Of(PreviewSample sample, BoundsGeo bounds, Action<DensityEstimate> take)
+        public static IEnumerator<JobStep> Of(PreviewSample sample, BoundsGeo bounds, Action<DensityEstimate> take)
         {
-            int count = sample.Count - sample.Substitutes;
-            if (!sample.StandsForStretches || count == 0 || bounds.IsEmpty)
+            int count = sample.Count - sample.Placeholders;
+            if (!sample.HasKnownWeights || count == 0 || bounds.IsEmpty)
             {
                 take(null);
                 yield break;
@@ -59,7 +59,7 @@ namespace FastPoints.Sampling
             var coded = default(JobHandle);
             try
             {
-                yield return Work.Of(Slices.Schedule(0, count, PointsPerSlice, (first, end, after) => new CodePositionsJob
+                yield return JobStep.Of(Slices.Schedule(0, count, PointsPerSlice, (first, end, after) => new CodePositionsJob
                 {
                     Sample = sample.Points.Bytes,
                     Positions = PositionColumns.Of(sample.Points),
@@ -72,10 +72,10 @@ namespace FastPoints.Sampling
                 }.Schedule(after), 1, default, all => coded = all));
                 long points = Math.Max(sample.PointsInSource, sample.Count);
                 double inSample = count + sample.NonFinite;
-                int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
-                int least = Math.Max(LeastStretches, stretches / StretchesPerLeast);
-                yield return Work.Of(DensityTree.Count(codes, sample.Runs, points / inSample, inSample / points, least, 0,
-                    coded, tree => take(new DensityEstimate(tree, least, bounds.Min, edge))));
+                int segments = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Segment + 1 : count;
+                int min = Math.Max(MinSegments, segments / SegmentsPerMin);
+                yield return JobStep.Of(DensityTree.Count(codes, sample.Runs, points / inSample, inSample / points, min, 0,
+                    coded, tree => take(new DensityEstimate(tree, min, bounds.Min, edge))));
             }
             finally
             {
@@ -93,7 +93,7 @@ namespace FastPoints.Sampling
             {
                 var (cell, min, edge) = open.Pop();
                 int parts = m_tree.FirstPartOf(cell);
-                if (parts < 0 || m_tree[cell].Stretches < m_leastStretches)
+                if (parts < 0 || m_tree[cell].Segments < m_minSegments)
                 {
                     yield return new DensityLeaf(min, edge, m_tree[cell]);
                     continue;

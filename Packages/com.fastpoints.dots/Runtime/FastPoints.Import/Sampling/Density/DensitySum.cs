@@ -2,56 +2,56 @@ using System;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Sums over the stretches of a sample, one after the other in the file's order, for one cell. Blittable.</summary>
+    /// <summary>Sums over the segments of a sample, one after the other in the file's order, for one cell. Blittable.</summary>
     internal struct DensitySum
     {
         public double Points;
         public double SquaresOfDifferences;
 
-        /// <summary>Points of the stretch that is being counted.</summary>
-        public double InStretch;
+        /// <summary>Points of the segment that is being counted.</summary>
+        public double InSegment;
 
-        /// <summary>Points of <see cref="LastStretch"/>, the last one that has points here.</summary>
+        /// <summary>Points of <see cref="LastSegment"/>, the last one that has points here.</summary>
         public double InLast;
-        public int LastStretch;
-        public int Stretches;
+        public int LastSegment;
+        public int Segments;
 
-        /// <summary>Adds <see cref="InStretch"/> when its stretch is counted; stretches without points in the cell may be
+        /// <summary>Adds <see cref="InSegment"/> when its segment is counted; segments without points in the cell may be
         /// skipped.</summary>
-        public void Close(int stretch)
+        public void Close(int segment)
         {
-            if (Stretches > 0 && LastStretch == stretch - 1)
+            if (Segments > 0 && LastSegment == segment - 1)
             {
-                SquaresOfDifferences += (InStretch - InLast) * (InStretch - InLast);
+                SquaresOfDifferences += (InSegment - InLast) * (InSegment - InLast);
             }
             else
             {
-                SquaresOfDifferences += stretch > 0 ? InStretch * InStretch : 0;
+                SquaresOfDifferences += segment > 0 ? InSegment * InSegment : 0;
                 SquaresOfDifferences += InLast * InLast;
             }
-            Points += InStretch;
-            InLast = InStretch;
-            InStretch = 0;
-            LastStretch = stretch;
-            Stretches++;
+            Points += InSegment;
+            InLast = InSegment;
+            InSegment = 0;
+            LastSegment = segment;
+            Segments++;
         }
 
         /// <summary>The estimate after all are counted.</summary>
-        /// <param name="stretches">Number of stretches in the sample, with or without points here.</param>
+        /// <param name="segments">Number of segments in the sample, with or without points here.</param>
         /// <param name="share">The sampled share of the file's points.</param>
-        /// <remarks>Points of one stretch are neighbours in space as well: they say hardly more than one of them would, and a
-        /// binomial error would be far too small. Each part of the file has one stretch, so the variance is estimated by the
+        /// <remarks>Points of one segment are neighbours in space as well: they say hardly more than one of them would, and a
+        /// binomial error would be far too small. Each part of the file has one segment, so the variance is estimated by the
         /// differences of neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a
         /// finite population.</remarks>
-        public DensityCell ToCell(int stretches, double share)
+        public DensityCell ToCell(int segments, double share)
         {
-            if (Stretches == 0)
+            if (Segments == 0)
                 return new DensityCell(0, double.NaN, 0);
             double left = Math.Max(0, 1 - share);
-            if (stretches < 2)
-                return new DensityCell(Points, left > 0 ? Points : 0, Stretches);
-            double squares = SquaresOfDifferences + (LastStretch < stretches - 1 ? InLast * InLast : 0);
-            return new DensityCell(Points, Math.Sqrt(left * squares * stretches / (2.0 * (stretches - 1))), Stretches);
+            if (segments < 2)
+                return new DensityCell(Points, left > 0 ? Points : 0, Segments);
+            double squares = SquaresOfDifferences + (LastSegment < segments - 1 ? InLast * InLast : 0);
+            return new DensityCell(Points, Math.Sqrt(left * squares * segments / (2.0 * (segments - 1))), Segments);
         }
     }
 
@@ -64,17 +64,17 @@ namespace FastPoints.Sampling
         /// <summary>Error of <see cref="Points"/>, in points; NaN if nothing is known.</summary>
         public readonly double StandardError;
 
-        /// <summary>Stretches of the file that have sampled points here.</summary>
-        public readonly int Stretches;
+        /// <summary>Segments of the file that have sampled points here.</summary>
+        public readonly int Segments;
 
-        public DensityCell(double points, double standardError, int stretches)
+        public DensityCell(double points, double standardError, int segments)
         {
             Points = points;
             StandardError = standardError;
-            Stretches = stretches;
+            Segments = segments;
         }
 
-        /// <summary>False if no sampled point lies here: there may be none, or some that no stretch reached.</summary>
-        public bool IsKnown => Stretches > 0;
+        /// <summary>False if no sampled point lies here: there may be none, or some that no segment reached.</summary>
+        public bool IsKnown => Segments > 0;
     }
 }

@@ -20,7 +20,7 @@ namespace FastPoints.Sampling
 
         NativeList<DensitySum> m_sums;
         NativeList<int> m_childBricks;
-        int m_stretches;
+        int m_segments;
         double m_share;
 
         DensityTree()
@@ -33,7 +33,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>The estimate for a cell's number.</summary>
-        public DensityCell this[int cell] => m_sums[cell].ToCell(m_stretches, m_share);
+        public DensityCell this[int cell] => m_sums[cell].ToCell(m_segments, m_share);
 
         /// <summary>The number of the first of a cell's eight parts, in Morton order; -1 if it is not divided.</summary>
         public int FirstPartOf(int cell)
@@ -49,17 +49,17 @@ namespace FastPoints.Sampling
             return child < 0 ? -1 : CoarseCell(child, 0);
         }
 
-        /// <summary>Work for a pump: counts a sample.</summary>
+        /// <summary>Coroutine: counts a sample.</summary>
         /// <param name="codes">The Morton code of each point's cell at the last level, or <see cref="OutsideCode"/>.</param>
-        /// <param name="runs">Stretches in the file's order; empty if each point is a stretch of its own.</param>
+        /// <param name="runs">Segments in the file's order; empty if each point is a segment of its own.</param>
         /// <param name="weightOfEach">Points that each point stands for, if there are no runs.</param>
         /// <param name="share">The sampled share of the file's points, 0 to 1.</param>
-        /// <param name="leastStretches">Cells with points of fewer stretches are not divided.</param>
-        /// <param name="mostPoints">Cells with no more points are not divided.</param>
+        /// <param name="minSegments">Cells with points of fewer segments are not divided.</param>
+        /// <param name="maxPoints">Cells with no more points are not divided.</param>
         /// <param name="coded">Completes when the codes are there.</param>
         /// <param name="take">Receives the tree at the end; the caller disposes it.</param>
-        public static IEnumerator<Work> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double weightOfEach,
-            double share, int leastStretches, double mostPoints, JobHandle coded, Action<DensityTree> take)
+        public static IEnumerator<JobStep> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double weightOfEach,
+            double share, int minSegments, double maxPoints, JobHandle coded, Action<DensityTree> take)
         {
             var tree = new DensityTree { m_share = share };
             var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
@@ -68,18 +68,18 @@ namespace FastPoints.Sampling
             try
             {
                 int entries = runs.Length > 0 ? runs.Length : codes.Length;
-                tree.m_stretches = runs.Length > 0 ? runs[runs.Length - 1].Stretch + 1 : codes.Length;
+                tree.m_segments = runs.Length > 0 ? runs[runs.Length - 1].Segment + 1 : codes.Length;
                 var begins = new List<int> { 0 };
                 while (begins[begins.Count - 1] < entries)
                     begins.Add(EndOfSlice(runs, begins[begins.Count - 1], entries));
                 // Each depth counts in all slices but one, which divides.
                 int slices = begins.Count;
-                yield return Work.Of(Slices.Run(0, Levels / 2 * slices - 1, 1, (n, _, after) => n % slices == slices - 1
+                yield return JobStep.Of(Slices.Run(0, Levels / 2 * slices - 1, 1, (n, _, after) => n % slices == slices - 1
                     ? new DivideDensityJob
                     {
                         Bricks = bricksOfDepth,
-                        LeastStretches = leastStretches,
-                        MostPoints = mostPoints,
+                        MinSegments = minSegments,
+                        MaxPoints = maxPoints,
                         ChildBricks = tree.m_childBricks,
                         Sums = tree.m_sums,
                     }.Schedule(after)
@@ -114,7 +114,7 @@ namespace FastPoints.Sampling
             if (runs.Length == 0)
                 return Math.Min(entries, begin + PointsPerSlice);
             int end = begin;
-            for (int points = 0; end < entries && (points < PointsPerSlice || runs[end].Stretch == runs[end - 1].Stretch); end++)
+            for (int points = 0; end < entries && (points < PointsPerSlice || runs[end].Segment == runs[end - 1].Segment); end++)
                 points += runs[end].Count;
             return end;
         }
@@ -144,10 +144,10 @@ namespace FastPoints.Sampling
         public NativeReference<int2> Bricks;
 
         /// <summary>A cell with fewer says less about its parts than their error.</summary>
-        public int LeastStretches;
+        public int MinSegments;
 
         /// <summary>A cell with no more is small enough.</summary>
-        public double MostPoints;
+        public double MaxPoints;
 
         public NativeList<int> ChildBricks;
         public NativeList<DensitySum> Sums;
@@ -160,7 +160,7 @@ namespace FastPoints.Sampling
                 for (int fine = 0; fine < FineCells; fine++)
                 {
                     var sum = Sums[FineCell(brick, fine)];
-                    if (sum.Stretches < LeastStretches || sum.Points <= MostPoints)
+                    if (sum.Segments < MinSegments || sum.Points <= MaxPoints)
                         continue;
                     ChildBricks[brick * FineCells + fine] = ChildBricks.Length / FineCells;
                     DensityTree.AddBrick(ref ChildBricks, ref Sums);

@@ -13,8 +13,8 @@ namespace FastPoints.Text
         public const int WindowBytes = 8192;
 
         /// <summary>What one step writes, and takes of the input, at most.</summary>
-        public const int MostWritten = 264;
-        public const int MostTaken = 33;
+        public const int MaxWritten = 264;
+        public const int MaxTaken = 33;
 
         /// <summary>One step.</summary>
         /// <param name="known">Bytes before <paramref name="output"/> that may be copied from.</param>
@@ -76,7 +76,7 @@ namespace FastPoints.Text
         /// <summary>Decoded at most by one job, so that it stays short.</summary>
         public const int SliceBytes = 1 << 20;
 
-        public const int BufferBytes = Lzf.WindowBytes + SliceBytes + Lzf.MostWritten;
+        public const int BufferBytes = Lzf.WindowBytes + SliceBytes + Lzf.MaxWritten;
 
         [ReadOnly] public NativeArray<byte> Input;
         public int InputBytes;
@@ -129,7 +129,7 @@ namespace FastPoints.Text
     }
 
     /// <summary>Where a wanted field of a range lies in the slot's input. Blittable.</summary>
-    struct LzfStretch
+    struct LzfSegment
     {
         public int FirstByte;
         public int Bytes;
@@ -140,12 +140,12 @@ namespace FastPoints.Text
         public int Copies;
     }
 
-    /// <summary>Decodes the stretches of a range, one field after the other, into columns.</summary>
+    /// <summary>Decodes the segments of a range, one field after the other, into columns.</summary>
     [BurstCompile]
     unsafe struct DecodeLzfJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Input;
-        [ReadOnly] public NativeArray<LzfStretch> Stretches;
+        [ReadOnly] public NativeArray<LzfSegment> Segments;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         [ReadOnly] public NativeArray<byte> Windows;
         public NativeArray<byte> Buffer;
@@ -159,16 +159,16 @@ namespace FastPoints.Text
             byte* buffer = (byte*)Buffer.GetUnsafePtr();
             byte* decoded = buffer + Lzf.WindowBytes;
             byte* windows = (byte*)Windows.GetUnsafeReadOnlyPtr();
-            for (int i = 0; i < Stretches.Length; i++)
+            for (int i = 0; i < Segments.Length; i++)
             {
-                var stretch = Stretches[i];
-                UnsafeUtility.MemCpy(buffer, windows + (long)stretch.Checkpoint * Lzf.WindowBytes, Lzf.WindowBytes);
-                byte* input = (byte*)Input.GetUnsafeReadOnlyPtr() + stretch.FirstByte;
-                long wanted = stretch.Skip + (long)(First + Count) * stretch.FieldBytes;
+                var segment = Segments[i];
+                UnsafeUtility.MemCpy(buffer, windows + (long)segment.Checkpoint * Lzf.WindowBytes, Lzf.WindowBytes);
+                byte* input = (byte*)Input.GetUnsafeReadOnlyPtr() + segment.FirstByte;
+                long wanted = segment.Skip + (long)(First + Count) * segment.FieldBytes;
                 int taken = 0;
                 for (long done = 0; done < wanted;)
                 {
-                    int written = Lzf.Step(input + taken, stretch.Bytes - taken, decoded + done, Lzf.WindowBytes, out int bytes);
+                    int written = Lzf.Step(input + taken, segment.Bytes - taken, decoded + done, Lzf.WindowBytes, out int bytes);
                     if (written <= 0)
                     {
                         Result.Value = new DecodeResult { Error = 1 };
@@ -177,8 +177,8 @@ namespace FastPoints.Text
                     done += written;
                     taken += bytes;
                 }
-                PointRecords.ToColumns(decoded + stretch.Skip + (long)First * stretch.FieldBytes, stretch.FieldBytes, Count,
-                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + stretch.FirstCopy, stretch.Copies, (byte*)Columns.GetUnsafePtr());
+                PointRecords.ToColumns(decoded + segment.Skip + (long)First * segment.FieldBytes, segment.FieldBytes, Count,
+                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.Copies, (byte*)Columns.GetUnsafePtr());
             }
             Result.Value = new DecodeResult { Points = Count };
         }

@@ -26,9 +26,9 @@ namespace FastPoints.Text
         public readonly List<PcdField> Fields = new List<PcdField>();
 
         /// <summary>Lines that begin with no known keyword: the first one, and how many.</summary>
-        public string OddLine;
-        public int OddLines;
-        public int OddOffset;
+        public string UnknownLine;
+        public int UnknownLines;
+        public int UnknownOffset;
 
         public ulong Points;
 
@@ -43,7 +43,7 @@ namespace FastPoints.Text
         /// <exception cref="PointCloudException">It is incomplete, or contradicts itself.</exception>
         public static PcdHeader Read(FileSource source)
         {
-            byte[] bytes = source.ReadAtMost(0, MaxBytes).Bytes;
+            byte[] bytes = source.ReadUpTo(0, MaxBytes).Bytes;
             var header = new PcdHeader(source.Path);
             for (int at = 0; header.Data == null;)
             {
@@ -53,7 +53,7 @@ namespace FastPoints.Text
                 header.Take(Encoding.ASCII.GetString(bytes, at, end - at).Trim(), at);
                 header.DataOffset = at = end + 1;
             }
-            header.Settle();
+            header.Finish();
             return header;
         }
 
@@ -65,9 +65,9 @@ namespace FastPoints.Text
             string keyword = words[0];
             if (Array.IndexOf(s_keywords, keyword) < 0)
             {
-                OddLine ??= keyword;
-                if (OddLines++ == 0)
-                    OddOffset = offset;
+                UnknownLine ??= keyword;
+                if (UnknownLines++ == 0)
+                    UnknownOffset = offset;
                 return;
             }
             m_offsets[keyword] = offset;
@@ -81,7 +81,7 @@ namespace FastPoints.Text
             "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA",
         };
 
-        void Settle()
+        void Finish()
         {
             string[] names = m_words.ContainsKey("FIELDS") ? m_words["FIELDS"]
                 : m_words.TryGetValue("COLUMNS", out var columns) ? columns

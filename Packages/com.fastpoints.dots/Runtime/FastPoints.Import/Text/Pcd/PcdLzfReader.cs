@@ -16,11 +16,11 @@ namespace FastPoints.Text
     /// read alone and in any order. The checkpoints take at most about 3 % of the decoded bytes, and 32 MB.</remarks>
     sealed class PcdLzfReader : PointReader
     {
-        const int UsualBlockPoints = 65536, MaxBlockPoints = 1 << 20, MaxFieldBytes = 4 << 20, MaxCheckpoints = 4096;
+        const int DefaultBlockPoints = 65536, MaxBlockPoints = 1 << 20, MaxFieldBytes = 4 << 20, MaxCheckpoints = 4096;
         const int SizesBytes = 8;
 
         /// <summary>A copy of 264 bytes takes 3: a small file cannot claim a large cloud.</summary>
-        const int MostInflation = 88;
+        const int MaxInflation = 88;
 
         readonly PlyFile m_file;
         readonly PcdField[] m_fields;
@@ -46,16 +46,16 @@ namespace FastPoints.Text
             if ((ulong)m_decodedBytes / (ulong)recordBytes != header.Points || m_decodedBytes % recordBytes != 0)
                 throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, header.DataOffset + 4, "decompressed size",
                     NumberText.Of(header.Points) + " points of " + recordBytes + " bytes", NumberText.Of(m_decodedBytes));
-            if (m_decodedBytes > StreamBytes * MostInflation)
+            if (m_decodedBytes > StreamBytes * MaxInflation)
                 throw PointCloudException.Wanted(FailureCode.Truncated, source.Path, StreamOffset, "compressed points",
-                    "at least " + NumberText.Of(m_decodedBytes / MostInflation) + " bytes", NumberText.Of(StreamBytes));
+                    "at least " + NumberText.Of(m_decodedBytes / MaxInflation) + " bytes", NumberText.Of(StreamBytes));
             m_starts = new long[m_fields.Length];
             for (int i = 0; i < m_fields.Length; i++)
             {
                 m_starts[i] = i == 0 ? 0 : m_starts[i - 1] + (long)header.Points * m_fields[i - 1].Bytes;
                 m_widestBytes = Math.Max(m_widestBytes, m_fields[i].Bytes);
             }
-            m_blockPoints = Math.Max(1, Math.Min(UsualBlockPoints, MaxFieldBytes / m_widestBytes));
+            m_blockPoints = Math.Max(1, Math.Min(DefaultBlockPoints, MaxFieldBytes / m_widestBytes));
             while (m_blockPoints < MaxBlockPoints && BlocksOf((long)header.Points) * m_fields.Length > MaxCheckpoints)
                 m_blockPoints *= 2;
             if (header.Points == 0)
@@ -86,22 +86,22 @@ namespace FastPoints.Text
         {
             long bytes = 0;
             for (int field = 0; range.Count > 0 && field < m_fields.Length; field++)
-                bytes += StretchOf(field, range.Block, out _).Bytes;
+                bytes += SegmentOf(field, range.Block, out _).Bytes;
             return bytes;
         }
 
-        /// <summary>The stretch of a field's values of a block; its offset is one in the file.</summary>
-        public LzfStretch StretchOf(int field, int block, out long offset)
+        /// <summary>The segment of a field's values of a block; its offset is one in the file.</summary>
+        public LzfSegment SegmentOf(int field, int block, out long offset)
         {
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
             var checkpoint = m_checkpoints[index];
             // The shortest copy takes two bytes and writes three: twice what is wanted is enough anywhere.
-            long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MostTaken
+            long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MaxTaken
                 + 2 * (checkpoint.Skip + (long)m_blockPoints * m_fields[field].Bytes));
             if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].Input > 0)
-                end = Math.Min(end, m_checkpoints[index + 1].Input + Lzf.MostTaken);
+                end = Math.Min(end, m_checkpoints[index + 1].Input + Lzf.MaxTaken);
             offset = StreamOffset + checkpoint.Input;
-            return new LzfStretch
+            return new LzfSegment
             {
                 Bytes = (int)(end - checkpoint.Input),
                 Checkpoint = index,
@@ -110,7 +110,7 @@ namespace FastPoints.Text
             };
         }
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -143,7 +143,7 @@ namespace FastPoints.Text
                     walked.Complete();
                     read.End();
                 }
-                Settle(state.Value);
+                CountPoints(state.Value);
             }
             finally
             {
@@ -165,13 +165,13 @@ namespace FastPoints.Text
         }
 
         /// <summary>A stream that breaks off leaves those points whose last field is there.</summary>
-        void Settle(LzfWalk end)
+        void CountPoints(LzfWalk end)
         {
             int last = m_fields.Length - 1;
             while (m_fields[last].Bytes == 0)
                 last--;
             long points = Math.Max(0, (end.Output - m_starts[last]) / m_fields[last].Bytes);
-            m_file.SettlePoints(points, StreamOffset + end.Input, "the compressed stream " +
+            m_file.SetPointCount(points, StreamOffset + end.Input, "the compressed stream " +
                 (end.Input >= StreamBytes ? "ends" : "is damaged") + " here, and the values of a field follow one another");
             m_points = points;
         }
@@ -224,7 +224,7 @@ namespace FastPoints.Text
         readonly PcdLzfReader m_reader;
         readonly List<(int Field, FieldCopy[] Copies)> m_plan;
         readonly NativeFileRead m_file;
-        NativeArray<LzfStretch> m_stretches;
+        NativeArray<LzfSegment> m_segments;
         NativeArray<FieldCopy> m_copies;
         NativeArray<byte> m_buffer;
 
@@ -233,21 +233,21 @@ namespace FastPoints.Text
         {
             m_reader = reader;
             m_plan = reader.PlanFor(Points);
-            long most = 0;
+            long max = 0;
             for (int block = 0; block < reader.BlockCount; block++)
             {
                 long bytes = 0;
                 foreach (var (field, _) in m_plan)
-                    bytes += reader.StretchOf(field, block, out _).Bytes;
-                most = Math.Max(most, bytes);
+                    bytes += reader.SegmentOf(field, block, out _).Bytes;
+                max = Math.Max(max, bytes);
             }
             var copies = new List<FieldCopy>();
             foreach (var (_, ofField) in m_plan)
                 copies.AddRange(ofField);
-            m_file = new NativeFileRead(most, allocator, m_plan.Count);
-            m_stretches = new NativeArray<LzfStretch>(m_plan.Count, allocator);
+            m_file = new NativeFileRead(max, allocator, m_plan.Count);
+            m_segments = new NativeArray<LzfSegment>(m_plan.Count, allocator);
             m_copies = new NativeArray<FieldCopy>(copies.ToArray(), allocator);
-            m_buffer = new NativeArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MostWritten, allocator);
+            m_buffer = new NativeArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MaxWritten, allocator);
         }
 
         protected override JobHandle Schedule(BlockRange range)
@@ -257,19 +257,19 @@ namespace FastPoints.Text
             int used = 0, copies = 0;
             for (int i = 0; i < m_plan.Count; i++)
             {
-                var stretch = m_reader.StretchOf(m_plan[i].Field, range.Block, out long offset);
-                stretch.FirstByte = used;
-                stretch.FirstCopy = copies;
-                stretch.Copies = m_plan[i].Copies.Length;
-                m_stretches[i] = stretch;
-                commands[i] = new ReadCommand { Buffer = buffer + used, Offset = offset, Size = stretch.Bytes };
-                used += stretch.Bytes;
-                copies += stretch.Copies;
+                var segment = m_reader.SegmentOf(m_plan[i].Field, range.Block, out long offset);
+                segment.FirstByte = used;
+                segment.FirstCopy = copies;
+                segment.Copies = m_plan[i].Copies.Length;
+                m_segments[i] = segment;
+                commands[i] = new ReadCommand { Buffer = buffer + used, Offset = offset, Size = segment.Bytes };
+                used += segment.Bytes;
+                copies += segment.Copies;
             }
             return new DecodeLzfJob
             {
                 Input = m_file.Buffer,
-                Stretches = m_stretches,
+                Segments = m_segments,
                 Copies = m_copies,
                 Windows = m_reader.Windows,
                 Buffer = m_buffer,
@@ -277,7 +277,7 @@ namespace FastPoints.Text
                 Count = range.Count,
                 Columns = Points.Bytes,
                 Result = Result,
-            }.Schedule(Behind(m_file.Begin(m_reader.File, m_plan.Count)));
+            }.Schedule(DependencyOf(m_file.Begin(m_reader.File, m_plan.Count)));
         }
 
         protected override void EndRead() => m_file.End();
@@ -292,7 +292,7 @@ namespace FastPoints.Text
         protected override void DisposeMemory()
         {
             m_file.Dispose();
-            m_stretches.Dispose();
+            m_segments.Dispose();
             m_copies.Dispose();
             m_buffer.Dispose();
         }

@@ -76,7 +76,7 @@ namespace FastPoints.Text
         {
             if (offset >= source.Length || source.Length - offset >= PageBytes)
                 return 0;
-            byte[] bytes = source.ReadAtMost(offset, PageBytes).Bytes;
+            byte[] bytes = source.ReadUpTo(offset, PageBytes).Bytes;
             return Array.TrueForAll(bytes, b => b == 0) ? bytes.Length : 0;
         }
 
@@ -89,9 +89,10 @@ namespace FastPoints.Text
             if (pcd.Places is { } places && places != pcd.Points)
                 info.Warn(0, "WIDTH times HEIGHT is " + NumberText.Of(places) + ", POINTS " + NumberText.Of(pcd.Points) +
                     ": the latter is believed");
-            if (pcd.OddLines > 0)
-                info.Warn(pcd.OddOffset, "header line: wanted a keyword of PCD, got " + PlyHeaderParser.Quote(pcd.OddLine) +
-                    " (" + NumberText.Of(pcd.OddLines) + " such lines): left out");
+            if (pcd.UnknownLines > 0)
+                info.Warn(pcd.UnknownOffset,
+                    "header line: wanted a keyword of PCD, got " + PlyHeaderParser.Quote(pcd.UnknownLine) +
+                    " (" + NumberText.Of(pcd.UnknownLines) + " such lines): left out");
         }
     }
 }

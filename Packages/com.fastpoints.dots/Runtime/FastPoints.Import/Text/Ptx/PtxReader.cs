@@ -13,9 +13,9 @@ namespace FastPoints.Text
 {
     /// <summary>Reads PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by
     /// row of its grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1.</summary>
-    /// <remarks>As with other text, a block is a stretch with the lines that start in it. Places where the scanner had no return
+    /// <remarks>As with other text, a block is a segment with the lines that start in it. Places where the scanner had no return
     /// count among a block's points, and are left out when it is decoded.</remarks>
-    internal sealed class PtxReader : StretchReader
+    internal sealed class PtxReader : SegmentReader
     {
         const int MaxBlockBytes = 256 << 10;
         const int MaxLineBytes = 16 << 10;
@@ -26,7 +26,7 @@ namespace FastPoints.Text
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
         readonly List<ushort> m_scanOfBlock = new List<ushort>();
         readonly int m_values;
-        BitArray m_isTold;
+        BitArray m_isReported;
         long m_badRows;
         long m_firstBadRow;
         int m_warning = -1;
@@ -64,7 +64,7 @@ namespace FastPoints.Text
         /// <exception cref="PointCloudException">Its lines have another number of values than 3, 4 or 7.</exception>
         public static PtxReader Open(FileSource source)
         {
-            byte[] head = source.ReadAtMost(0, 2 * PtxScanHeader.MaxBytes).Bytes;
+            byte[] head = source.ReadUpTo(0, 2 * PtxScanHeader.MaxBytes).Bytes;
             if (!PtxScanHeader.TryParse(head, out var first))
                 return null;
             int at = first.Bytes;
@@ -81,13 +81,13 @@ namespace FastPoints.Text
             return new PtxReader(source, first, values);
         }
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (m_areAllFound)
                 yield break;
             m_scans.Clear();
             m_scanOfBlock.Clear();
-            var blocks = new List<StretchBlock>();
+            var blocks = new List<SegmentBlock>();
             long points = 0, offset = 0;
             using var read = new NativeFileRead(Math.Min(MaxBlockBytes + MaxLineBytes, Info.FileBytes), Allocator.Persistent);
             while (offset < Info.FileBytes)
@@ -95,7 +95,7 @@ namespace FastPoints.Text
                 int bytes = (int)Math.Min(PtxScanHeader.MaxBytes, Info.FileBytes - offset);
                 yield return read.Begin(File, offset, bytes);
                 read.End();
-                if (!TakeHeader(read, bytes, offset))
+                if (!ReadHeader(read, bytes, offset))
                     break;
                 var header = m_scans[m_scans.Count - 1];
                 offset += header.Bytes;
@@ -128,12 +128,12 @@ namespace FastPoints.Text
             if (points == 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, offset, "the scans have no points");
             Info.Fact("scans", NumberText.Of(m_scans.Count));
-            m_isTold = new BitArray(blocks.Count);
+            m_isReported = new BitArray(blocks.Count);
             m_areAllFound = true;
         }
 
         /// <returns>Whether there is another scan: blank lines may end the file.</returns>
-        bool TakeHeader(NativeFileRead read, int bytes, long offset)
+        bool ReadHeader(NativeFileRead read, int bytes, long offset)
         {
             byte[] text = read.Buffer.GetSubArray(0, bytes).ToArray();
             bool isBlank = true;
@@ -151,7 +151,7 @@ namespace FastPoints.Text
         }
 
         /// <summary>The byte behind the last row of a block, from the block's start.</summary>
-        static unsafe int EndOfRows(NativeArray<byte> text, int bytes, in StretchBlock block)
+        static unsafe int EndOfRows(NativeArray<byte> text, int bytes, in SegmentBlock block)
         {
             byte* start = (byte*)text.GetUnsafeReadOnlyPtr(), p = start, end = start + bytes;
             for (int row = block.StartsInRow ? -1 : 0; row < block.Points; row++)
@@ -198,9 +198,9 @@ namespace FastPoints.Text
         /// <summary>Counts the bad lines of a block, once for each.</summary>
         internal void Warn(BlockRange range, in PtxAnomalies found)
         {
-            if (m_isTold[range.Block])
+            if (m_isReported[range.Block])
                 return;
-            m_isTold[range.Block] = true;
+            m_isReported[range.Block] = true;
             if (found.BadRows == 0)
                 return;
             if (m_warning < 0)
@@ -237,7 +237,7 @@ namespace FastPoints.Text
             job.Output = Points.Bytes;
             job.Result = Result;
             job.Anomalies = m_anomalies;
-            return job.Schedule(Behind(m_file.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
+            return job.Schedule(DependencyOf(m_file.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
         }
 
         protected override void EndRead() => m_file.End();

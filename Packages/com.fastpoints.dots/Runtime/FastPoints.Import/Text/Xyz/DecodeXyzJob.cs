@@ -54,9 +54,9 @@ namespace FastPoints.Text
                     p = AsciiLines.LineEnd(p);
                     continue;
                 }
-                if (Dialect.IsRemark(*p))
+                if (Dialect.IsComment(*p))
                 {
-                    anomalies.Remarks++;
+                    anomalies.Comments++;
                     p = AsciiLines.LineEnd(p);
                     continue;
                 }
@@ -119,7 +119,7 @@ namespace FastPoints.Text
                     case XyzStepKind.Place:
                         if (!AsciiNumber.TryDecimal(ref p, out var number))
                             return XyzError.NoNumber;
-                        if (!ToPlace(number, step->Decimals, out long place, out bool isWhole))
+                        if (!ToGridPosition(number, step->Decimals, out long place, out bool isWhole))
                             return XyzError.TooLarge;
                         if (!isWhole && anomalies.Rounded++ == 0)
                             anomalies.FirstRounded = Range.Offset + (text - input);
@@ -160,7 +160,7 @@ namespace FastPoints.Text
 
         /// <summary>The nearest multiple of 10^-decimals (halves away from zero).</summary>
         /// <returns>False if it is beyond the grid.</returns>
-        static bool ToPlace(in DecimalDigits number, int decimals, out long place, out bool isExact)
+        static bool ToGridPosition(in DecimalDigits number, int decimals, out long place, out bool isExact)
         {
             ulong value = number.Mantissa;
             int exponent = number.Exponent + decimals;
@@ -238,7 +238,7 @@ namespace FastPoints.Text
         public long FirstBadRow;
         public XyzError FirstError;
 
-        public int Remarks;
+        public int Comments;
 
         /// <summary>Coordinates with more digits than the sample had, which were rounded to its step.</summary>
         public int Rounded;

@@ -39,7 +39,7 @@ namespace FastPoints.Text
         }
 
         /// <summary>Whether a line with this first byte is a comment.</summary>
-        public bool IsRemark(byte first) =>
+        public bool IsComment(byte first) =>
             first == '#' || first == '/' || first == '%' || first == '!' || first == ';' && Separator != ';';
     }
 }

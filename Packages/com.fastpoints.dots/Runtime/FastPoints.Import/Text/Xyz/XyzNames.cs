@@ -43,9 +43,9 @@ namespace FastPoints.Text
                 int color = hasRgb ? "rgb".IndexOf(name, StringComparison.OrdinalIgnoreCase) : -1;
                 if (color >= 0)
                     name = s_rgb[color];
-                else if ((s_names.TryGetValue(name, out string usual) || (usual = UsualNames.Of(name)) != null) &&
-                    !taken.Contains(usual))
-                    name = usual;
+                else if ((s_names.TryGetValue(name, out string typical) || (typical = CommonNames.Of(name)) != null) &&
+                    !taken.Contains(typical))
+                    name = typical;
                 string free = name;
                 for (int n = 2; !taken.Add(free); n++)
                     free = name + "_" + n;

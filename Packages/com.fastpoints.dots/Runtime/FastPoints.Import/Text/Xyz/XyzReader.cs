@@ -13,9 +13,9 @@ namespace FastPoints.Text
     /// <summary>Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is
     /// stated in <see cref="SourceInfo.Facts"/>; names that a caller gives override it.</summary>
     /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
-    /// digits in a sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found
+    /// digits in a sample of the file. A block is a segment of <see cref="MaxBlockBytes"/> with the lines that start in it, found
     /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
-    internal sealed class XyzReader : StretchReader
+    internal sealed class XyzReader : SegmentReader
     {
         public const int MaxBlockBytes = 256 << 10;
 
@@ -23,7 +23,7 @@ namespace FastPoints.Text
         public const int MaxLineBytes = 16 << 10;
 
         /// <summary>Printed digits that are kept even if the sample has zeros there.</summary>
-        const int UsualDecimals = 4;
+        const int DefaultDecimals = 4;
 
         readonly XyzSniff m_sniff;
         readonly string[] m_names;
@@ -31,11 +31,11 @@ namespace FastPoints.Text
         readonly int[] m_warningOf = { -1, -1, -1, -1, -1 };
         readonly long[] m_countOf = new long[5];
         readonly long[] m_firstOf = new long[5];
-        BitArray m_isTold;
+        BitArray m_isReported;
         string m_firstError;
         bool m_areAllFound;
         PointEstimate m_estimate;
-        AsciiStretches m_stretches;
+        AsciiSegments m_segments;
 
         XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
         {
@@ -48,10 +48,10 @@ namespace FastPoints.Text
         public override bool BlocksAreKnown => m_areAllFound;
 
         /// <summary>Whether lines all over the file can be found by jumping.</summary>
-        public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
+        public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiSegments.MinBytes;
 
         public override bool PrefixesAreSpread => true;
-        public override int MaxPrefixes => AsciiStretches.Count;
+        public override int MaxPrefixes => AsciiSegments.Count;
         internal override PointEstimate EstimatedPoints => m_estimate;
 
         internal XyzDialect Dialect => m_sniff.Dialect;
@@ -113,7 +113,7 @@ namespace FastPoints.Text
         /// <summary>The digits that the sample has, limited to what a coordinate on the grid has room for.</summary>
         static int DecimalsOf(XyzColumn column)
         {
-            int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, UsualDecimals));
+            int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, DefaultDecimals));
             // One digit is left for coordinates that are larger than the sample's.
             double room = CommonGrid.Limit / (10 * Math.Max(1, column.MaxMagnitude));
             return Math.Max(0, Math.Min(decimals, Math.Min(18, (int)Math.Floor(Math.Log10(room)))));
@@ -131,20 +131,20 @@ namespace FastPoints.Text
         static int AxisOf(string name) =>
             name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
 
-        public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
+        public override IEnumerator<JobStep> FindPrefixes() => FindPrefixes(AsciiSegments.Count);
 
-        public override IEnumerator<Work> FindPrefixes(int places)
+        public override IEnumerator<JobStep> FindPrefixes(int places)
         {
-            m_stretches ??= new AsciiStretches(File, Info.FileBytes, m_sniff.DataOffset);
-            yield return Work.Of(m_stretches.Find(places));
-            var told = m_isTold;
-            Take(m_stretches.Blocks);
-            for (int block = 0; told != null && block < told.Length; block++)
-                m_isTold[block] = told[block];
-            m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_stretches.Estimate;
+            m_segments ??= new AsciiSegments(File, Info.FileBytes, m_sniff.DataOffset);
+            yield return JobStep.Of(m_segments.Find(places));
+            var reported = m_isReported;
+            Take(m_segments.Blocks);
+            for (int block = 0; reported != null && block < reported.Length; block++)
+                m_isReported[block] = reported[block];
+            m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_segments.Estimate;
         }
 
-        public override IEnumerator<Work> FindBlocks()
+        public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -160,10 +160,10 @@ namespace FastPoints.Text
                     NumberText.Of(scan.Points) + " lines");
         }
 
-        void Take(StretchBlock[] blocks)
+        void Take(SegmentBlock[] blocks)
         {
             Blocks.Take(blocks);
-            m_isTold = new BitArray(blocks.Length);
+            m_isReported = new BitArray(blocks.Length);
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
@@ -171,7 +171,7 @@ namespace FastPoints.Text
 
         public override void CloseFile() => File.Close();
 
-        internal StretchBlock Block(int block) => Blocks[block];
+        internal SegmentBlock Block(int block) => Blocks[block];
 
         internal XyzStep[] StepsFor(PointBatch batch)
         {
@@ -204,9 +204,9 @@ namespace FastPoints.Text
         /// <summary>Collects the anomalies of a block, once for each block: warnings have running counts.</summary>
         internal void Warn(BlockRange range, in XyzAnomalies found)
         {
-            if (m_isTold[range.Block])
+            if (m_isReported[range.Block])
                 return;
-            m_isTold[range.Block] = true;
+            m_isReported[range.Block] = true;
             if (found.BadRows > 0)
             {
                 m_firstError ??= TextOf(found.FirstError);
@@ -273,7 +273,7 @@ namespace FastPoints.Text
                 Output = Points.Bytes,
                 Result = Result,
                 Anomalies = m_anomalies,
-            }.Schedule(Behind(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes)));
+            }.Schedule(DependencyOf(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes)));
         }
 
         protected override void EndRead() => m_file.End();

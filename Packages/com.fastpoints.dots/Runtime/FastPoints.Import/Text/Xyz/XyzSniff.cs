@@ -7,16 +7,16 @@ using FastPoints.Reading;
 namespace FastPoints.Text
 {
     /// <summary>Finds out whether a file is lines of numbers, and which: separators, header lines, columns and their ranges, from
-    /// its beginning and some stretches farther on.</summary>
+    /// its beginning and some segments farther on.</summary>
     sealed unsafe class XyzSniff
     {
         const int HeadBytes = 64 << 10;
-        const int StretchBytes = 4 << 10;
-        const int Stretches = 64;
+        const int SegmentBytes = 4 << 10;
+        const int Segments = 64;
         const int MaxColumns = 256;
 
         /// <summary>Share of the first lines that must be rows of the same number of values.</summary>
-        const double MostRows = 0.8;
+        const double MaxRows = 0.8;
 
         readonly FileSource m_source;
         readonly string[] m_given;
@@ -59,16 +59,16 @@ namespace FastPoints.Text
         /// <exception cref="PointCloudException">The text is of a kind that is recognised but not supported.</exception>
         public static XyzSniff Find(FileSource source, string[] given)
         {
-            byte[] head = source.ReadAtMost(0, HeadBytes).Bytes;
+            byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
             if (!IsText(head))
                 return null;
             var sniff = new XyzSniff(source, given);
             int start = head.Length >= 3 && head[0] == 0xEF && head[1] == 0xBB && head[2] == 0xBF ? 3 : 0;
             int end = head.Length == source.Length ? head.Length : LastLineEnd(head);
             var lines = LinesOf(head, start, end);
-            if (lines.Count == 0 || !sniff.ChooseDialect(head, lines) || !sniff.TakeHead(head, lines))
+            if (lines.Count == 0 || !sniff.ChooseDialect(head, lines) || !sniff.ReadHead(head, lines))
                 return null;
-            sniff.TakeStretches();
+            sniff.ReadSegments();
             for (int i = 0; i < sniff.UnitLength.Length; i++)
                 sniff.UnitLength[i] = sniff.m_unitVectors[i] / (double)Math.Max(1, sniff.Rows);
             return sniff;
@@ -161,19 +161,19 @@ namespace FastPoints.Text
             return values >= 3 || values == 1 && Array.IndexOf(bytes, (byte)',', first, end - first) < 0;
         }
 
-        bool TakeHead(byte[] head, List<(int First, int End)> lines)
+        bool ReadHead(byte[] head, List<(int First, int End)> lines)
         {
-            string[] namesInRemark = null;
+            string[] namesInComment = null;
             int at = 0;
             for (; at < lines.Count; at++)
             {
                 var (first, end) = lines[at];
-                if (m_dialect.IsRemark(head[first]))
+                if (m_dialect.IsComment(head[first]))
                 {
-                    string remark = Shown(head, first, end);
-                    if (NamesIn(remark.TrimStart('#', '/', '%', '!', ';', ' ')) is { } named &&
+                    string comment = Shown(head, first, end);
+                    if (NamesIn(comment.TrimStart('#', '/', '%', '!', ';', ' ')) is { } named &&
                         XyzNames.HavePosition(XyzNames.Of(named, named.Length)))
-                        namesInRemark = named;
+                        namesInComment = named;
                     HeaderLines++;
                     continue;
                 }
@@ -201,8 +201,8 @@ namespace FastPoints.Text
             int columns = CountValues(head, lines[at].First, lines[at].End);
             if (columns > MaxColumns)
                 return false;
-            if (Names == null && namesInRemark != null && namesInRemark.Length == columns)
-                Names = namesInRemark;
+            if (Names == null && namesInComment != null && namesInComment.Length == columns)
+                Names = namesInComment;
             Columns = new XyzColumn[columns];
             for (int i = 0; i < columns; i++)
                 Columns[i] = XyzColumn.Empty;
@@ -211,35 +211,35 @@ namespace FastPoints.Text
             int all = 0;
             for (; at < lines.Count; at++)
             {
-                if (m_dialect.IsRemark(head[lines[at].First]))
+                if (m_dialect.IsComment(head[lines[at].First]))
                     continue;
                 all++;
-                TakeRow(head, lines[at].First, lines[at].End);
+                AddRow(head, lines[at].First, lines[at].End);
             }
-            return Rows >= MostRows * all;
+            return Rows >= MaxRows * all;
         }
 
-        void TakeStretches()
+        void ReadSegments()
         {
             long from = Math.Min(HeadBytes, m_source.Length), bytes = m_source.Length - from;
-            int stretches = (int)Math.Min(Stretches, bytes / StretchBytes);
-            for (int s = 0; s < stretches; s++)
+            int segments = (int)Math.Min(Segments, bytes / SegmentBytes);
+            for (int s = 0; s < segments; s++)
             {
-                long offset = from + (long)(bytes / (double)stretches * s);
-                if (s == stretches - 1)
-                    offset = m_source.Length - StretchBytes;
-                byte[] stretch = m_source.ReadAtMost(offset, StretchBytes).Bytes;
+                long offset = from + (long)(bytes / (double)segments * s);
+                if (s == segments - 1)
+                    offset = m_source.Length - SegmentBytes;
+                byte[] segment = m_source.ReadUpTo(offset, SegmentBytes).Bytes;
                 int first = 0;
-                while (first < stretch.Length && !IsLineEnd(stretch[first]))
+                while (first < segment.Length && !IsLineEnd(segment[first]))
                     first++;
-                int end = offset + stretch.Length == m_source.Length ? stretch.Length : LastLineEnd(stretch);
-                foreach (var line in LinesOf(stretch, first, end))
-                    if (!m_dialect.IsRemark(stretch[line.First]))
-                        TakeRow(stretch, line.First, line.End);
+                int end = offset + segment.Length == m_source.Length ? segment.Length : LastLineEnd(segment);
+                foreach (var line in LinesOf(segment, first, end))
+                    if (!m_dialect.IsComment(segment[line.First]))
+                        AddRow(segment, line.First, line.End);
             }
         }
 
-        void TakeRow(byte[] bytes, int first, int end)
+        void AddRow(byte[] bytes, int first, int end)
         {
             m_numbers ??= new DecimalDigits[Columns.Length];
             m_values ??= new double[Columns.Length];
@@ -271,7 +271,7 @@ namespace FastPoints.Text
             {
                 m_dialect.Apply(text, end - first);
                 byte* p = text;
-                bool wantsValue = true;
+                bool needsValue = true;
                 while (true)
                 {
                     while (*p <= ' ' && *p != mark && *p != '\n')
@@ -283,9 +283,9 @@ namespace FastPoints.Text
                     if (*p == mark)
                     {
                         p++;
-                        if (!wantsValue)
+                        if (!needsValue)
                         {
-                            wantsValue = true;
+                            needsValue = true;
                             continue;
                         }
                     }
@@ -297,7 +297,7 @@ namespace FastPoints.Text
                             while (*p > ' ')
                                 p++;
                             count++;
-                            wantsValue = false;
+                            needsValue = false;
                             continue;
                         }
                         bool isFinite = AsciiNumber.TryDecimal(ref p, out number);
@@ -305,7 +305,7 @@ namespace FastPoints.Text
                             return 0;
                         p = again;
                         value = isFinite ? read : double.NaN;
-                        wantsValue = false;
+                        needsValue = false;
                     }
                     if (numbers != null && count < numbers.Length)
                     {

@@ -78,8 +78,8 @@ namespace FastPoints.Core
 
         public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
 
-        /// <summary>A whole number from 0 to <paramref name="most"/>.</summary>
-        public long Count(string name, long most = long.MaxValue) => Read(name, v => InRange(v, 0, most));
+        /// <summary>A whole number from 0 to <paramref name="max"/>.</summary>
+        public long Count(string name, long max = long.MaxValue) => Read(name, v => InRange(v, 0, max));
 
         public ulong Hex(string name) => Read(name, JsonReader.ToHex);
 
@@ -142,7 +142,7 @@ namespace FastPoints.Core
         }
 
         /// <summary>Checks a version, and says what to do about another one.</summary>
-        public void NeedVersion(long wanted)
+        public void RequireVersion(long wanted)
         {
             long got = Long("version");
             if (got != wanted)
@@ -179,11 +179,11 @@ namespace FastPoints.Core
 
         string Shown(string text) => m_isForeign ? JsonReader.OneLine(text) : text;
 
-        static long InRange(object value, long least, long most)
+        static long InRange(object value, long min, long max)
         {
             long number = JsonReader.ToLong(value);
-            return number >= least && number <= most ? number : throw new FormatException("wanted " + NumberText.Of(least) +
-                " to " + NumberText.Of(most) + ", got " + NumberText.Of(number));
+            return number >= min && number <= max ? number : throw new FormatException("wanted " + NumberText.Of(min) +
+                " to " + NumberText.Of(max) + ", got " + NumberText.Of(number));
         }
 
         static long[] ToLongs(object value, int count) =>

@@ -112,7 +112,7 @@ namespace FastPoints.Core
         {
             var members = new Dictionary<string, object>();
             m_at++;
-            if (Takes('}'))
+            if (TryTake('}'))
                 return members;
             do
             {
@@ -120,12 +120,12 @@ namespace FastPoints.Core
                     break;
                 Space();
                 string name = String();
-                Needs(':');
+                Require(':');
                 if (!members.TryAdd(name, Value(depth + 1)))
                     throw Bad("one \"" + name + "\"");
             }
-            while (Takes(','));
-            Needs('}');
+            while (TryTake(','));
+            Require('}');
             return members;
         }
 
@@ -133,7 +133,7 @@ namespace FastPoints.Core
         {
             var items = new List<object>();
             m_at++;
-            if (Takes(']'))
+            if (TryTake(']'))
                 return items;
             do
             {
@@ -141,8 +141,8 @@ namespace FastPoints.Core
                     break;
                 items.Add(Value(depth + 1));
             }
-            while (Takes(','));
-            Needs(']');
+            while (TryTake(','));
+            Require(']');
             return items;
         }
 
@@ -230,7 +230,7 @@ namespace FastPoints.Core
             return value;
         }
 
-        bool Takes(char c)
+        bool TryTake(char c)
         {
             Space();
             if (m_at >= m_text.Length || m_text[m_at] != c)
@@ -248,9 +248,9 @@ namespace FastPoints.Core
             return m_at < m_text.Length && m_text[m_at] == end;
         }
 
-        void Needs(char c)
+        void Require(char c)
         {
-            if (!Takes(c))
+            if (!TryTake(c))
                 throw Bad("'" + c + "'");
         }
 

@@ -46,7 +46,7 @@ namespace FastPoints.Core
             }
         }
 
-        static string Of(bool isNegative, int biased, ulong fraction, int fractionBits, int minExponent, int mostPlainDigits)
+        static string Of(bool isNegative, int biased, ulong fraction, int fractionBits, int minExponent, int maxPlainDigits)
         {
             if (biased == (fractionBits == 52 ? 0x7FF : 0xFF))
                 return fraction != 0 ? "NaN" : isNegative ? "-Infinity" : "Infinity";
@@ -57,7 +57,7 @@ namespace FastPoints.Core
             // Below a power of two the numbers lie twice as close.
             bool isCloseBelow = fraction == 0 && biased > 1;
             ulong digits = Shortest(mantissa, minExponent + math.max(biased, 1) - 1, isCloseBelow, out int power);
-            return sign + Write(digits.ToString(CultureInfo.InvariantCulture), power, mostPlainDigits);
+            return sign + Write(digits.ToString(CultureInfo.InvariantCulture), power, maxPlainDigits);
         }
 
         /// <summary>Finds the text with the fewest digits that reads back as mantissa * 2^exponent: digits * 10^power.</summary>
@@ -99,10 +99,10 @@ namespace FastPoints.Core
         }
 
         /// <summary>Writes them as .NET does: with an exponent of at least two digits instead of many zeros.</summary>
-        static string Write(string digits, int power, int mostPlainDigits)
+        static string Write(string digits, int power, int maxPlainDigits)
         {
             int whole = digits.Length + power;
-            if (whole > mostPlainDigits || whole < -3)
+            if (whole > maxPlainDigits || whole < -3)
             {
                 int exponent = whole - 1;
                 return digits.Substring(0, 1) + (digits.Length > 1 ? "." + digits.Substring(1) : "") +

@@ -12,28 +12,28 @@ namespace FastPoints.Drawing
     /// <summary>What a display needs to know of a cloud, found from all points of a sample.</summary>
     public sealed class DisplayRanges
     {
-        /// <summary>Of the values, this share at either end is taken for strays.</summary>
-        const double StrayShare = 0.005;
-        const double IntensityStrayShare = 0.01;
+        /// <summary>Of the values, this share at either end is taken for outliers.</summary>
+        const double OutlierShare = 0.005;
+        const double IntensityOutlierShare = 0.01;
 
-        /// <summary>Strays apart, the bounds are widened by this share of their size on either side.</summary>
+        /// <summary>Outliers apart, the bounds are widened by this share of their size on either side.</summary>
         const double Widening = 0.1;
 
         /// <summary>What lies farther from the middle half than so many times its longest edge is not framed, however many points
         /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one
         /// pixel.</summary>
-        const double FarInMiddleHalves = 50;
+        const double FarInInterquartileRanges = 50;
 
         /// <summary>Bounds so many times as large as those that are framed are told of.</summary>
-        const double FarTold = 10;
+        const double FarBoundsFactor = 10;
 
         /// <summary>Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and
         /// metres is a thousand times.</summary>
-        const double HeightsOfDegrees = 200;
+        const double MaxHeightPerDegree = 200;
 
         const double MetresPerDegree = 111_320;
 
-        /// <summary>Of 255: colours that are darker but for strays cannot be told from the background.</summary>
+        /// <summary>Of 255: colours that are darker but for outliers cannot be told from the background.</summary>
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
@@ -96,7 +96,7 @@ namespace FastPoints.Drawing
 
         /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by
         /// it shows something.</summary>
-        public bool IntensityTells;
+        public bool IsIntensityUseful;
 
         /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
         public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
@@ -120,7 +120,7 @@ namespace FastPoints.Drawing
         };
 
         /// <summary>What a converted cloud says of itself, without a look at its points: what is shown of it, or, where it does
-        /// not tell, bounds and ranges of its attributes, strays included.</summary>
+        /// not tell, bounds and ranges of its attributes, outliers included.</summary>
         public static DisplayRanges Of(CloudManifest manifest)
         {
             var bounds = manifest.BoundsGeo;
@@ -144,7 +144,7 @@ namespace FastPoints.Drawing
                 ranges.HasIntensity = true;
                 ranges.IntensityLow = manifest.Ranges[intensity].Min;
                 ranges.IntensityHigh = manifest.Ranges[intensity].Max;
-                ranges.IntensityTells = ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
+                ranges.IsIntensityUseful = ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
                 if (manifest.Shown is ShownRanges of && ranges.IntensityVaries)
                 {
                     ranges.IntensityLow = of.Intensity.Min;
@@ -162,7 +162,7 @@ namespace FastPoints.Drawing
         }
 
         /// <summary>These, with elevation along another axis: its own are where nearly all points are.</summary>
-        public DisplayRanges Along(UpAxis up)
+        public DisplayRanges WithUp(UpAxis up)
         {
             if (up == UpAxis || Robust.IsEmpty)
                 return this;
@@ -172,8 +172,8 @@ namespace FastPoints.Drawing
             return along;
         }
 
-        /// <summary>Work for a pump: fills this from a batch. The batch must stay until the work is done.</summary>
-        public IEnumerator<Work> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
+        /// <summary>Coroutine: fills this from a batch. The batch must stay until the work is done.</summary>
+        public IEnumerator<JobStep> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
         {
             UpAxis = upAxis;
             var found = new NativeReference<ColumnQuantiles>[s_columns.Length];
@@ -184,7 +184,7 @@ namespace FastPoints.Drawing
                     if (points.Schema.Has(s_columns[i]))
                         found[i] = new NativeReference<ColumnQuantiles>(ColumnQuantiles.Empty, Allocator.Persistent);
                 int slices = (points.Count + PointsPerSlice - 1) / PointsPerSlice;
-                yield return Work.Of(Slices.Run(0, slices + 1, 1, (slice, _, after) => slice < slices
+                yield return JobStep.Of(Slices.Run(0, slices + 1, 1, (slice, _, after) => slice < slices
                     ? MeasureSlice(points, transform, slice * PointsPerSlice, bounds, found, after)
                     : MeasureColumns(points, transform, found, after)));
                 FindCategories(points.Schema);
@@ -194,7 +194,7 @@ namespace FastPoints.Drawing
                 Outline = OutlineOf(points, transform);
                 yield return default;
                 Frame();
-                yield return Work.Of(MeasureRim(points, transform));
+                yield return JobStep.Of(MeasureRim(points, transform));
                 FindClasses(points);
                 if (found[IntensityColumn].IsCreated)
                 {
@@ -205,7 +205,7 @@ namespace FastPoints.Drawing
                         yield return default;
                         AddSignal(signal, points, transform, part);
                     }
-                    IntensityTells = IntensityVaries && signal.IsFound;
+                    IsIntensityUseful = IntensityVaries && signal.IsFound;
                 }
                 if (points.Schema.HasColor)
                     SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
@@ -246,14 +246,14 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        IEnumerator<Work> MeasureRim(PointBatch points, PositionTransform transform)
+        IEnumerator<JobStep> MeasureRim(PointBatch points, PositionTransform transform)
         {
             if (Robust.IsEmpty)
                 yield break;
             var farthest = new NativeArray<double4>(MeasureRimJob.Directions, Allocator.Persistent);
             try
             {
-                yield return Work.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) => new MeasureRimJob
+                yield return JobStep.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) => new MeasureRimJob
                 {
                     Bytes = points.Bytes,
                     Columns = PositionColumns.Of(points),
@@ -284,7 +284,7 @@ namespace FastPoints.Drawing
                 if (!found[i].IsCreated)
                     continue;
                 bool isPosition = i < IntensityColumn;
-                double strays = isPosition ? StrayShare : IntensityStrayShare;
+                double outliers = isPosition ? OutlierShare : IntensityOutlierShare;
                 all = JobHandle.CombineDependencies(all, new MeasureColumnJob
                 {
                     Bytes = points.Bytes,
@@ -292,8 +292,8 @@ namespace FastPoints.Drawing
                     Count = points.Count,
                     Scale = isPosition ? transform.Scale[i] : 1,
                     Offset = isPosition ? transform.Offset[i] : 0,
-                    LowShare = strays,
-                    HighShare = 1 - strays,
+                    LowShare = outliers,
+                    HighShare = 1 - outliers,
                     Found = found[i],
                 }.Schedule(inputDeps));
             }
@@ -309,7 +309,7 @@ namespace FastPoints.Drawing
             if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
                 FrameOutline();
             if (!Full.IsEmpty)
-                WarnFar();
+                ReportFarBounds();
             SetLengths();
         }
 
@@ -324,7 +324,8 @@ namespace FastPoints.Drawing
                     return wanted;
                 default:
                     return Categories.Contains(wanted) ? wanted
-                        : Color != ColorDepth.None ? ColorMode.Rgb : IntensityTells ? ColorMode.Intensity : ColorMode.Elevation;
+                        : Color != ColorDepth.None ? ColorMode.Rgb : IsIntensityUseful ? ColorMode.Intensity
+                            : ColorMode.Elevation;
             }
         }
 
@@ -348,9 +349,9 @@ namespace FastPoints.Drawing
             }
             var low = new double3(x.Low, y.Low, z.Low);
             var high = new double3(x.High, y.High, z.High);
-            var lowQuarter = new double3(x.LowQuarter, y.LowQuarter, z.LowQuarter);
-            var highQuarter = new double3(x.HighQuarter, y.HighQuarter, z.HighQuarter);
-            double far = FarInMiddleHalves * math.cmax(highQuarter - lowQuarter);
+            var lowQuarter = new double3(x.LowerQuartile, y.LowerQuartile, z.LowerQuartile);
+            var highQuarter = new double3(x.UpperQuartile, y.UpperQuartile, z.UpperQuartile);
+            double far = FarInInterquartileRanges * math.cmax(highQuarter - lowQuarter);
             m_hasFar = far > 0 && (math.any(low < lowQuarter - far) || math.any(high > highQuarter + far));
             if (m_hasFar)
             {
@@ -385,20 +386,20 @@ namespace FastPoints.Drawing
                 for (int i = 0; i < values.Length; i++)
                     values[i] = Outline[i][axis];
                 System.Array.Sort(values);
-                int strays = (int)(values.Length * StrayShare);
-                low[axis] = values[strays];
-                high[axis] = values[values.Length - 1 - strays];
+                int outliers = (int)(values.Length * OutlierShare);
+                low[axis] = values[outliers];
+                high[axis] = values[values.Length - 1 - outliers];
             }
             Frame(low, high);
         }
 
-        void WarnFar()
+        void ReportFarBounds()
         {
-            if (math.cmax(Full.Size) <= FarTold * math.cmax(Robust.Size) || math.cmax(Robust.Size) <= 0)
+            if (math.cmax(Full.Size) <= FarBoundsFactor * math.cmax(Robust.Size) || math.cmax(Robust.Size) <= 0)
                 return;
-            string most = m_shareFramed < 1 ? (100 * m_shareFramed).ToString("F0", CultureInfo.InvariantCulture) + " %" : "most";
+            string max = m_shareFramed < 1 ? (100 * m_shareFramed).ToString("F0", CultureInfo.InvariantCulture) + " %" : "most";
             Assumptions.Add("points lie as far as " + math.cmax(Full.Size).ToString("G3", CultureInfo.InvariantCulture)
-                + " apart, " + most + " within " + math.cmax(Robust.Size).ToString("G3", CultureInfo.InvariantCulture)
+                + " apart, " + max + " within " + math.cmax(Robust.Size).ToString("G3", CultureInfo.InvariantCulture)
                 + ": these are framed");
         }
 
@@ -411,7 +412,7 @@ namespace FastPoints.Drawing
                 return;
             double across = math.max(Robust.Size.x, Robust.Size.y);
             bool isOnEarth = Robust.Min.x >= -180 && Robust.Max.x <= 360 && Robust.Min.y >= -90 && Robust.Max.y <= 90;
-            if (!isOnEarth || !IsInDegrees && !(across > 0 && Robust.Size.z > HeightsOfDegrees * across))
+            if (!isOnEarth || !IsInDegrees && !(across > 0 && Robust.Size.z > MaxHeightPerDegree * across))
                 return;
             double latitude = math.min(89, math.abs(math.round(Robust.Center.y)));
             LengthsPerUnit = new double3(MetresPerDegree * math.cos(math.radians(latitude)), MetresPerDegree, 1);
@@ -453,7 +454,7 @@ namespace FastPoints.Drawing
         unsafe void FindClasses(PointBatch points)
         {
             int at = points.Schema.IndexOf(AttributeNames.Classification);
-            int step = (points.Count + SpatialSignal.MostPoints - 1) / SpatialSignal.MostPoints;
+            int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
             if (at < 0)
                 return;
             var column = points.Column(at);
@@ -471,7 +472,7 @@ namespace FastPoints.Drawing
             var columns = PositionColumns.Of(points);
             var intensity = points.Column(points.Schema.IndexOf(s_columns[IntensityColumn]));
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
-            int step = (points.Count + SpatialSignal.MostPoints - 1) / SpatialSignal.MostPoints;
+            int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
             for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
             {
                 double3 position;

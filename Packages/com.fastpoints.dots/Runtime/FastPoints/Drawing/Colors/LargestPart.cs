@@ -13,23 +13,23 @@ namespace FastPoints.Drawing
         const double FarInSizes = 25;
 
         /// <summary>The smallest gap between parts, as a share of the whole length.</summary>
-        const double LeastGap = 1.0 / 16;
+        const double MinGap = 1.0 / 16;
 
         /// <summary>Fewer points do not make a part.</summary>
-        const int LeastPoints = 100;
+        const int MinPoints = 100;
 
         /// <summary>The deepest nesting of parts.</summary>
-        const int MostSplits = 16;
+        const int MaxSplits = 16;
 
         /// <param name="points">Evenly chosen points, in the file's order.</param>
         /// <returns>The points of the part that has most of them (of equal parts, the first in the file); all points if no
         /// parts are far apart.</returns>
         public static double3[] Of(double3[] points)
         {
-            for (int split = 0; split < MostSplits; split++)
+            for (int split = 0; split < MaxSplits; split++)
             {
                 double3[] largest = null;
-                for (int axis = 0; axis < 3 && largest == null && points.Length >= LeastPoints; axis++)
+                for (int axis = 0; axis < 3 && largest == null && points.Length >= MinPoints; axis++)
                     largest = Split(points, axis);
                 if (largest == null)
                     break;
@@ -48,7 +48,7 @@ namespace FastPoints.Drawing
             double length = values[values.Length - 1] - values[0];
             var begins = new List<double> { values[0] };
             for (int i = 1; i < values.Length; i++)
-                if (values[i] - values[i - 1] > length * LeastGap)
+                if (values[i] - values[i - 1] > length * MinGap)
                     begins.Add(values[i]);
             if (begins.Count == 1)
                 return null;

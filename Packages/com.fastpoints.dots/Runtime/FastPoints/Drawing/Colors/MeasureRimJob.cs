@@ -17,7 +17,7 @@ namespace FastPoints.Drawing
 
         /// <summary>A box counts as this share of its longest edge thick: thinner ones would leave few directions to their
         /// sides.</summary>
-        const double LeastThickness = 0.05;
+        const double MinThickness = 0.05;
 
         [ReadOnly] public NativeArray<byte> Bytes;
         public PositionColumns Columns;
@@ -41,8 +41,8 @@ namespace FastPoints.Drawing
             if (!(longest > 0))
                 return;
             var middle = Around.Center;
-            var most = Around.Size * 0.5 + longest;
-            var scale = 2 / math.max(Around.Size, longest * LeastThickness);
+            var max = Around.Size * 0.5 + longest;
+            var scale = 2 / math.max(Around.Size, longest * MinThickness);
             for (int done = 0; done < Count; done += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, Count - done);
@@ -50,7 +50,7 @@ namespace FastPoints.Drawing
                 for (int i = 0; i < run; i++)
                 {
                     var from = new double3(x[i], y[i], z[i]) - middle;
-                    if (!math.all(math.abs(from) <= most))
+                    if (!math.all(math.abs(from) <= max))
                         continue;
                     from *= scale;
                     double distanceSq = math.lengthsq(from);

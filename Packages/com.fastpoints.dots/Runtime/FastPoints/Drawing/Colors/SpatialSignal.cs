@@ -9,20 +9,20 @@ namespace FastPoints.Drawing
     sealed class SpatialSignal
     {
         /// <summary>Of a sample, spread over it: a few milliseconds of managed code.</summary>
-        public const int MostPoints = 16_384;
+        public const int MaxPoints = 16_384;
 
         /// <summary>Along the longest edge.</summary>
         const int Cubes = 24;
 
         /// <summary>Noise varies within cubes as much as throughout, give or take two hundredths; returns of a dense forest
         /// are hardly better.</summary>
-        const double MostWithin = 0.9;
+        const double MaxVarianceWithin = 0.9;
 
-        /// <summary>With more points of one value, what is left is strays.</summary>
-        const double MostAlike = 0.75;
+        /// <summary>With more points of one value, what is left is outliers.</summary>
+        const double MaxShareAlike = 0.75;
 
         /// <summary>Too few to tell.</summary>
-        const int LeastPoints = 64;
+        const int MinPoints = 64;
 
         readonly BoundsGeo m_bounds;
         readonly double m_edge;
@@ -49,9 +49,9 @@ namespace FastPoints.Drawing
         {
             get
             {
-                int most = 0;
+                int max = 0;
                 foreach (int count in m_values.Values)
-                    most = math.max(most, count);
+                    max = math.max(max, count);
                 var all = new double3(0, 0, 0);
                 double within = 0;
                 foreach (var sums in m_cubes.Values)
@@ -60,9 +60,9 @@ namespace FastPoints.Drawing
                     within += Squares(sums);
                 }
                 double freedom = all.x - m_cubes.Count;
-                if (all.x < LeastPoints || freedom < LeastPoints)
-                    return most < all.x;
-                return most <= MostAlike * all.x && within / freedom <= MostWithin * Squares(all) / (all.x - 1);
+                if (all.x < MinPoints || freedom < MinPoints)
+                    return max < all.x;
+                return max <= MaxShareAlike * all.x && within / freedom <= MaxVarianceWithin * Squares(all) / (all.x - 1);
             }
         }
 

@@ -17,10 +17,10 @@ namespace FastPoints.Drawing
 
         /// <summary>Whether nothing is under way and nothing waits to be taken: until the clock says that it is time to look at a
         /// folder again, updates change nothing.</summary>
-        internal virtual bool IsAtRest => IsEnded;
+        internal virtual bool IsIdle => IsEnded;
 
         /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
-        public virtual bool IsBuildGone => false;
+        public virtual bool IsBuildAborted => false;
 
         /// <summary>Makes a source of <see cref="Newest"/>, which the caller owns from now on.</summary>
         /// <param name="planes">Names of planes that are streamed besides the position; those that the cloud lacks are left
@@ -33,7 +33,7 @@ namespace FastPoints.Drawing
         public abstract void Update(double budgetMs);
 
         /// <summary>Skips work that takes a pass over the whole source, because a build will offer better states.</summary>
-        public virtual void Hurry() { }
+        public virtual void SkipFullPass() { }
 
         /// <summary>Looks at a finished cloud again: it may have been replaced.</summary>
         public virtual void Refresh() { }
@@ -54,8 +54,8 @@ namespace FastPoints.Drawing
 
         public DisplayRanges Ranges;
 
-        /// <summary>Whether the ranges include all values, strays too: those of a manifest without better ones, not of a
+        /// <summary>Whether the ranges include all values, outliers too: those of a manifest without better ones, not of a
         /// sample.</summary>
-        public bool RangesHaveStrays;
+        public bool RangesHaveOutliers;
     }
 }

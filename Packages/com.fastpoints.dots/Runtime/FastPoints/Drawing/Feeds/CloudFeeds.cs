@@ -38,7 +38,7 @@ namespace FastPoints.Drawing
             }
             var folder = CloudFolder.Open(path);
             var converted = new FolderFeed(new FolderGenerations(folder));
-            return new FileFeed(path, sources, folder.IsInTheMaking ? TryOpenSource(sources) : null, converted, OpenSource);
+            return new FileFeed(path, sources, folder.IsUnfinished ? TryOpenSource(sources) : null, converted, OpenSource);
         }
 
         /// <summary>Opens files that are not a converted cloud.</summary>

@@ -14,10 +14,10 @@ namespace FastPoints.Drawing
         readonly IReadOnlyList<string> m_files;
         readonly Func<IReadOnlyList<string>, CloudFeed> m_open;
         CloudFeed m_source;
-        PoolWork<CloudFeed> m_opening;
+        PoolTask<CloudFeed> m_opening;
         FolderFeed m_converted;
         bool m_isSourceWhole;
-        bool m_isBuildGone;
+        bool m_isBuildAborted;
 
         /// <param name="folder">The converted cloud's folder, which may not exist.</param>
         /// <param name="files">The files that it is made of; empty if unknown.</param>
@@ -36,11 +36,11 @@ namespace FastPoints.Drawing
 
         public override CloudFacts Newest => m_converted.Newest ?? m_source?.Newest;
 
-        public override bool IsEnded => m_converted.IsEnded || !m_converted.IsThere && IsAtRest;
+        public override bool IsEnded => m_converted.IsEnded || !m_converted.IsFound && IsIdle;
 
-        internal override bool IsAtRest => m_converted.IsAtRest && m_opening == null && (m_source == null || m_source.IsAtRest);
+        internal override bool IsIdle => m_converted.IsIdle && m_opening == null && (m_source == null || m_source.IsIdle);
 
-        public override bool IsBuildGone => m_isBuildGone;
+        public override bool IsBuildAborted => m_isBuildAborted;
 
         public override NodeSource Take(params string[] planes)
         {
@@ -49,7 +49,7 @@ namespace FastPoints.Drawing
                 m_isSourceWhole = m_source.Newest.Stage == CloudStage.Whole;
                 return m_source.Take(planes);
             }
-            m_isBuildGone = false;
+            m_isBuildAborted = false;
             if (m_converted.Newest.Stage == CloudStage.Whole)
                 EndSource();
             return m_converted.Take(planes);
@@ -61,8 +61,8 @@ namespace FastPoints.Drawing
             // A source that is streamed directly shows all that a build in progress does.
             if (m_isSourceWhole && m_converted.Newest?.Stage == CloudStage.Building)
                 m_converted.Skip();
-            if (m_converted.IsBuildGone && m_converted.IsThere)
-                BeginAgain();
+            if (m_converted.IsBuildAborted && m_converted.IsFound)
+                Restart();
             if (m_opening != null && m_opening.IsDone)
                 EndOpening();
             if (m_source != null)
@@ -79,27 +79,27 @@ namespace FastPoints.Drawing
 
         void UpdateSource(double budgetMs)
         {
-            if (m_converted.IsThere)
-                m_source.Hurry();
+            if (m_converted.IsFound)
+                m_source.SkipFullPass();
             try
             {
                 m_source.Update(budgetMs);
             }
-            catch (PointCloudException) when (m_converted.IsThere)
+            catch (PointCloudException) when (m_converted.IsFound)
             {
                 // The build's states are shown without the preview.
                 EndSource();
             }
         }
 
-        void BeginAgain()
+        void Restart()
         {
-            m_isBuildGone = true;
+            m_isBuildAborted = true;
             m_isSourceWhole &= m_source != null;
             m_converted.Dispose();
             m_converted = new FolderFeed(new FolderGenerations(m_folder));
             if (m_source == null && m_opening == null && m_files.Count > 0)
-                m_opening = PoolWork.Begin(m_files[0], () => m_open(m_files));
+                m_opening = PoolTask.Begin(m_files[0], () => m_open(m_files));
         }
 
         void EndOpening()
@@ -113,7 +113,7 @@ namespace FastPoints.Drawing
         {
             m_source?.Dispose();
             m_source = null;
-            m_opening?.TakeIfSound()?.Dispose();
+            m_opening?.TakeOrDefault()?.Dispose();
             m_opening = null;
         }
     }

@@ -27,11 +27,11 @@ namespace FastPoints.Drawing
         }
 
         /// <summary>Whether a state was found and still exists.</summary>
-        public bool IsThere => m_generations.IsFound;
+        public bool IsFound => m_generations.IsFound;
 
-        public override bool IsEnded => !m_generations.IsBuilding && IsAtRest;
-        internal override bool IsAtRest => m_generations.IsAtRest;
-        public override bool IsBuildGone => m_generations.IsGone;
+        public override bool IsEnded => !m_generations.IsBuilding && IsIdle;
+        internal override bool IsIdle => m_generations.IsIdle;
+        public override bool IsBuildAborted => m_generations.IsDeleted;
 
         public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);
 
@@ -46,11 +46,11 @@ namespace FastPoints.Drawing
 
         static CloudFacts Describe(CloudFolder folder) => new CloudFacts
         {
-            Stage = folder.IsInTheMaking ? CloudStage.Building : CloudStage.Whole,
+            Stage = folder.IsUnfinished ? CloudStage.Building : CloudStage.Whole,
             BoundsGeo = folder.Manifest.BoundsGeo,
             MetresPerUnit = folder.Manifest.MetresPerUnit,
             Ranges = DisplayRanges.Of(folder.Manifest),
-            RangesHaveStrays = folder.Manifest.Shown == null,
+            RangesHaveOutliers = folder.Manifest.Shown == null,
         };
     }
 }

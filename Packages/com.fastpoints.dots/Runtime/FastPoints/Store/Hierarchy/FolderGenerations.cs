@@ -9,23 +9,23 @@ namespace FastPoints.Store
     internal sealed class FolderGenerations : IDisposable
     {
         /// <summary>Between two looks at the folder, however many frames come: in edit mode some come at rest, or none.</summary>
-        public static readonly TimeSpan LookInterval = TimeSpan.FromSeconds(1);
+        public static readonly TimeSpan PollInterval = TimeSpan.FromSeconds(1);
 
         /// <summary>For a moment after a build, neither it nor its result may exist.</summary>
-        const int LooksUntilGone = 2;
+        const int MissesUntilDeleted = 2;
 
         readonly string m_path;
-        PoolWork<Look> m_looking;
+        PoolTask<Poll> m_polling;
         CloudFolder m_newest;
         ulong m_cloudId;
-        long m_lastLook = Stopwatch.GetTimestamp();
-        int m_looksInVain;
-        bool m_isAsked;
+        long m_lastPoll = Stopwatch.GetTimestamp();
+        int m_misses;
+        bool m_isRequested;
 
         /// <summary>The result of one look.</summary>
-        struct Look
+        struct Poll
         {
-            public bool IsThere;
+            public bool Exists;
 
             /// <summary>Null if there is no newer one, or if it cannot be opened at this moment.</summary>
             public CloudFolder Newer;
@@ -55,10 +55,10 @@ namespace FastPoints.Store
         public bool IsBuilding { get; private set; }
 
         /// <summary>Whether the folder no longer exists: the build was broken off, or the folder was deleted.</summary>
-        public bool IsGone => m_looksInVain >= LooksUntilGone;
+        public bool IsDeleted => m_misses >= MissesUntilDeleted;
 
         /// <summary>Whether no look is asked for or in progress, and no generation waits to be taken.</summary>
-        public bool IsAtRest => m_looking == null && m_newest == null && !m_isAsked;
+        public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
 
         /// <summary>The newest generation that was not taken; null for none.</summary>
         public CloudFolder Newest => m_newest;
@@ -72,54 +72,54 @@ namespace FastPoints.Store
         }
 
         /// <summary>Looks again with the next update, even at a finished cloud, which may have been rebuilt.</summary>
-        public void Refresh() => m_isAsked = true;
+        public void Refresh() => m_isRequested = true;
 
         /// <summary>Called once a frame. It does not look while a generation waits to be taken, and never waits itself.</summary>
         /// <exception cref="PointCloudException">A look failed unexpectedly.</exception>
         public void Update()
         {
-            if (m_looking != null && m_looking.IsDone)
+            if (m_polling != null && m_polling.IsDone)
             {
-                var looked = m_looking;
-                m_looking = null;
+                var looked = m_polling;
+                m_polling = null;
                 var seen = looked.Take();
-                m_looksInVain = seen.IsThere ? 0 : IsBuilding ? m_looksInVain + 1 : LooksUntilGone;
+                m_misses = seen.Exists ? 0 : IsBuilding ? m_misses + 1 : MissesUntilDeleted;
                 if (seen.Newer != null)
                     Keep(seen.Newer);
             }
-            if (m_looking != null || m_newest != null || !m_isAsked && !(IsBuilding && IsTime))
+            if (m_polling != null || m_newest != null || !m_isRequested && !(IsBuilding && IsPollDue))
                 return;
-            m_lastLook = Stopwatch.GetTimestamp();
-            m_isAsked = false;
-            BeginLook();
+            m_lastPoll = Stopwatch.GetTimestamp();
+            m_isRequested = false;
+            BeginPoll();
         }
 
-        bool IsTime => (Stopwatch.GetTimestamp() - m_lastLook) / (double)Stopwatch.Frequency >= LookInterval.TotalSeconds;
+        bool IsPollDue => (Stopwatch.GetTimestamp() - m_lastPoll) / (double)Stopwatch.Frequency >= PollInterval.TotalSeconds;
 
         /// <summary>This is a method of its own because a lambda's closure is allocated where its method begins.</summary>
-        void BeginLook()
+        void BeginPoll()
         {
             string path = m_path;
             ulong cloudId = m_cloudId;
             long generation = Generation;
             bool wasBuilding = IsBuilding;
-            m_looking = PoolWork.Begin(path, () => LookAt(path, cloudId, generation, wasBuilding));
+            m_polling = PoolTask.Begin(path, () => PollFolder(path, cloudId, generation, wasBuilding));
         }
 
         /// <summary>Waits if a folder is being opened.</summary>
         public void Dispose()
         {
-            m_looking?.TakeIfSound().Newer?.Dispose();
-            m_looking = null;
+            m_polling?.TakeOrDefault().Newer?.Dispose();
+            m_polling = null;
             m_newest?.Dispose();
             m_newest = null;
             IsBuilding = false;
         }
 
-        static Look LookAt(string path, ulong cloudId, long generation, bool wasBuilding)
+        static Poll PollFolder(string path, ulong cloudId, long generation, bool wasBuilding)
         {
-            var look = new Look { IsThere = CloudFolder.IsCloud(path) };
-            if (!look.IsThere)
+            var look = new Poll { Exists = CloudFolder.IsCloud(path) };
+            if (!look.Exists)
                 return look;
             CloudFolder folder = null;
             try
@@ -128,7 +128,7 @@ namespace FastPoints.Store
                 var manifest = folder.Manifest;
                 // A result without its final name cannot be read for long.
                 bool isNewer = manifest.IsBuilding ? manifest.Generation > generation || manifest.CloudId != cloudId
-                    : !folder.IsInTheMaking && (wasBuilding || manifest.CloudId != cloudId);
+                    : !folder.IsUnfinished && (wasBuilding || manifest.CloudId != cloudId);
                 if (isNewer)
                 {
                     look.Newer = folder;
@@ -149,7 +149,7 @@ namespace FastPoints.Store
             IsFound = true;
             m_cloudId = folder.Manifest.CloudId;
             Generation = folder.Manifest.Generation;
-            IsBuilding = folder.IsInTheMaking;
+            IsBuilding = folder.IsUnfinished;
         }
     }
 }

@@ -13,7 +13,7 @@ namespace FastPoints.Store
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
         public StreamNode* Nodes;
         public NodeState* States;
-        public NodePlace* Places;
+        public NodeAddress* Places;
 
         /// <summary>Indexed by node times streamed planes, plus plane.</summary>
         public PlaneRange* Planes;
@@ -27,7 +27,7 @@ namespace FastPoints.Store
         public float3 Half;
 
         /// <summary>Frame of the last selection that saw its box and chose the node that it is attached to.</summary>
-        public uint SeenFrame;
+        public uint VisitedFrame;
 
         /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
@@ -51,7 +51,7 @@ namespace FastPoints.Store
 
         /// <summary>Bytes that a loaded page takes.</summary>
         public static long BytesFor(int nodeCount, int planeCount) =>
-            nodeCount * ((long)sizeof(StreamNode) + sizeof(NodeState) + sizeof(NodePlace) +
+            nodeCount * ((long)sizeof(StreamNode) + sizeof(NodeState) + sizeof(NodeAddress) +
                 (long)planeCount * sizeof(PlaneRange));
 
         /// <summary>Makes room for the nodes in one piece; the page does not count as loaded yet.</summary>
@@ -59,7 +59,7 @@ namespace FastPoints.Store
         {
             Nodes = (StreamNode*)UnsafeUtility.Malloc(math.max(64, BytesFor(nodeCount, planeCount)), 64, Allocator.Persistent);
             States = (NodeState*)(Nodes + nodeCount);
-            Places = (NodePlace*)(States + nodeCount);
+            Places = (NodeAddress*)(States + nodeCount);
             Planes = (PlaneRange*)(Places + nodeCount);
             NodeCount = nodeCount;
             RootCount = 0;
@@ -107,7 +107,7 @@ namespace FastPoints.Store
     }
 
     /// <summary>Where a node lies: the corner that its blocks' positions count from. Drawing asks for it.</summary>
-    public struct NodePlace
+    public struct NodeAddress
     {
         /// <summary>Corner of the node's cube relative to that of the root cube, in grid steps.</summary>
         public Grid3 Corner;
@@ -129,7 +129,7 @@ namespace FastPoints.Store
         public uint SelectedFrame;
 
         /// <summary>Frame of the last selection that saw it and chose its parent.</summary>
-        public uint SeenFrame;
+        public uint VisitedFrame;
 
         /// <summary>Its slot in the cache, or <see cref="NoSlot"/>.</summary>
         public int Slot;
@@ -138,7 +138,7 @@ namespace FastPoints.Store
         public int Failures;
 
         /// <summary>Whether a node of a source that makes nodes was made, so that its length is known.</summary>
-        public bool WasMade;
+        public bool WasTranscoded;
     }
 
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
@@ -160,7 +160,8 @@ namespace FastPoints.Store
         public int FirstChunk;
         public int ChunkCount;
 
-        /// <summary>Points of the node and its guests; 0 for a guest, which is read, kept and drawn with its host.</summary>
+        /// <summary>Points of the node and its inlined leaves; 0 for an inlined leaf, which is read, kept and drawn with its
+        /// parent.</summary>
         public int PointCount;
 
         /// <summary>Blocks in the node's planes.</summary>

@@ -36,7 +36,7 @@ namespace FastPoints.Store
                 // Only chunks attached to the upper levels have pages of their own.
                 page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
                 page.States[n] = new NodeState { Slot = NodeState.NoSlot };
-                page.Places[n] = new NodePlace
+                page.Places[n] = new NodeAddress
                 {
                     Corner = records[n].Corner - grid.Corner,
                     IsWide = records[n].IsWide,
@@ -59,12 +59,12 @@ namespace FastPoints.Store
                 ChildCount = record.ChildCount,
                 FirstChunk = record.FirstChunk,
                 ChunkCount = record.ChunkCount,
-                PointCount = record.Host == n ? record.PointCount : 0,
-                BlockCount = record.HostedBlocks,
+                PointCount = record.PlaneNode == n ? record.PointCount : 0,
+                BlockCount = record.PlaneBlocks,
             };
             HierarchyGrid.Box(box.Min, box.Max, out node.Center, out node.Half);
-            for (int child = record.FirstChild; record.Host == n && child < record.FirstChild + record.ChildCount; child++)
-                node.PointCount += records[child].Host == n ? records[child].PointCount : 0;
+            for (int child = record.FirstChild; record.PlaneNode == n && child < record.FirstChild + record.ChildCount; child++)
+                node.PointCount += records[child].PlaneNode == n ? records[child].PointCount : 0;
             return node;
         }
 

@@ -12,30 +12,30 @@ namespace FastPoints.Streaming
     /// <summary>Orders the cache by what a frame has chosen: it evicts foreseen nodes before chosen ones, and those before
     /// pinned ones.</summary>
     [BurstCompile]
-    internal struct UseNodesJob : IJob
+    internal struct TouchNodesJob : IJob
     {
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<SelectedNode> Selected;
-        [ReadOnly] public NativeArray<SelectedNode> Forecasted;
+        [ReadOnly] public NativeArray<SelectedNode> Prefetched;
         [ReadOnly] public NativeArray<int> Pinned;
         public uint Frame;
-        public UsefulOrder Order;
+        public EvictionOrder Order;
 
         public void Execute()
         {
-            Use(Forecasted, NodeReads.FirstForecastRank);
-            Use(Selected, 0);
+            Touch(Prefetched, NodeReads.FirstPrefetchRank);
+            Touch(Selected, 0);
             for (int i = 0; i < Pinned.Length; i++)
-                Order.Use(Pinned[i], Frame, -1);
+                Order.Touch(Pinned[i], Frame, -1);
         }
 
-        void Use(NativeArray<SelectedNode> nodes, int firstRank)
+        void Touch(NativeArray<SelectedNode> nodes, int firstRank)
         {
             for (int i = nodes.Length - 1; i >= 0; i--)
             {
                 int slot = Clouds[nodes[i].Cloud].StateOf(nodes[i]).Slot;
                 if (slot != NodeState.NoSlot)
-                    Order.Use(slot, Frame, firstRank + i);
+                    Order.Touch(slot, Frame, firstRank + i);
             }
         }
     }
@@ -106,7 +106,7 @@ namespace FastPoints.Streaming
                     Node = node.Node,
                     Parent = parent,
                     Slot = slot,
-                    Range = Slots[slot].Run,
+                    Range = Slots[slot].Range,
                     Tint = Slots[slot].Tint,
                 });
                 totals.Points += page->Nodes[node.Node].PointCount;

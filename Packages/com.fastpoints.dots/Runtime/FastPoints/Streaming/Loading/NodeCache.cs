@@ -9,13 +9,13 @@ namespace FastPoints.Streaming
     {
         public const int None = -1;
 
-        UsefulOrder m_order;
+        EvictionOrder m_order;
         NativeList<int> m_free;
         NativeList<int> m_pinned;
 
         public NodeCache()
         {
-            m_order = new UsefulOrder(Allocator.Persistent);
+            m_order = new EvictionOrder(Allocator.Persistent);
             m_free = new NativeList<int>(1024, Allocator.Persistent);
             m_pinned = new NativeList<int>(Allocator.Persistent);
         }
@@ -23,10 +23,10 @@ namespace FastPoints.Streaming
         public int Count { get; private set; }
 
         /// <summary>The first node to evict, or <see cref="None"/>.</summary>
-        public int LeastUseful => m_order.LeastUseful;
+        public int NextToEvict => m_order.NextToEvict;
 
         /// <summary>For jobs of the main thread.</summary>
-        public UsefulOrder Order => m_order;
+        public EvictionOrder Order => m_order;
 
         /// <summary>The slots that are kept as long as there is any memory for them.</summary>
         public NativeArray<int> Pinned => m_pinned.AsArray();
@@ -39,7 +39,7 @@ namespace FastPoints.Streaming
         /// <summary>Number of slots that were ever in use, including free ones.</summary>
         public int SlotCount => m_order.Slots.Length;
 
-        public bool IsAlive(int slot, int version) => m_order.Slots[slot].Version == version;
+        public bool IsValid(int slot, int version) => m_order.Slots[slot].Version == version;
 
         /// <summary>Adds a slot as the most useful of all.</summary>
         public int Add(int cloud, int page, int node, PoolRange run)
@@ -60,7 +60,7 @@ namespace FastPoints.Streaming
                 Cloud = cloud,
                 Page = page,
                 Node = node,
-                Run = run,
+                Range = run,
                 Phase = CachePhase.Requested,
                 Version = m_order.Slots[slot].Version,
                 Tint = CachedNode.White,
@@ -102,10 +102,10 @@ namespace FastPoints.Streaming
 
         public void SetPhase(int slot, CachePhase phase) => m_order.Slots.ElementAt(slot).Phase = phase;
 
-        public void SetRun(int slot, PoolRange run) => m_order.Slots.ElementAt(slot).Run = run;
+        public void SetRange(int slot, PoolRange run) => m_order.Slots.ElementAt(slot).Range = run;
 
         /// <summary>Makes it the most useful.</summary>
-        public void Use(int slot, uint frame, int rank) => m_order.Use(slot, frame, rank);
+        public void Touch(int slot, uint frame, int rank) => m_order.Touch(slot, frame, rank);
 
         public void Dispose()
         {

@@ -26,7 +26,7 @@ namespace FastPoints.Streaming
         NativeReference<TableProblem> m_problem;
         ReadHandle m_read;
         JobHandle m_building;
-        NodeMaker m_maker;
+        NodeTranscoder m_transcoder;
         long m_readBytes;
 
         public NodeFetch(StreamState state)
@@ -63,7 +63,7 @@ namespace FastPoints.Streaming
         public void BeginTable(long number, int cloudIndex, StreamedCloud cloud, int page)
         {
             Begin(number, cloudIndex, cloud, page, true);
-            if (cloud.Source.MakesNodes)
+            if (cloud.Source.TranscodesNodes)
             {
                 Build();
                 return;
@@ -78,14 +78,15 @@ namespace FastPoints.Streaming
             Begin(number, cloudIndex, cloud, page, false);
 
         /// <summary>Begins to make a node.</summary>
-        /// <param name="maker">A maker of the cloud's source, which this fetch gives back.</param>
-        public void BeginMaking(long number, int cloudIndex, StreamedCloud cloud, int page, FetchedNode node, NodeMaker maker)
+        /// <param name="transcoder">A transcoder of the cloud's source, which this fetch gives back.</param>
+        public void BeginTranscoding(long number, int cloudIndex, StreamedCloud cloud, int page, FetchedNode node,
+            NodeTranscoder transcoder)
         {
             Begin(number, cloudIndex, cloud, page, false);
             m_nodes.Add(node);
-            m_maker = maker;
-            maker.Begin(cloud.Pages[page], node.Node);
-            Phase = FetchPhase.Making;
+            m_transcoder = transcoder;
+            transcoder.Begin(cloud.Pages[page], node.Node);
+            Phase = FetchPhase.Transcoding;
         }
 
         public void Add(FetchedNode node)
@@ -146,7 +147,7 @@ namespace FastPoints.Streaming
             status = default;
             bytes = m_readBytes;
             // Its status does not tell: a read that waits for its file has one that the enum lacks.
-            if (!WorkPump.HasEnded(m_read.JobHandle))
+            if (!JobCoroutine.HasEnded(m_read.JobHandle))
                 return false;
             m_read.JobHandle.Complete();
             status = m_read.Status;
@@ -157,17 +158,17 @@ namespace FastPoints.Streaming
         }
 
         /// <returns>Whether the node is made or has failed.</returns>
-        public bool TryEndMaking(out MakeOutcome outcome, out StreamFailure failure, out long bytes)
+        public bool TryEndTranscoding(out TranscodeResult outcome, out StreamFailure failure, out long bytes)
         {
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!WorkPump.HasEnded(m_maker.Done))
+            if (!JobCoroutine.HasEnded(m_transcoder.Done))
                 return false;
-            outcome = m_maker.End(out failure);
-            bytes = m_maker.BytesRead;
-            if (outcome == MakeOutcome.Made)
-                Cloud.SetLengths(Page, m_nodes[0].Node, m_maker);
+            outcome = m_transcoder.End(out failure);
+            bytes = m_transcoder.BytesRead;
+            if (outcome == TranscodeResult.Done)
+                Cloud.SetLengths(Page, m_nodes[0].Node, m_transcoder);
             Phase = FetchPhase.Arrived;
             return true;
         }
@@ -184,7 +185,7 @@ namespace FastPoints.Streaming
         {
             page = default;
             problem = default;
-            if (!WorkPump.HasEnded(m_building))
+            if (!JobCoroutine.HasEnded(m_building))
                 return false;
             m_building.Complete();
             problem = m_problem.Value;
@@ -199,15 +200,15 @@ namespace FastPoints.Streaming
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
-            byte* made = m_maker != null ? (byte*)m_maker.Planes.GetUnsafeReadOnlyPtr() : null;
+            byte* made = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
             for (int p = 0; p < Cloud.Source.Planes.Length; p++)
             {
                 var range = Cloud.RangeOf(Page, node, p);
                 parts.Add(new UploadPart
                 {
-                    From = m_maker != null ? made
+                    From = m_transcoder != null ? made
                         : (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
-                    Check = m_maker != null ? UploadCheck.None
+                    Check = m_transcoder != null ? UploadCheck.None
                         : Cloud.Source.IsChecked(Page, node, p) ? UploadCheck.Shape : UploadCheck.Hash,
                     To = to,
                     LengthBytes = range.LengthBytes,
@@ -225,9 +226,9 @@ namespace FastPoints.Streaming
         public void End()
         {
             Phase = FetchPhase.Idle;
-            if (m_maker != null)
-                Cloud.Source.GiveMaker(m_maker);
-            m_maker = null;
+            if (m_transcoder != null)
+                Cloud.Source.ReturnTranscoder(m_transcoder);
+            m_transcoder = null;
             Cloud = null;
         }
 
@@ -246,9 +247,9 @@ namespace FastPoints.Streaming
                 if (m_problem.Value.IsNone)
                     built.Free();
             }
-            else if (Phase == FetchPhase.Making)
+            else if (Phase == FetchPhase.Transcoding)
             {
-                m_maker.End(out _);
+                m_transcoder.End(out _);
             }
             End();
         }
@@ -336,8 +337,8 @@ namespace FastPoints.Streaming
         Reading,
         /// <summary>A job makes a page from the table that was read.</summary>
         Building,
-        /// <summary>A node is read and made by a <see cref="NodeMaker"/>.</summary>
-        Making,
+        /// <summary>A node is read and made by a <see cref="NodeTranscoder"/>.</summary>
+        Transcoding,
         /// <summary>Its nodes wait to be copied into the pool, or are being copied.</summary>
         Arrived,
     }

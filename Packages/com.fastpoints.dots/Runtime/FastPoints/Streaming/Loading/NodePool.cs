@@ -50,7 +50,7 @@ namespace FastPoints.Streaming
         public static int PagesFor(long bytes) => (int)((bytes + PageBytes - 1) / PageBytes);
 
         /// <returns>Whether there was room. A new bank is made if none has room.</returns>
-        public bool TryTake(long bytes, out PoolRange run)
+        public bool TryAllocate(long bytes, out PoolRange run)
         {
             int pages = PagesFor(bytes), limit = BankLimit;
             run = new PoolRange { PageCount = pages };
@@ -62,7 +62,7 @@ namespace FastPoints.Streaming
                     unmade = unmade < 0 ? bank : unmade;
                     continue;
                 }
-                if (TryTake(bank, ref run))
+                if (TryAllocate(bank, ref run))
                     return true;
             }
             if (unmade < 0 && m_banks.Length < limit)
@@ -75,17 +75,17 @@ namespace FastPoints.Streaming
                 CreateBank(unmade);
                 m_banks[unmade] = new RangeAllocator(m_pagesPerBank, Allocator.Persistent);
                 AllocatedBytes += BankBytes;
-                return TryTake(unmade, ref run);
+                return TryAllocate(unmade, ref run);
             }
             run = default;
             return false;
         }
 
         /// <summary>Takes a range back, and frees its bank if that is empty and beyond the limit.</summary>
-        public void Give(PoolRange run)
+        public void Release(PoolRange run)
         {
             ref var heap = ref m_banks[run.Bank];
-            heap.Give(run.FirstPage);
+            heap.Free(run.FirstPage);
             UsedBytes -= (long)run.PageCount * PageBytes;
             if (heap.UsedSlots == 0 && run.Bank >= BankLimit)
                 Free(run.Bank);
@@ -153,10 +153,10 @@ namespace FastPoints.Streaming
 
         protected abstract void DisposeBank(int bank);
 
-        bool TryTake(int bank, ref PoolRange run)
+        bool TryAllocate(int bank, ref PoolRange run)
         {
             run.Bank = bank;
-            run.FirstPage = m_banks[bank].Take(run.PageCount);
+            run.FirstPage = m_banks[bank].Allocate(run.PageCount);
             if (run.FirstPage < 0)
                 return false;
             UsedBytes += (long)run.PageCount * PageBytes;

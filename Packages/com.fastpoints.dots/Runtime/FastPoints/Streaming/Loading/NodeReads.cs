@@ -13,7 +13,7 @@ namespace FastPoints.Streaming
     internal sealed unsafe class NodeReads : IDisposable
     {
         /// <summary>Foreseen nodes rank behind all selected ones.</summary>
-        public const int FirstForecastRank = 1 << 30;
+        public const int FirstPrefetchRank = 1 << 30;
 
         readonly StreamState m_state;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
@@ -29,7 +29,7 @@ namespace FastPoints.Streaming
         public List<NodeFetch> Fetches => m_fetches;
 
         /// <summary>Number of reads that are not free for another.</summary>
-        public int UnderWay
+        public int InFlightCount
         {
             get
             {
@@ -62,13 +62,13 @@ namespace FastPoints.Streaming
                         EndRead(fetch, status);
                     }
                 }
-                if (fetch.Phase == FetchPhase.Making)
+                if (fetch.Phase == FetchPhase.Transcoding)
                 {
                     CancelUnwanted(fetch);
-                    if (fetch.TryEndMaking(out var outcome, out var failure, out long bytes))
+                    if (fetch.TryEndTranscoding(out var outcome, out var failure, out long bytes))
                     {
                         stats.ReadBytes += bytes;
-                        EndMaking(fetch, outcome, failure);
+                        EndTranscoding(fetch, outcome, failure);
                     }
                 }
                 if (fetch.Phase == FetchPhase.Building && fetch.TryEndBuild(out var page, out var problem))
@@ -83,7 +83,7 @@ namespace FastPoints.Streaming
         public void Request(ref FrameStats stats)
         {
             // All are made at once in the first frame, so that later ones make no garbage.
-            while (m_fetches.Count < m_state.Settings.MostReads)
+            while (m_fetches.Count < m_state.Settings.MaxReads)
                 m_fetches.Add(new NodeFetch(m_state));
             int tables = 0;
             foreach (var fetch in m_fetches)
@@ -91,11 +91,11 @@ namespace FastPoints.Streaming
             // Half of the reads are reserved for nodes.
             foreach (var missing in m_state.Selector.Missing)
             {
-                if (tables >= Math.Max(1, m_state.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
+                if (tables >= Math.Max(1, m_state.Settings.MaxReads / 2) || !TryFindIdle(out var fetch))
                     break;
                 var page = m_state.Clouds[missing.Cloud].Pages + missing.Page;
-                if (page->Status != HierarchyPageStatus.Absent || !m_state.IsTime(page->RetryFrame) ||
-                    StreamFiles.IsLeft(m_state.Clouds[missing.Cloud].Source) ||
+                if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
+                    StreamFiles.IsReleased(m_state.Clouds[missing.Cloud].Source) ||
                     !m_state.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
@@ -106,8 +106,8 @@ namespace FastPoints.Streaming
             bool hasRoom = RequestNodes(0, ref stats);
             if (!hasRoom)
                 return;
-            ListWanted(m_state.Selector.Forecasted);
-            RequestNodes(FirstForecastRank, ref stats);
+            ListWanted(m_state.Selector.Prefetched);
+            RequestNodes(FirstPrefetchRank, ref stats);
         }
 
         /// <summary>Cancels all reads of a cloud, or of all clouds.</summary>
@@ -154,11 +154,11 @@ namespace FastPoints.Streaming
                 if (!TryFindIdle(out var fetch))
                     return true;
                 var cloud = m_state.Clouds[first.Cloud];
-                if (StreamFiles.IsLeft(cloud.Source))
+                if (StreamFiles.IsReleased(cloud.Source))
                     continue;
-                if (cloud.Source.MakesNodes)
+                if (cloud.Source.TranscodesNodes)
                 {
-                    if (!TryMake(fetch, cloud, first, firstRank, ref stats))
+                    if (!TryBeginTranscoding(fetch, cloud, first, firstRank, ref stats))
                         return false;
                     continue;
                 }
@@ -191,32 +191,32 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Begins to make a node if its source has an idle maker.</summary>
+        /// <summary>Begins to make a node if its source has an idle transcoder.</summary>
         /// <returns>Whether the pool had room for it.</returns>
-        bool TryMake(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
+        bool TryBeginTranscoding(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
         {
-            var maker = cloud.Source.TakeMaker(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
-            if (maker == null)
+            var transcoder = cloud.Source.RentTranscoder(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
+            if (transcoder == null)
                 return true;
             // The length is only a bound until the node was made once: only then is it known to be too large for any bank.
             var state = cloud.Pages[node.Page].States + node.Node;
-            long bytes = cloud.BytesOf(node.Page, node.Node), most = m_state.Pool.BankBytes;
-            if (bytes > most && state->WasMade)
+            long bytes = cloud.BytesOf(node.Page, node.Node), max = m_state.Pool.BankBytes;
+            if (bytes > max && state->WasTranscoded)
             {
                 state->Failures = NodeState.IsHole;
                 m_state.Report(new StreamFailure(cloud.Source.Path, -1,
-                    "a node of " + bytes + " bytes, a bank of the pool has " + most));
-                cloud.Source.GiveMaker(maker);
+                    "a node of " + bytes + " bytes, a bank of the pool has " + max));
+                cloud.Source.ReturnTranscoder(transcoder);
                 return true;
             }
-            bytes = Math.Min(bytes, most);
+            bytes = Math.Min(bytes, max);
             if (!m_state.TryPlace(node, firstRank + node.Parent, bytes, ref stats, out int slot))
             {
-                cloud.Source.GiveMaker(maker);
+                cloud.Source.ReturnTranscoder(transcoder);
                 return false;
             }
             var wanted = new FetchedNode { Node = node.Node, Slot = slot, Version = m_state.Cache[slot].Version };
-            fetch.BeginMaking(++m_count, node.Cloud, cloud, node.Page, wanted, maker);
+            fetch.BeginTranscoding(++m_count, node.Cloud, cloud, node.Page, wanted, transcoder);
             stats.RequestedNodes++;
             stats.RequestedBytes += bytes;
             return true;
@@ -228,7 +228,7 @@ namespace FastPoints.Streaming
             {
                 idle = fetch;
                 if (fetch.Phase == FetchPhase.Idle)
-                    return m_fetches.Count <= m_state.Settings.MostReads || UnderWay < m_state.Settings.MostReads;
+                    return m_fetches.Count <= m_state.Settings.MaxReads || InFlightCount < m_state.Settings.MaxReads;
             }
             idle = null;
             return false;
@@ -238,16 +238,16 @@ namespace FastPoints.Streaming
         {
             if (fetch.IsTable)
             {
-                if (m_state.IsOld(fetch.Cloud.Pages[fetch.Page].SeenFrame))
+                if (m_state.IsStale(fetch.Cloud.Pages[fetch.Page].VisitedFrame))
                     fetch.Cancel();
                 return;
             }
             bool isWanted = false;
             foreach (var node in fetch.Nodes)
             {
-                if (!m_state.Cache.IsAlive(node.Slot, node.Version))
+                if (!m_state.Cache.IsValid(node.Slot, node.Version))
                     continue;
-                if (m_state.IsOld(m_state.Cache[node.Slot].UsedFrame))
+                if (m_state.IsStale(m_state.Cache[node.Slot].UsedFrame))
                     m_state.Release(node.Slot);
                 else
                     isWanted = true;
@@ -259,7 +259,7 @@ namespace FastPoints.Streaming
         void EndRead(NodeFetch fetch, ReadStatus status)
         {
             var page = fetch.Cloud.Pages + fetch.Page;
-            if (fetch.Cloud.IsLeaving || fetch.IsCancelled)
+            if (fetch.Cloud.IsRemoving || fetch.IsCancelled)
             {
                 Drop(fetch, page);
                 return;
@@ -283,37 +283,37 @@ namespace FastPoints.Streaming
                 page->Failures = 0;
         }
 
-        void EndMaking(NodeFetch fetch, MakeOutcome outcome, in StreamFailure failure)
+        void EndTranscoding(NodeFetch fetch, TranscodeResult outcome, in StreamFailure failure)
         {
             var page = fetch.Cloud.Pages + fetch.Page;
             var node = fetch.Nodes[0];
-            if (fetch.Cloud.IsLeaving || fetch.IsCancelled || !m_state.Cache.IsAlive(node.Slot, node.Version))
+            if (fetch.Cloud.IsRemoving || fetch.IsCancelled || !m_state.Cache.IsValid(node.Slot, node.Version))
             {
                 Drop(fetch, page);
                 return;
             }
-            if (outcome == MakeOutcome.Made)
+            if (outcome == TranscodeResult.Done)
             {
                 page->Failures = 0;
                 // A node with points outside its cube exceeds its bound: it is requested again with its true length.
-                var run = m_state.Cache[node.Slot].Run;
+                var run = m_state.Cache[node.Slot].Range;
                 if (m_state.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
-                    m_state.Cache.SetRun(node.Slot, run);
+                    m_state.Cache.SetRange(node.Slot, run);
                 else
                     Drop(fetch, page);
                 return;
             }
-            if (outcome == MakeOutcome.Damaged)
+            if (outcome == TranscodeResult.Damaged)
                 m_state.DropDamaged(node.Slot, failure);
             Drop(fetch, page);
-            if (outcome == MakeOutcome.Unreadable)
+            if (outcome == TranscodeResult.Unreadable)
                 CountFailure(page, failure.Path, failure.OffsetBytes, failure.What);
         }
 
         void EndBuild(NodeFetch fetch, HierarchyPage built, TableProblem problem)
         {
             var page = fetch.Cloud.Pages + fetch.Page;
-            if (fetch.Cloud.IsLeaving)
+            if (fetch.Cloud.IsRemoving)
             {
                 if (problem.IsNone)
                     built.Free();
@@ -339,7 +339,7 @@ namespace FastPoints.Streaming
             if (fetch.IsTable)
                 page->Status = HierarchyPageStatus.Absent;
             foreach (var node in fetch.Nodes)
-                if (m_state.Cache.IsAlive(node.Slot, node.Version))
+                if (m_state.Cache.IsValid(node.Slot, node.Version))
                     m_state.Release(node.Slot);
             fetch.End();
         }
@@ -352,7 +352,7 @@ namespace FastPoints.Streaming
                 (uint)m_state.Settings.FramesToRetry)
                 return;
             page->LastFailureFrame = m_state.Selector.Frame;
-            if (++page->Failures < m_state.Settings.MostTries)
+            if (++page->Failures < m_state.Settings.MaxTries)
                 return;
             if (page->Status == HierarchyPageStatus.Absent)
                 page->Status = HierarchyPageStatus.Failed;
@@ -367,9 +367,9 @@ namespace FastPoints.Streaming
             for (; fetch.FirstWaiting < fetch.Nodes.Length; fetch.FirstWaiting++)
             {
                 var node = fetch.Nodes[fetch.FirstWaiting];
-                if (!m_state.Cache.IsAlive(node.Slot, node.Version))
+                if (!m_state.Cache.IsValid(node.Slot, node.Version))
                     continue;
-                if (!m_state.IsOld(m_state.Cache[node.Slot].UsedFrame))
+                if (!m_state.IsStale(m_state.Cache[node.Slot].UsedFrame))
                     return true;
                 m_state.Release(node.Slot);
             }

@@ -24,19 +24,19 @@ namespace FastPoints.Streaming
             m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
         }
 
-        public bool IsUnderWay { get; private set; }
+        public bool IsInFlight { get; private set; }
 
         /// <summary>Completes what the last frames' job copied, if the job is done.</summary>
         public void TryEnd(ref FrameStats stats)
         {
-            if (IsUnderWay && WorkPump.HasEnded(m_job))
+            if (IsInFlight && JobCoroutine.HasEnded(m_job))
                 End(ref stats);
         }
 
         /// <summary>Begins to copy what has arrived, the oldest reads first, within the frame's budget.</summary>
         public void Begin(List<NodeFetch> fetches)
         {
-            if (IsUnderWay)
+            if (IsInFlight)
                 return;
             m_slots.Clear();
             m_parts.Clear();
@@ -47,7 +47,7 @@ namespace FastPoints.Streaming
                 if (fetch == null)
                     break;
                 var node = fetch.Nodes[fetch.FirstWaiting];
-                if (!m_state.Cache.IsAlive(node.Slot, node.Version))
+                if (!m_state.Cache.IsValid(node.Slot, node.Version))
                 {
                     fetch.FirstWaiting++;
                     continue;
@@ -57,7 +57,7 @@ namespace FastPoints.Streaming
                     break;
                 if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload())
                     return;
-                byte* to = m_state.Pool.AddressForUpload(m_state.Cache[node.Slot].Run, size);
+                byte* to = m_state.Pool.AddressForUpload(m_state.Cache[node.Slot].Range, size);
                 if (to == null)
                     break;
                 bytes += size;
@@ -73,7 +73,7 @@ namespace FastPoints.Streaming
             m_isDamaged.ResizeUninitialized(m_parts.Length);
             m_job = new UploadPlanesJob { Parts = m_parts.AsArray(), IsDamaged = m_isDamaged.AsArray() }
                 .ScheduleParallel(m_parts.Length, 1, default);
-            IsUnderWay = true;
+            IsInFlight = true;
         }
 
         /// <summary>Waits for the job.</summary>
@@ -81,7 +81,7 @@ namespace FastPoints.Streaming
         {
             var stats = new FrameStats();
             m_job.Complete();
-            if (IsUnderWay)
+            if (IsInFlight)
                 End(ref stats);
         }
 
@@ -98,7 +98,7 @@ namespace FastPoints.Streaming
         void End(ref FrameStats stats)
         {
             m_job.Complete();
-            IsUnderWay = false;
+            IsInFlight = false;
             m_state.Pool.EndUpload();
             foreach (var fetch in m_copied)
                 fetch.IsBeingCopied = false;

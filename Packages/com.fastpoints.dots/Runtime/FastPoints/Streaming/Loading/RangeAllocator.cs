@@ -15,7 +15,7 @@ namespace FastPoints.Streaming
         const int BinCount = 31;
 
         /// <summary>How many ranges of the wanted length's own list are tried: all in longer lists are long enough.</summary>
-        const int MostTries = 8;
+        const int MaxTries = 8;
 
         NativeArray<int> m_length;
         NativeArray<int> m_next;
@@ -47,7 +47,7 @@ namespace FastPoints.Streaming
         public int UsedSlots { get; private set; }
 
         /// <returns>The first slot, or -1 if no free range is long enough.</returns>
-        public int Take(int count)
+        public int Allocate(int count)
         {
             int run = count < m_tooLong ? Find(count) : None;
             if (run < 0)
@@ -67,7 +67,7 @@ namespace FastPoints.Streaming
         }
 
         /// <param name="first">First slot of a range that was taken and not given back.</param>
-        public void Give(int first)
+        public void Free(int first)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
             if (length <= 0 || first + length > m_length.Length || m_length[first + length - 1] != length)
@@ -104,7 +104,7 @@ namespace FastPoints.Streaming
             Mark(first, length, 0);
             Mark(first, count, count);
             Mark(first + count, length - count, length - count);
-            Give(first + count);
+            Free(first + count);
         }
 
         public void Dispose()
@@ -156,7 +156,7 @@ namespace FastPoints.Streaming
             if (count < 1 || count > m_length.Length)
                 return None;
             int bin = BinOf(count), tries = 0;
-            for (int run = m_firstOfBin[bin]; run >= 0 && tries < MostTries; run = m_next[run], tries++)
+            for (int run = m_firstOfBin[bin]; run >= 0 && tries < MaxTries; run = m_next[run], tries++)
                 if (-m_length[run] >= count)
                     return run;
             uint longer = m_occupiedBins >> bin >> 1;

@@ -12,7 +12,7 @@ namespace FastPoints.Streaming
     internal sealed unsafe class StreamFiles : IDisposable
     {
         /// <summary>The most files of one stream.</summary>
-        internal int MostOpen = 64;
+        internal int MaxOpenFiles = 64;
 
         /// <summary>A file that was not read for this many frames is closed.</summary>
         internal const uint FramesToClose = 30;
@@ -24,12 +24,12 @@ namespace FastPoints.Streaming
 
         static JobHandle s_closing;
 
-        readonly List<Kept> m_kept = new List<Kept>(64);
+        readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
 
         /// <summary>Reads of files that are not kept open.</summary>
         JobHandle m_loose;
 
-        struct Kept
+        struct OpenedFile
         {
             public StreamedCloud Cloud;
             public string Path;
@@ -52,8 +52,8 @@ namespace FastPoints.Streaming
             // A build renames and deletes its files while they are shown.
             if (!cloud.Source.KeepsFilesOpen)
             {
-                var loose = FileReads.Once(path, commands, count, out var closed);
-                m_loose = Both(m_loose, closed);
+                var loose = FileReads.BeginOneShot(path, commands, count, out var closed);
+                m_loose = Combine(m_loose, closed);
                 return loose;
             }
             int at = IndexOf(cloud, path);
@@ -62,7 +62,7 @@ namespace FastPoints.Streaming
             var kept = m_kept[at];
             var read = AsyncReadManager.Read(kept.Handle,
                 new ReadCommandArray { ReadCommands = commands, CommandCount = count });
-            kept.Reads = Both(kept.Reads, read.JobHandle);
+            kept.Reads = Combine(kept.Reads, read.JobHandle);
             kept.UsedFrame = frame;
             m_kept[at] = kept;
             return read;
@@ -94,8 +94,8 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Lets go of a folder that is about to be renamed or deleted, in all streams: its files are closed, and none is
-        /// read until <see cref="Return"/>.</summary>
-        public static void Leave(string folder)
+        /// read until <see cref="Reacquire"/>.</summary>
+        public static void Release(string folder)
         {
             string below = Below(folder);
             lock (s_all)
@@ -103,23 +103,23 @@ namespace FastPoints.Streaming
             foreach (var files in s_all)
                 for (int i = files.m_kept.Count - 1; i >= 0; i--)
                     if (IsBelow(files.m_kept[i].Path, below))
-                        s_closing = Both(s_closing, files.Close(i));
+                        s_closing = Combine(s_closing, files.Close(i));
         }
 
         /// <summary>Whether reads that were under way in folders that were left have ended, and their files are closed.</summary>
-        public static bool HasLeft
+        public static bool HasReleased
         {
             get
             {
-                bool hasLeft = WorkPump.HasEnded(s_closing);
+                bool hasLeft = JobCoroutine.HasEnded(s_closing);
                 foreach (var files in s_all)
-                    hasLeft &= WorkPump.HasEnded(files.m_loose);
+                    hasLeft &= JobCoroutine.HasEnded(files.m_loose);
                 return hasLeft;
             }
         }
 
         /// <summary>The folder may be read again. On any thread.</summary>
-        public static void Return(string folder)
+        public static void Reacquire(string folder)
         {
             lock (s_all)
             {
@@ -130,7 +130,7 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Whether the source's files are not to be read now.</summary>
-        public static bool IsLeft(NodeSource source)
+        public static bool IsReleased(NodeSource source)
         {
             // This is asked often, and only while a folder is renamed does it cost anything.
             foreach (string left in s_left)
@@ -156,7 +156,7 @@ namespace FastPoints.Streaming
 
         int Open(StreamedCloud cloud, string path)
         {
-            if (m_kept.Count == MostOpen)
+            if (m_kept.Count == MaxOpenFiles)
             {
                 int oldest = 0;
                 for (int i = 1; i < m_kept.Count; i++)
@@ -164,7 +164,7 @@ namespace FastPoints.Streaming
                         oldest = i;
                 Close(oldest);
             }
-            m_kept.Add(new Kept { Cloud = cloud, Path = path, Handle = AsyncReadManager.OpenFileAsync(path) });
+            m_kept.Add(new OpenedFile { Cloud = cloud, Path = path, Handle = AsyncReadManager.OpenFileAsync(path) });
             return m_kept.Count - 1;
         }
 
@@ -176,7 +176,7 @@ namespace FastPoints.Streaming
             return gone.Handle.Close(gone.Reads);
         }
 
-        static JobHandle Both(JobHandle a, JobHandle b) => a.IsCompleted ? b : JobHandle.CombineDependencies(a, b);
+        static JobHandle Combine(JobHandle a, JobHandle b) => a.IsCompleted ? b : JobHandle.CombineDependencies(a, b);
 
         static string Below(string folder) =>
             Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;

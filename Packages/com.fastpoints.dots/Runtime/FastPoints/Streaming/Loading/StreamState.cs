@@ -10,7 +10,7 @@ namespace FastPoints.Streaming
     internal sealed unsafe class StreamState : IDisposable
     {
         /// <summary>The most failures that are kept until they are taken.</summary>
-        const int MostFailures = 1000;
+        const int MaxFailures = 1000;
 
         NativeList<CloudPages> m_cloudPages = new NativeList<CloudPages>(Allocator.Persistent);
         readonly Queue<StreamFailure> m_failures = new Queue<StreamFailure>();
@@ -21,7 +21,7 @@ namespace FastPoints.Streaming
         public NodePool Pool { get; }
         public NodeCache Cache { get; } = new NodeCache();
         public StreamFiles Files { get; } = new StreamFiles();
-        public NodeSelector Selector { get; } = new NodeSelector();
+        public LodSelector Selector { get; } = new LodSelector();
 
         /// <summary>Indexed by number; null for a removed cloud.</summary>
         public List<StreamedCloud> Clouds { get; } = new List<StreamedCloud>();
@@ -46,9 +46,9 @@ namespace FastPoints.Streaming
         public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange run;
-            while (!Pool.TryTake(bytes, out run))
+            while (!Pool.TryAllocate(bytes, out run))
             {
-                slot = Cache.LeastUseful;
+                slot = Cache.NextToEvict;
                 if (slot == NodeCache.None || bytes > Pool.BankBytes)
                     return false;
                 var victim = Cache[slot];
@@ -59,7 +59,7 @@ namespace FastPoints.Streaming
                 stats.EvictedNodes++;
             }
             slot = Cache.Add(node.Cloud, node.Page, node.Node, run);
-            Cache.Use(slot, Selector.Frame, rank);
+            Cache.Touch(slot, Selector.Frame, rank);
             var page = Clouds[node.Cloud].Pages + node.Page;
             page->States[node.Node].Slot = slot;
             page->NodesInCache++;
@@ -73,7 +73,7 @@ namespace FastPoints.Streaming
             var page = Clouds[gone.Cloud].Pages + gone.Page;
             page->States[gone.Node].Slot = NodeState.NoSlot;
             page->NodesInCache--;
-            Pool.Give(gone.Run);
+            Pool.Release(gone.Range);
             Cache.Remove(slot);
         }
 
@@ -95,23 +95,23 @@ namespace FastPoints.Streaming
             var state = cloud.Pages[node.Page].States + node.Node;
             Release(slot);
             cloud.Source.ForgetChecked(node.Page);
-            if (!cloud.Source.MakesNodes)
+            if (!cloud.Source.TranscodesNodes)
                 Files.Close(cloud, cloud.Source.PathOf(node.Page));
-            if (cloud.IsLeaving || ++state->Failures < Settings.MostTries)
+            if (cloud.IsRemoving || ++state->Failures < Settings.MaxTries)
                 return;
             state->Failures = NodeState.IsHole;
             Report(failure);
         }
 
         /// <summary>Whether something has not been wanted for so long that its read is cancelled.</summary>
-        public bool IsOld(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
+        public bool IsStale(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
 
         /// <summary>Whether a frame number has been reached.</summary>
-        public bool IsTime(uint frame) => (int)(Selector.Frame - frame) >= 0;
+        public bool IsDue(uint frame) => (int)(Selector.Frame - frame) >= 0;
 
         public void Report(StreamFailure failure)
         {
-            if (m_failures.Count < MostFailures)
+            if (m_failures.Count < MaxFailures)
                 m_failures.Enqueue(failure);
         }
 

@@ -44,13 +44,13 @@ namespace FastPoints.Streaming
         public void Execute(int index)
         {
             var part = Parts[index];
-            bool isSound = true;
+            bool isValid = true;
             if (part.Check == UploadCheck.Hash)
-                isSound = ContentHash.Copy(part.To, part.From, part.LengthBytes) == part.Hash;
+                isValid = ContentHash.Copy(part.To, part.From, part.LengthBytes) == part.Hash;
             else
                 UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
-            IsDamaged[index] = !isSound || part.Check != UploadCheck.None &&
-                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount);
+            IsDamaged[index] = !isValid || part.Check != UploadCheck.None &&
+                !PlaneView.IsValid(part.From, part.LengthBytes, part.Shape, part.BlockCount);
         }
     }
 }

@@ -8,39 +8,39 @@ namespace FastPoints.Streaming
     internal sealed class CameraMotion : IDisposable
     {
         /// <summary>A step this many times as long as the one before is a cut, not a motion.</summary>
-        const double MostSpeedUp = 4;
+        const double MaxSpeedUp = 4;
 
         NativeList<StreamView> m_last;
-        NativeList<StreamView> m_ahead;
+        NativeList<StreamView> m_predicted;
         double m_lastStep;
 
         public CameraMotion()
         {
             m_last = new NativeList<StreamView>(Allocator.Persistent);
-            m_ahead = new NativeList<StreamView>(Allocator.Persistent);
+            m_predicted = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        /// <summary>The views that <see cref="TryForesee"/> predicted.</summary>
-        public NativeArray<StreamView> Ahead => m_ahead.AsArray();
+        /// <summary>The views that <see cref="TryPredictView"/> predicted.</summary>
+        public NativeArray<StreamView> Predicted => m_predicted.AsArray();
 
         /// <summary>Takes this frame's views.</summary>
         /// <returns>Whether they move other than by a cut.</returns>
-        public bool TryForesee(NativeArray<StreamView> views, int frames)
+        public bool TryPredictView(NativeArray<StreamView> views, int frames)
         {
             double step = 0;
             bool isKnown = views.Length == m_last.Length && frames > 0;
-            m_ahead.Clear();
+            m_predicted.Clear();
             for (int v = 0; v < views.Length && isKnown; v++)
             {
                 var view = views[v];
                 var motion = view.EyeWorld - m_last[v].EyeWorld;
                 step = math.max(step, math.length(motion));
                 view.EyeWorld += motion * frames;
-                m_ahead.Add(view);
+                m_predicted.Add(view);
             }
             m_last.Clear();
             m_last.AddRange(views);
-            bool isMoving = isKnown && step > 0 && step <= MostSpeedUp * m_lastStep;
+            bool isMoving = isKnown && step > 0 && step <= MaxSpeedUp * m_lastStep;
             m_lastStep = step;
             return isMoving;
         }
@@ -50,7 +50,7 @@ namespace FastPoints.Streaming
             if (!m_last.IsCreated)
                 return;
             m_last.Dispose();
-            m_ahead.Dispose();
+            m_predicted.Dispose();
         }
     }
 }

@@ -41,7 +41,7 @@ namespace FastPoints.Streaming
         /// <summary>Whether clips leave anything of a box. It may be true for a box of which nothing is left.</summary>
         /// <param name="half">0 for a single position, where the answer is exact.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static bool Leave(LocalClip* clips, int count, double3 center, double3 half)
+        public static bool MayKeep(LocalClip* clips, int count, double3 center, double3 half)
         {
             bool isKept = false, doesAnyKeep = false;
             for (int i = 0; i < count; i++)

@@ -10,13 +10,13 @@ namespace FastPoints.Streaming
     {
         public double3x3 Linear;
         public double3 OriginWorld;
-        internal CloudVisibility SeenBy;
+        internal CloudVisibility Visibility;
 
         public CloudPlacement(double3x3 linear, double3 originWorld)
         {
             Linear = linear;
             OriginWorld = originWorld;
-            SeenBy = default;
+            Visibility = default;
         }
 
         /// <summary>The placement whose world is the cloud's own georeferenced space.</summary>
@@ -24,14 +24,14 @@ namespace FastPoints.Streaming
             new CloudPlacement(double3x3.identity, grid.ToGeo(root.Corner));
 
         /// <summary>The placement of another state of the same cloud, if this is the placement of one.</summary>
-        public CloudPlacement Along(NodeSource here, NodeSource other) => new CloudPlacement(Linear, OriginWorld +
+        public CloudPlacement ForVersion(NodeSource here, NodeSource other) => new CloudPlacement(Linear, OriginWorld +
             math.mul(Linear, other.Grid.ToGeo(other.Root.Corner) - here.Grid.ToGeo(here.Root.Corner)))
         {
-            SeenBy = SeenBy,
+            Visibility = Visibility,
         };
 
         /// <summary>Whether it has a volume: a cloud that is flattened to nothing is not shown.</summary>
-        public bool IsSound
+        public bool IsValid
         {
             get
             {

@@ -20,7 +20,7 @@ namespace FastPoints.Streaming
         public double3 AxisScale;
         public double LargestScale;
 
-        fixed double m_planes[StreamView.MaxPlanes * 4];
+        fixed double m_planes[StreamView.MaxFrustumPlanes * 4];
 
         public CloudView(in StreamView view, in CloudPlacement placement)
         {
@@ -28,7 +28,7 @@ namespace FastPoints.Streaming
             var fromEye = placement.OriginWorld - view.EyeWorld;
             Eye = math.mul(math.inverse(linear), -fromEye);
             IsOrthographic = view.IsOrthographic;
-            IsShown = view.Mask.Sees(placement.SeenBy);
+            IsShown = view.Mask.Shows(placement.Visibility);
             ScalePx = view.ScalePx;
             PlaneCount = view.PlaneCount;
             AxisScale = new double3(math.length(linear.c0), math.length(linear.c1), math.length(linear.c2));
@@ -48,7 +48,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Whether a box reaches inside every plane. It may be true for one just outside an edge of the view.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public bool Sees(double3 center, double3 half)
+        public bool IntersectsFrustum(double3 center, double3 half)
         {
             if (!IsShown)
                 return false;

@@ -26,7 +26,7 @@ namespace FastPoints.Streaming
 
         public bool IsSceneView;
 
-        public readonly bool Sees(in CloudVisibility cloud) => !cloud.IsHidden && (cloud.Layer & HiddenLayers) == 0 &&
+        public readonly bool Shows(in CloudVisibility cloud) => !cloud.IsHidden && (cloud.Layer & HiddenLayers) == 0 &&
             (Scenes == 0 || cloud.Scenes == 0 || (Scenes & cloud.Scenes) != 0) && !(IsSceneView && cloud.IsHiddenInSceneViews);
     }
 }

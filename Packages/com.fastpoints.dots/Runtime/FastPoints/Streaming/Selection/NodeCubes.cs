@@ -11,12 +11,12 @@ namespace FastPoints.Streaming
         public double3 Corner;
         public double3 Size;
 
-        /// <summary>CRS units of a grid step if <see cref="NodePlace.Corner"/> is that of the node's cube; otherwise 0, and the
+        /// <summary>CRS units of a grid step if <see cref="NodeAddress.Corner"/> is that of the node's cube; otherwise 0, and the
         /// middle of a node's box lies in its cube.</summary>
         public double3 Step;
 
         /// <summary>Some position in a node's cube.</summary>
-        public double3 PlaceIn(HierarchyPage* page, int node)
+        public double3 PointIn(HierarchyPage* page, int node)
         {
             var corner = page->Places[node].Corner;
             return Step.x > 0 ? (new double3(corner.X, corner.Y, corner.Z) + 0.5) * Step : page->Nodes[node].Center;

@@ -22,17 +22,17 @@ namespace FastPoints.Streaming
         /// <summary>Indexed by cloud times <see cref="ClipCount"/>, plus clip box.</summary>
         [ReadOnly] public NativeArray<LocalClip> Clips;
         public int ClipCount;
-        public SelectionSettings Settings;
+        public LodSettings Settings;
 
-        /// <summary>See <see cref="NodeSelector.Frame"/>.</summary>
+        /// <summary>See <see cref="LodSelector.Frame"/>.</summary>
         public uint Frame;
 
         /// <summary>Whether it chooses for future views, on top of what this frame's selection chose, without changing any node's
         /// state.</summary>
-        public bool IsForecast;
+        public bool IsPrefetch;
 
-        /// <summary>A forecast ends after this many points that were not chosen before.</summary>
-        public long ForecastPoints;
+        /// <summary>A prefetch ends after this many points that were not chosen before.</summary>
+        public long PrefetchPoints;
 
         /// <summary>Ends the choice when this many pages are missing; what was chosen until then is the start of the full
         /// choice.</summary>
@@ -52,7 +52,7 @@ namespace FastPoints.Streaming
             Missing.Clear();
             for (int c = 0; c < Clouds.Length; c++)
                 if (Clouds[c].Pages[0].IsLoaded && Clouds[c].Pages[0].NodeCount > 0 && IsShown(c))
-                    Heap.Push(new SelectionCandidate { SpacingPx = float.MaxValue, Cloud = c, Parent = -1 });
+                    Heap.Push(new SelectionCandidate { ScreenErrorPx = float.MaxValue, Cloud = c, Parent = -1 });
             long points = 0, more = 0;
             while (!Heap.IsEmpty)
             {
@@ -72,7 +72,7 @@ namespace FastPoints.Streaming
                     break;
                 points += cost;
                 int place = Choose(best, cloud, page, ref more);
-                if (IsForecast && more >= ForecastPoints)
+                if (IsPrefetch && more >= PrefetchPoints)
                     break;
                 for (int i = 0; i < node->ChildCount; i++)
                     PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, place);
@@ -93,7 +93,7 @@ namespace FastPoints.Streaming
         int Choose(in SelectionCandidate best, in SelectionCloud cloud, HierarchyPage* page, ref long more)
         {
             var state = page->States + best.Node;
-            if (IsForecast)
+            if (IsPrefetch)
             {
                 if (state->SelectedFrame == Frame)
                     return -1;
@@ -101,7 +101,7 @@ namespace FastPoints.Streaming
             }
             else
             {
-                state->SeenFrame = Frame;
+                state->VisitedFrame = Frame;
                 state->SelectedFrame = Frame;
             }
             Selected.Add(new SelectedNode { Cloud = cloud.Cloud, Page = best.Page, Node = best.Node, Parent = best.Parent });
@@ -112,18 +112,18 @@ namespace FastPoints.Streaming
         void PushNode(int cloud, HierarchyPage* page, int pageIndex, int index, float spacing, int parent)
         {
             var node = page->Nodes + index;
-            if (node->PointCount == 0 || !IsInView(cloud, node->Center, node->Half, spacing, out float spacingPx))
+            if (node->PointCount == 0 || !IntersectsAnyFrustum(cloud, node->Center, node->Half, spacing, out float screenErrorPx))
                 return;
             var state = page->States + index;
-            // The selection before this one stamped it, or this frame's if this is a forecast.
+            // The selection before this one stamped it, or this frame's if this is a prefetch.
             if (Frame - state->SelectedFrame <= 1)
-                spacingPx *= Settings.Hysteresis;
-            if (!IsForecast)
-                state->SeenFrame = Frame;
-            if (spacingPx >= Settings.FinestSpacingPx)
+                screenErrorPx *= Settings.Hysteresis;
+            if (!IsPrefetch)
+                state->VisitedFrame = Frame;
+            if (screenErrorPx >= Settings.MinScreenErrorPx)
                 Heap.Push(new SelectionCandidate
                 {
-                    SpacingPx = spacingPx,
+                    ScreenErrorPx = screenErrorPx,
                     Cloud = cloud,
                     Page = pageIndex,
                     Node = index,
@@ -134,40 +134,40 @@ namespace FastPoints.Streaming
         void PushPage(int cloud, HierarchyPage* pages, int index, float spacing, int parent)
         {
             var page = pages + index;
-            if (!IsInView(cloud, page->Center, page->Half, spacing, out float spacingPx))
+            if (!IntersectsAnyFrustum(cloud, page->Center, page->Half, spacing, out float screenErrorPx))
                 return;
-            page->SeenFrame = Frame;
+            page->VisitedFrame = Frame;
             if (page->IsLoaded)
             {
                 for (int n = 0; n < page->RootCount; n++)
                     PushNode(cloud, page, index, n, spacing, parent);
             }
-            else if (page->Status != HierarchyPageStatus.Failed && spacingPx >= Settings.FinestSpacingPx)
+            else if (page->Status != HierarchyPageStatus.Failed && screenErrorPx >= Settings.MinScreenErrorPx)
             {
-                Heap.Push(new SelectionCandidate { SpacingPx = spacingPx, Cloud = cloud, Page = index, Node = -1 });
+                Heap.Push(new SelectionCandidate { ScreenErrorPx = screenErrorPx, Cloud = cloud, Page = index, Node = -1 });
             }
         }
 
-        /// <param name="spacingPx">Spacing in the view that shows it largest.</param>
-        bool IsInView(int cloud, double3 center, double3 half, float spacing, out float spacingPx)
+        /// <param name="screenErrorPx">Spacing in the view that shows it largest.</param>
+        bool IntersectsAnyFrustum(int cloud, double3 center, double3 half, float spacing, out float screenErrorPx)
         {
-            spacingPx = 0;
+            screenErrorPx = 0;
             if (ClipCount > 0 &&
-                !LocalClip.Leave((LocalClip*)Clips.GetUnsafeReadOnlyPtr() + cloud * ClipCount, ClipCount, center, half))
+                !LocalClip.MayKeep((LocalClip*)Clips.GetUnsafeReadOnlyPtr() + cloud * ClipCount, ClipCount, center, half))
                 return false;
             var views = (CloudView*)Views.GetUnsafeReadOnlyPtr() + cloud * ViewCount;
             for (int v = 0; v < ViewCount; v++)
             {
-                if (!views[v].Sees(center, half))
+                if (!views[v].IntersectsFrustum(center, half))
                     continue;
                 double distance = views[v].DistanceTo(center, half);
                 double size = 2 * math.length(half * views[v].AxisScale);
                 // A box without extent, with one point or many at one place, counts as large as the gap that it fills.
                 size = math.max(size, spacing * views[v].LargestScale);
                 if (views[v].LengthPx(size, distance) >= Settings.SmallestNodePx)
-                    spacingPx = math.max(spacingPx, (float)views[v].LengthPx(spacing * views[v].LargestScale, distance));
+                    screenErrorPx = math.max(screenErrorPx, (float)views[v].LengthPx(spacing * views[v].LargestScale, distance));
             }
-            return spacingPx > 0;
+            return screenErrorPx > 0;
         }
     }
 

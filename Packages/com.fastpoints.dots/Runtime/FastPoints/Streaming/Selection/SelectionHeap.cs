@@ -55,7 +55,7 @@ namespace FastPoints.Streaming
     internal struct SelectionCandidate
     {
         /// <summary>Spacing on the screen of the points above: the gaps that the node would fill.</summary>
-        public float SpacingPx;
+        public float ScreenErrorPx;
         public int Cloud;
         public int Page;
 
@@ -67,8 +67,8 @@ namespace FastPoints.Streaming
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsBefore(in SelectionCandidate other)
         {
-            if (SpacingPx != other.SpacingPx)
-                return SpacingPx > other.SpacingPx;
+            if (ScreenErrorPx != other.ScreenErrorPx)
+                return ScreenErrorPx > other.ScreenErrorPx;
             if (Cloud != other.Cloud)
                 return Cloud < other.Cloud;
             return Page != other.Page ? Page < other.Page : Node < other.Node;

@@ -6,7 +6,7 @@ namespace FastPoints.Streaming
     /// face inwards and count from the eye, so that nothing is lost far from the world's origin.</summary>
     public unsafe struct StreamView
     {
-        public const int MaxPlanes = 6;
+        public const int MaxFrustumPlanes = 6;
 
         public double3 EyeWorld;
         public bool IsOrthographic;

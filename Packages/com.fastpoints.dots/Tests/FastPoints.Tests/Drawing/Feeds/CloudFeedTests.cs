@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Drawing
     [Category("Smoke")]
     public sealed class CloudFeedTests
     {
-        static readonly TimeSpan s_mostTime = TimeSpan.FromMinutes(1);
+        static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
 
         [TearDown]
         public void ForgetReaders() => CloudFeeds.Register(null);
@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Drawing
         /// <summary>Updates until something has come about.</summary>
         static void Updates(CloudFeed feed, Func<bool> isDone, Action more = null)
         {
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_mostTime && !isDone();)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && !isDone();)
             {
                 feed.Update(1);
                 more?.Invoke();
@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Update_FileThenABuildThenItsResult_TellsOfPreviewsGenerationsAndTheWholeInThisOrder()
+        public void Update_FileThenABuildThenItsResult_ReportsOfPreviewsGenerationsAndTheWholeInThisOrder()
         {
             UnsafeUtility.ForgiveLeaks();
             using var cloud = new GrowingCloud();
@@ -92,7 +92,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Update_BuildBrokenOff_IsToldAndTheFileShowsAgain()
+        public void Update_BuildAborted_IsReportedAndTheFileShowsAgain()
         {
             using var cloud = new GrowingCloud();
             while (!File.Exists(cloud.Manifest))
@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Drawing
             using var feed = CloudFeeds.Open(cloud.Folder, new[] { cloud.Source });
             Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
             cloud.Cancel();
-            Updates(feed, () => feed.IsBuildGone);
+            Updates(feed, () => feed.IsBuildAborted);
             Updates(feed, () => feed.Newest != null);
             Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Preview));
         }
@@ -113,14 +113,14 @@ namespace FastPoints.Tests.Drawing
             Directory.Move(cloud.Path, cloud.Path + ".part");
             using var feed = CloudFeeds.Open(cloud.Path);
             Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 2.5 * FolderGenerations.LookInterval;)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 2.5 * FolderGenerations.PollInterval;)
             {
                 feed.Update(1);
                 // Looks go on on another thread: without time for them nothing could be found that must not be.
                 Thread.Sleep(1);
                 Assert.That(feed.Newest, Is.Null);
             }
-            Assert.That(feed.IsBuildGone, Is.False);
+            Assert.That(feed.IsBuildAborted, Is.False);
             Directory.Move(cloud.Path + ".part", cloud.Path);
             Updates(feed, () => feed.Newest != null);
             Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Whole));
@@ -128,7 +128,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void LookAgain_FolderThatWasMadeAnewOrDeleted_IsTold()
+        public void LookAgain_FolderThatWasMadeAgainOrDeleted_IsReported()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var other = new StreamedTestCloud(30_000, 8000);
@@ -144,7 +144,7 @@ namespace FastPoints.Tests.Drawing
 
             Directory.Delete(cloud.Path, true);
             feed.Refresh();
-            Updates(feed, () => feed.IsBuildGone);
+            Updates(feed, () => feed.IsBuildAborted);
         }
 
         [Test]

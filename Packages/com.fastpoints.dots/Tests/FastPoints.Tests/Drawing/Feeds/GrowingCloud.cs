@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Drawing
 
         readonly TemporaryFolder m_scratch = new TemporaryFolder();
         readonly int3[] m_places = new int3[Points];
-        WorkSteps m_build;
+        CoroutineStack m_build;
 
         public GrowingCloud()
         {
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Drawing
         /// <summary>Goes on with the build for a step; begins it.</summary>
         public void Build()
         {
-            m_build ??= new WorkSteps(ConvertCloud.Run(new[] { Open() }, Folder, new ConvertSettings
+            m_build ??= new CoroutineStack(ConvertCloud.Run(new[] { Open() }, Folder, new ConvertSettings
             {
                 PointsPerChunk = 20_000,
                 SecondsToFirstGeneration = 0,

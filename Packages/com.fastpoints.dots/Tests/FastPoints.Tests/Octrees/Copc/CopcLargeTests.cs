@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Octrees
             using (var reader = PointReaders.Open(file.Path))
             {
                 var watch = Stopwatch.StartNew();
-                WorkPump.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.FindBlocks());
                 var sums = new long[4];
                 var schema = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red);
                 long points = ReadPoints.EachBlock(reader, schema, read =>

@@ -49,14 +49,14 @@ namespace FastPoints.Tests.Octrees
             }
         }
 
-        static void Check(string path, int recordBytes, Dictionary<string, int> written, string story)
+        static void Check(string path, int recordBytes, Dictionary<string, int> written, string detail)
         {
             try
             {
                 using var reader = ReadPoints.Open(path);
                 var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(path));
-                Assert.That(got.Length == Points * recordBytes || reader.Info.Warnings.Count > 0, story);
-                Assert.That(reader.Info.Warnings.Count, Is.LessThan(200), story);
+                Assert.That(got.Length == Points * recordBytes || reader.Info.Warnings.Count > 0, detail);
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(200), detail);
                 var left = new Dictionary<string, int>(written);
                 int noise = 0;
                 for (int at = 0; at < got.Length; at += recordBytes)
@@ -67,12 +67,12 @@ namespace FastPoints.Tests.Octrees
                     else
                         noise++;
                 }
-                Assert.That(noise, Is.EqualTo(0), story + "\n" + string.Join("\n", reader.Info.Warnings));
+                Assert.That(noise, Is.EqualTo(0), detail + "\n" + string.Join("\n", reader.Info.Warnings));
             }
             catch (PointCloudException failure)
             {
-                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
-                Assert.That(failure.IsBadInput, Is.True, story + ": " + failure.Message);
+                Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
+                Assert.That(failure.IsBadInput, Is.True, detail + ": " + failure.Message);
             }
         }
 

@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Octrees
             using var reader = PointReaders.Open(file.Path);
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.BlockCount, Is.EqualTo(0));
-            WorkPump.RunToEnd(reader.FindLevels(1));
+            JobCoroutine.RunToEnd(reader.FindLevels(1));
             Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
             Assert.That(reader.BlockCount, Is.EqualTo(1));
             int levels = writer.Nodes.Max(node => node.Level) + 1;
@@ -83,7 +83,7 @@ namespace FastPoints.Tests.Octrees
                 for (int level = 1; level <= levels; level++)
                 {
                     int before = reader.BlockCount;
-                    WorkPump.RunToEnd(reader.FindLevels(level));
+                    JobCoroutine.RunToEnd(reader.FindLevels(level));
                     Assert.That(reader.Tree.NodeCount, Is.EqualTo(writer.Nodes.Count(node => node.Level < level)));
                     Assert.That(reader.Tree.LevelCount, Is.EqualTo(level));
                     // The slot was made when only the root was known.
@@ -96,22 +96,22 @@ namespace FastPoints.Tests.Octrees
                     Assert.That(reader.BlocksAreKnown, Is.False);
                 }
             }
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.BlocksAreKnown, Is.True);
             CheckNodes(reader, file.Path, writer, 3);
         }
 
         [Test]
-        public void FindBlocks_GivenUp_CanBeginAgain()
+        public void FindBlocks_Cancelled_CanRestart()
         {
             var writer = new CopcFileWriter { LevelsPerPage = 1 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2000, 8)), ".copc.laz");
             using var reader = PointReaders.Open(file.Path);
             for (int steps = 1; steps < 9; steps++)
-                using (var work = new WorkSteps(reader.FindBlocks()))
+                using (var work = new CoroutineStack(reader.FindBlocks()))
                     for (int i = 0; i < steps && work.MoveNext(); i++)
                         work.Current.Complete();
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             CheckNodes(reader, file.Path, writer, 3);
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
@@ -132,14 +132,14 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Read_LongNode_IsThereOnceABlock()
+        public void Read_LongNode_IsOneNodePerBlock()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 5000 };
             var records = LazRecords.Make(7, 0, 2500, 10);
             using var file = new TemporaryFile(writer.Write(records), ".copc.laz");
             using var source = FileSource.Open(file.Path);
             using var reader = CopcReader.TryOpen(LasFile.Read(source), source, 1000);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(3));
             Assert.That(reader.Tree[2].PointCount, Is.EqualTo(500));
             var got = LazFileReading.Records(reader, LazFileReading.LayoutOf(file.Path));
@@ -153,7 +153,7 @@ namespace FastPoints.Tests.Octrees
         [TestCase(InfoAt + 24, 0L, "cube")]
         [TestCase(InfoAt + 24, 0x7FF8000000000000L, "cube")]
         [TestCase(InfoAt, 0x7FF0000000000000L, "cube")]
-        public void Open_BrokenInfo_ReadsTheFileAsLaz(int at, long value, string story)
+        public void Open_BrokenInfo_ReadsTheFileAsLaz(int at, long value, string detail)
         {
             var writer = new CopcFileWriter();
             var bytes = writer.Write(LazRecords.Make(7, 0, 500, 11));
@@ -163,7 +163,7 @@ namespace FastPoints.Tests.Octrees
             Assert.That(reader, Is.TypeOf<LazReader>());
             Assert.That(reader.Tree, Is.Null);
             Assert.That(reader.PointCount, Is.EqualTo(500));
-            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains(story));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains(detail));
         }
 
         static IEnumerable<TestCaseData> Lies()
@@ -184,12 +184,12 @@ namespace FastPoints.Tests.Octrees
             yield return Lie("PageInsteadOfNode", 28, -1, "overlap|no node|left out");
         }
 
-        static TestCaseData Lie(string name, int field, int value, string story) =>
-            new TestCaseData(field, value, story).SetName("Hierarchy_" + name + "_IsToldAndNoPointIsLost");
+        static TestCaseData Lie(string name, int field, int value, string detail) =>
+            new TestCaseData(field, value, detail).SetName("Hierarchy_" + name + "_IsToldAndNoPointIsLost");
 
         /// <summary>A node that the hierarchy lies about is read by the chunk table, or cut; nothing is read twice.</summary>
         [TestCaseSource(nameof(Lies))]
-        public void Hierarchy(int field, int value, string story)
+        public void Hierarchy(int field, int value, string detail)
         {
             var writer = new CopcFileWriter();
             var records = LazRecords.Make(7, 0, 2000, 12);
@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Octrees
             using var file = new TemporaryFile(bytes, ".copc.laz");
             using var reader = ReadPoints.Open(file.Path);
             var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
-            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Match(story));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Match(detail));
             Assert.That(Sorted(got, writer.RecordBytes), Is.EqualTo(Sorted(Flat(records), writer.RecordBytes)));
         }
 
@@ -286,7 +286,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Read_CutFile_GivesWhatItHoldsAndSaysSo()
+        public void Read_CutFile_GivesWhatItHoldsAndReportsIt()
         {
             var writer = new CopcFileWriter();
             var bytes = writer.Write(LazRecords.Make(7, 0, 2000, 17));

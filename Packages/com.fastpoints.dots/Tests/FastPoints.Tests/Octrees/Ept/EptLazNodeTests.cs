@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void LazNode_WithMorePointsThanClaimed_IsTold()
+        public void LazNode_WithMorePointsThanClaimed_IsReported()
         {
             using var folder = Make(EptDataType.Laszip);
             string page = File.ReadAllText(folder.PagePath("0-0-0-0"));

@@ -85,11 +85,11 @@ namespace FastPoints.Tests.Octrees
             Assert.That(reader.BlocksAreKnown, Is.False);
             for (int level = 1; level <= folder.Nodes.Max(node => node.Level) + 1; level++)
             {
-                WorkPump.RunToEnd(reader.FindLevels(level));
+                JobCoroutine.RunToEnd(reader.FindLevels(level));
                 Assert.That(reader.Tree.NodeCount, Is.EqualTo(folder.Nodes.Count(node => node.Level < level)));
             }
             Assert.That(reader.BlocksAreKnown, Is.False);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             CheckNodes(reader, folder, 2, false);
         }
 
@@ -115,7 +115,7 @@ namespace FastPoints.Tests.Octrees
         [TestCase(nameof(EptDataType.Binary), "cannot hold")]
         [TestCase(nameof(EptDataType.Zstandard), "zstandard stream is broken")]
         [TestCase(nameof(EptDataType.Laszip), "breaks off")]
-        public void Node_Cut_GivesWhatItHoldsAndSaysSo(string typeName, string story)
+        public void Node_Cut_GivesWhatItHoldsAndReportsIt(string typeName, string detail)
         {
             var type = Named(typeName);
             using var folder = Make(type);
@@ -124,11 +124,11 @@ namespace FastPoints.Tests.Octrees
             File.WriteAllBytes(path, bytes.Take(bytes.Length * 3 / 5).ToArray());
             using var reader = ReadPoints.Open(folder.Path);
             Assert.That(Count(reader), Is.InRange(1400, 1499));
-            CheckWarned(reader, story);
+            CheckWarned(reader, detail);
         }
 
         [Test]
-        public void Node_Longer_IsTold()
+        public void Node_Longer_IsReported()
         {
             using var folder = Make(EptDataType.Binary);
             string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
@@ -151,7 +151,7 @@ namespace FastPoints.Tests.Octrees
         [TestCase("{ \"0-0-0-0\": 100, \"1-0-0-0\": -1, \"1-0-0-1\": -1 }", "cannot be read")]
         [TestCase("{ \"0-0-0-0\": 99999999999999999999 }", "cannot hold")]
         [TestCase("\uFEFF { \"0-0-0-0\" : 100 , }", "claims 1500 points")]
-        public void Page_Odd_IsToldAndTheRestIsRead(string page, string story)
+        public void Page_Odd_IsReportedAndTheRestIsRead(string page, string detail)
         {
             using var folder = Make(EptDataType.Binary);
             File.WriteAllText(folder.PagePath("0-0-0-0"), page);
@@ -159,7 +159,7 @@ namespace FastPoints.Tests.Octrees
             {
                 using var reader = ReadPoints.Open(folder.Path);
                 Assert.That(Count(reader), Is.EqualTo(100));
-                CheckWarned(reader, story);
+                CheckWarned(reader, detail);
             }
             catch (PointCloudException failure)
             {
@@ -213,11 +213,11 @@ namespace FastPoints.Tests.Octrees
         [TestCase("\"type\": \"float\"", "\"type\": \"complex\"", FailureCode.BadInput, "type")]
         [TestCase("\"bounds\": [", "\"bounds\": [1, ", FailureCode.BadInput, "bounds")]
         [TestCase("\"points\": 1500", "\"points\": \"many\"", FailureCode.BadInput, "points")]
-        public void Index_Wrong_NamesTheMember(string part, string wrong, FailureCode code, string story)
+        public void Index_Wrong_NamesTheMember(string part, string wrong, FailureCode code, string detail)
         {
             using var folder = Make(EptDataType.Binary);
             File.WriteAllText(folder.IndexPath, folder.Index.Replace(part, wrong));
-            Failures.Of(() => PointReaders.Open(folder.Path).Dispose(), code, story, "ept.json");
+            Failures.Of(() => PointReaders.Open(folder.Path).Dispose(), code, detail, "ept.json");
         }
 
         [Test]

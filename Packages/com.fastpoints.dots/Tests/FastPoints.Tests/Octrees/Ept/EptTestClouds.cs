@@ -44,8 +44,8 @@ namespace FastPoints.Tests.Octrees
 
         public static long Count(PointReader reader) => ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
 
-        public static void CheckWarned(PointReader reader, string story) =>
-            Assert.That(reader.Info.Warnings.Select(warning => warning.Text), Has.Some.Contains(story));
+        public static void CheckWarned(PointReader reader, string detail) =>
+            Assert.That(reader.Info.Warnings.Select(warning => warning.Text), Has.Some.Contains(detail));
 
         /// <summary>Each node's columns against its records.</summary>
         public static unsafe void CheckNodes(PointReader reader, EptFolder folder, int slots, bool isReversed)

@@ -121,12 +121,12 @@ namespace FastPoints.Tests.Octrees
             using var reader = PointReaders.Open(Folder.Path);
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(3));
             Assert.That(reader.BlocksAreKnown, Is.False);
-            WorkPump.RunToEnd(reader.FindLevels(3));
+            JobCoroutine.RunToEnd(reader.FindLevels(3));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(3), "nothing more is needed for three levels");
-            WorkPump.RunToEnd(reader.FindLevels(4));
+            JobCoroutine.RunToEnd(reader.FindLevels(4));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(5));
             Assert.That(reader.BlocksAreKnown, Is.False);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.BlocksAreKnown, Is.True);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
         }
@@ -207,7 +207,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Open_HierarchyThatLies_IsHeldAgainstTheFiles()
+        public void Open_HierarchyThatIsFalse_IsHeldAgainstTheFiles()
         {
             var writer = new Potree1Writer();
             writer.Write(Folder, s_cloud);
@@ -351,13 +351,13 @@ namespace FastPoints.Tests.Octrees
         [TestCase("POSITION_CARTESIAN", "COLOR_PACKED", FailureCode.BadInput, "a position of three int32")]
         [TestCase("\"lx\"", "\"l\"", FailureCode.BadInput, "boundingBox.lx")]
         [TestCase("\"INTENSITY\"", "\"A\", \"B\"", FailureCode.Unsupported, "A and B")]
-        public void Open_BrokenIndex_NamesTheMember(string from, string to, FailureCode code, string story)
+        public void Open_BrokenIndex_NamesTheMember(string from, string to, FailureCode code, string detail)
         {
             new Potree1Writer().Write(Folder, new PotreeTestCloud(9, 0, 1));
             string text = File.ReadAllText(Folder.File("cloud.js"));
             Assert.That(text, Does.Contain(from));
             Folder.Write("cloud.js", text.Replace(from, to));
-            Failures.Of(() => PointReaders.Open(Folder.Path), code, story);
+            Failures.Of(() => PointReaders.Open(Folder.Path), code, detail);
         }
     }
 }

@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Octrees
             _ => throw new ArgumentException("nobody wrote " + column),
         };
 
-        static void Find(PointReader reader) => WorkPump.RunToEnd(reader.FindBlocks());
+        static void Find(PointReader reader) => JobCoroutine.RunToEnd(reader.FindBlocks());
 
         static List<int> ReadAll(PointReader reader, int slots = 3) =>
             PotreeCheck.Read(reader, reader.Info.Schema, ReadPoints.WholeBlocks(reader), slots, "number", Value);
@@ -108,9 +108,9 @@ namespace FastPoints.Tests.Octrees
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(2), "the first page but for its proxies");
             var first = Enumerable.Range(0, reader.BlockCount).Select(reader.PointsInBlock).ToList();
-            WorkPump.RunToEnd(reader.FindLevels(2));
+            JobCoroutine.RunToEnd(reader.FindLevels(2));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(2));
-            WorkPump.RunToEnd(reader.FindLevels(3));
+            JobCoroutine.RunToEnd(reader.FindLevels(3));
             Assert.That(reader.Tree.LevelCount, Is.InRange(4, 5), "leaves of the next page's level stand in this one");
             Assert.That(reader.BlocksAreKnown, Is.False);
             var upper = s_cloud.PointsOfNode.Where(n => n.Key.Length <= 3).SelectMany(n => n.Value).OrderBy(i => i);
@@ -223,7 +223,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Open_CountsAndMasksThatLie_CostNothing([Values(false, true)] bool isBrotli)
+        public void Open_CountsAndMasksThatAreFalse_CostNothing([Values(false, true)] bool isBrotli)
         {
             Write(isBrotli).Dispose();
             var bytes = File.ReadAllBytes(Folder.File("hierarchy.bin"));
@@ -249,13 +249,13 @@ namespace FastPoints.Tests.Octrees
         [TestCase("\"firstChunkSize\": ", "\"first\": ", FailureCode.BadInput, "hierarchy.firstChunkSize")]
         [TestCase("\"size\": 12", "\"size\": 8", FailureCode.BadInput, "a position of three int32")]
         [TestCase("\"size\": 12", "\"size\": 1e99", FailureCode.BadInput, "attributes[0].size")]
-        public void Open_BrokenIndex_NamesTheMember(string from, string to, FailureCode code, string story)
+        public void Open_BrokenIndex_NamesTheMember(string from, string to, FailureCode code, string detail)
         {
             Write(false).Dispose();
             string text = File.ReadAllText(Folder.File("metadata.json"));
             Assert.That(text, Does.Contain(from));
             Folder.Write("metadata.json", text.Replace(from, to));
-            Failures.Of(() => PointReaders.Open(Folder.Path), code, story);
+            Failures.Of(() => PointReaders.Open(Folder.Path), code, detail);
         }
     }
 }

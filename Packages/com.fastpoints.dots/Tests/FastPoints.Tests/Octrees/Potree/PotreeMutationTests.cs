@@ -19,13 +19,13 @@ namespace FastPoints.Tests.Octrees
     public class PotreeMutationTests
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
-        const int UsualCases = 150, LongCases = 5000;
+        const int DefaultCases = 150, LongCases = 5000;
 
         /// <summary>Points of a byte: see <see cref="Potree2Reader"/>.</summary>
-        const int MostPointsPerByte = 1000;
+        const int MaxPointsPerByte = 1000;
 
         [TestCase("1.4", 1), TestCase("1.7", 2), TestCase("1.8", 3), TestCase("DEFAULT", 4), TestCase("BROTLI", 5)]
-        public void Mutate(string kind, int seed) => Mutate(kind, seed, UsualCases);
+        public void Mutate(string kind, int seed) => Mutate(kind, seed, DefaultCases);
 
         [Test, Category("Long"), Explicit]
         public void Mutate_ManyTimes([Values("1.4", "1.7", "1.8", "DEFAULT", "BROTLI")] string kind) => Mutate(kind, 1000,
@@ -54,14 +54,14 @@ namespace FastPoints.Tests.Octrees
             }
         }
 
-        static void ReadWhatIsThere(string folder, List<string> files, string story)
+        static void ReadWhatIsThere(string folder, List<string> files, string detail)
         {
             long bytes = files.Sum(path => new FileInfo(path).Length);
             try
             {
                 using var reader = ReadPoints.Open(folder);
-                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(bytes * MostPointsPerByte), story);
-                Assert.That(reader.Tree.NodeCount, Is.LessThanOrEqualTo(bytes / 5), story);
+                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(bytes * MaxPointsPerByte), detail);
+                Assert.That(reader.Tree.NodeCount, Is.LessThanOrEqualTo(bytes / 5), detail);
                 if (reader.BlockCount == 0)
                     return;
                 long got = 0;
@@ -72,16 +72,16 @@ namespace FastPoints.Tests.Octrees
                         read.Begin(new BlockRange(block, 0, count));
                         read.Complete();
                         got += read.Points.Count;
-                        Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                        Assert.That(read.Points.Count, Is.InRange(0, count), detail);
                     }
                 if (got < reader.PointCount)
-                    Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
-                Assert.That(reader.Info.Warnings.Count, Is.LessThan(100), story);
+                    Assert.That(reader.Info.Warnings, Is.Not.Empty, detail);
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(100), detail);
             }
             catch (PointCloudException failure)
             {
-                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
-                Assert.That(failure.IsBadInput || failure.Code == FailureCode.NotFound, Is.True, story + ": " + failure.Message);
+                Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
+                Assert.That(failure.IsBadInput || failure.Code == FailureCode.NotFound, Is.True, detail + ": " + failure.Message);
             }
         }
     }

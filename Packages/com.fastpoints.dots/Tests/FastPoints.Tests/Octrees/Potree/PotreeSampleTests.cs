@@ -56,16 +56,16 @@ namespace FastPoints.Tests.Octrees
                 {
                     double corner = reader.Tree.Cube.Min[axis] + cell.Cell[axis] * edge;
                     var stored = read.Points.Column<int>(axis);
-                    double least = double.MaxValue, most = double.MinValue;
+                    double min = double.MaxValue, max = double.MinValue;
                     for (int i = 0; i < read.Points.Count; i++)
                     {
                         double own = BitConverter.ToInt32(bytes, 18 * i + 4 * axis) * scale + corner;
                         double above = stored[i] * scale + reader.Info.Transform.Offset[axis] - own;
-                        least = Math.Min(least, above);
-                        most = Math.Max(most, above);
+                        min = Math.Min(min, above);
+                        max = Math.Max(max, above);
                     }
-                    Assert.That(least, Is.GreaterThan(-1e-4 * scale), name);
-                    Assert.That(most, Is.LessThan(scale), name);
+                    Assert.That(min, Is.GreaterThan(-1e-4 * scale), name);
+                    Assert.That(max, Is.LessThan(scale), name);
                 }
                 var red = read.Points.Column<byte>("Red");
                 var up = read.Points.Column<float>("NormalZ");

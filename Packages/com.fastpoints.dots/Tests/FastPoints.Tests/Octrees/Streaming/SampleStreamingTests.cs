@@ -22,13 +22,13 @@ namespace FastPoints.Tests.Octrees
     /// <summary>Previews streamed like clouds, until there is a cloud.</summary>
     public class SampleStreamingTests
     {
-        const int MostFrames = 20_000_000;
+        const int MaxFrames = 20_000_000;
 
         static PreviewCloud Take(PointBatch batch, int points)
         {
             using var reader = new MemoryPointReader(batch, 10_000, fixedStride: false);
             var preview = new PreviewCloud(reader, new PreviewOptions { Points = points });
-            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             return preview;
         }
 
@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Octrees
             using var stream = StreamedTestCloud.Stream();
             var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
             int number = stream.Add(source, StreamedTestCloud.Geo(source));
-            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.SmallestNodePx = 0;
             var middle = preview.Sample.Bounds.Center;
             var camera = Camera(middle);
@@ -74,11 +74,11 @@ namespace FastPoints.Tests.Octrees
         {
             public readonly StreamContext Stream = StreamedTestCloud.Stream();
             public readonly FastPoints.Picture.Camera Camera = StreamedTestCloud.Overview();
-            public readonly CloudSuccession Succession;
+            public readonly CloudVersions Succession;
             public FollowedFolder Followed;
             public bool WasSeen;
 
-            public Watched() => Succession = new CloudSuccession(Stream);
+            public Watched() => Succession = new CloudVersions(Stream);
 
             public void Frame()
             {
@@ -94,16 +94,16 @@ namespace FastPoints.Tests.Octrees
 
             public void FramesUntil(Func<bool> isDone)
             {
-                for (int i = 0; i < MostFrames && !isDone(); i++)
+                for (int i = 0; i < MaxFrames && !isDone(); i++)
                 {
                     Frame();
                     Thread.Yield();
                 }
             }
 
-            public void Run(IEnumerator<Work> steps, Action eachStep = null)
+            public void Run(IEnumerator<JobStep> steps, Action eachStep = null)
             {
-                using var work = new WorkSteps(steps);
+                using var work = new CoroutineStack(steps);
                 while (work.MoveNext())
                 {
                     work.Current.Complete();
@@ -168,7 +168,7 @@ namespace FastPoints.Tests.Octrees
                     watched.Followed ??= new FollowedFolder(watched.Succession, path, null, StoreLayout.ColorName);
                     watched.FramesUntil(() => !watched.Followed.IsBuilding && watched.Followed.IsCurrent);
                     Assert.That(watched.Followed.IsCurrent, Is.True);
-                    watched.Stream.Settings.Selection.FinestSpacingPx = 0;
+                    watched.Stream.Settings.Selection.MinScreenErrorPx = 0;
                     watched.Stream.Settings.Selection.SmallestNodePx = 0;
                     Assert.That(StreamedTestCloud.Settle(watched.Stream, watched.Camera).DrawnPoints, Is.EqualTo(Points));
                     Assert.That(watched.Stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct(),

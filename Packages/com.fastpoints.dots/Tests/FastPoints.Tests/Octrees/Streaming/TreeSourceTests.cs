@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Octrees
     [Category("Smoke")]
     public unsafe class TreeSourceTests
     {
-        const int MostFrames = 1_000_000;
+        const int MaxFrames = 1_000_000;
 
         static readonly string[] s_color = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
 
@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Octrees
         /// <summary>All there is, as long as the budget has room.</summary>
         static FrameStats Settle(StreamContext stream, double scalePx = 1e12)
         {
-            for (int frame = 0; frame < MostFrames; frame++)
+            for (int frame = 0; frame < MaxFrames; frame++)
             {
                 var stats = Frame(stream, scalePx);
                 if (stats.IsSettled)
@@ -157,7 +157,7 @@ namespace FastPoints.Tests.Octrees
         static (double3 Corner, double3 Edge) DeepestNode(string path, out int levels, out int pages)
         {
             using var reader = PointReaders.Open(path);
-            WorkPump.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.FindBlocks());
             var deepest = reader.Tree[0];
             for (int i = 0; i < reader.Tree.NodeCount; i++)
                 if (reader.Tree[i].Level > deepest.Level)
@@ -218,11 +218,11 @@ namespace FastPoints.Tests.Octrees
             using var stream = StreamedTestCloud.Stream(64 << 10, 32 << 10);
             Add(stream, cloud.Open(StoreLayout.ColorName));
             int quiet = 0;
-            for (int frame = 0; frame < MostFrames && quiet < 20; frame++)
+            for (int frame = 0; frame < MaxFrames && quiet < 20; frame++)
             {
                 var stats = Frame(stream, 1e12);
                 Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(64 << 10));
-                quiet = stats.ReadsUnderWay + stats.RequestedNodes + stats.UploadedNodes == 0 ? quiet + 1 : 0;
+                quiet = stats.ReadsInFlight + stats.RequestedNodes + stats.UploadedNodes == 0 ? quiet + 1 : 0;
                 Thread.Yield();
             }
             Assert.That(quiet, Is.EqualTo(20), "it came to rest");
@@ -232,7 +232,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Run_NodeOfDamagedBytes_IsAHoleThatIsTold()
+        public void Run_NodeOfDamagedBytes_IsAHoleThatIsReported()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 60 };
             var bytes = writer.Write(LazRecords.Make(7, 0, 3000, 7));
@@ -269,7 +269,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Run_FilesOfNodesGone_AreHolesThatAreTold()
+        public void Run_FilesOfNodesMissing_AreHolesThatAreReported()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.EptLaz);
             using var stream = Stream();
@@ -293,7 +293,7 @@ namespace FastPoints.Tests.Octrees
 
         /// <summary>The hierarchy stays, most chunks are gone: told of page by page, not node by node.</summary>
         [Test]
-        public void Run_FileCutWhileItIsStreamed_EndsInHolesThatAreTold()
+        public void Run_FileCutWhileItIsStreamed_EndsInHolesThatAreReported()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 60 };
             var bytes = writer.Write(LazRecords.Make(7, 0, 20_000, 7));
@@ -314,7 +314,7 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void Run_NodesLargerThanABank_AreHolesThatAreTold()
+        public void Run_NodesLargerThanABank_AreHolesThatAreReported()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 4000 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 20_000, 7)), ".copc.laz");
@@ -362,20 +362,20 @@ namespace FastPoints.Tests.Octrees
         }
 
         [Test]
-        public void TakeMaker_NodesOfSomeFrames_AreBegunTogether()
+        public void RentTranscoder_NodesOfSomeFrames_AreBegunTogether()
         {
             using var workers = new WorkerCount(1);
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             using var source = cloud.Open();
-            var makers = new List<NodeMaker>();
-            for (NodeMaker maker; (maker = source.TakeMaker(1 << 16)) != null;)
-                makers.Add(maker);
-            Assert.That(makers.Count, Is.EqualTo(4));
-            foreach (var maker in makers)
-                source.GiveMaker(maker);
+            var transcoders = new List<NodeTranscoder>();
+            for (NodeTranscoder transcoder; (transcoder = source.RentTranscoder(1 << 16)) != null;)
+                transcoders.Add(transcoder);
+            Assert.That(transcoders.Count, Is.EqualTo(4));
+            foreach (var transcoder in transcoders)
+                source.ReturnTranscoder(transcoder);
             for (int i = 0; i < 2; i++)
-                Assert.That(source.TakeMaker(1 << 20), Is.Not.Null);
-            Assert.That(source.TakeMaker(1), Is.Null);
+                Assert.That(source.RentTranscoder(1 << 20), Is.Not.Null);
+            Assert.That(source.RentTranscoder(1), Is.Null);
         }
 
         [Test]
@@ -390,30 +390,30 @@ namespace FastPoints.Tests.Octrees
             int number = Add(stream, source);
             Settle(stream);
             var page = stream.Clouds[number].Pages[0];
-            var maker = (TreeNodeMaker)source.TakeMaker(page.Nodes[0].PointCount);
-            maker.LeaveChain();
-            var chain = new MakerChain { End = default(GateJob).Schedule() };
+            var transcoder = (TreeNodeTranscoder)source.RentTranscoder(page.Nodes[0].PointCount);
+            transcoder.LeaveChain();
+            var chain = new TranscoderChain { End = default(GateJob).Schedule() };
             JobHandle.ScheduleBatchedJobs();
             try
             {
                 s_gateBegun.Wait();
-                maker.Join(chain, page.Nodes[0].PointCount);
-                maker.Begin(page, 0);
-                using (var other = source.CreateWholeMaker())
+                transcoder.Join(chain, page.Nodes[0].PointCount);
+                transcoder.Begin(page, 0);
+                using (var other = source.CreateFullTranscoder())
                 {
                     other.Begin(page, 0);
-                    Assert.That(other.End(out _), Is.EqualTo(MakeOutcome.Made));
+                    Assert.That(other.End(out _), Is.EqualTo(TranscodeResult.Done));
                 }
-                Assert.That(maker.Done.IsCompleted, Is.False);
-                Assert.That(chain.End, Is.EqualTo(maker.Done));
+                Assert.That(transcoder.Done.IsCompleted, Is.False);
+                Assert.That(chain.End, Is.EqualTo(transcoder.Done));
                 Assert.That(chain.Points, Is.EqualTo(page.Nodes[0].PointCount));
             }
             finally
             {
                 s_gate.Set();
             }
-            Assert.That(maker.End(out _), Is.EqualTo(MakeOutcome.Made));
-            source.GiveMaker(maker);
+            Assert.That(transcoder.End(out _), Is.EqualTo(TranscodeResult.Done));
+            source.ReturnTranscoder(transcoder);
             Assert.That(chain.Points, Is.EqualTo(0));
         }
 

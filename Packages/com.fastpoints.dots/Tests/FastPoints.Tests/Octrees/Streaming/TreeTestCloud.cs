@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Octrees
         public static TreeSource Open(string path, params string[] planes)
         {
             var reader = PointReaders.Open(path);
-            WorkPump.RunToEnd(TreeSource.FindTop(reader));
+            JobCoroutine.RunToEnd(TreeSource.FindTop(reader));
             return new TreeSource(reader, planes);
         }
 

@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Reading
             return places;
         }
 
-        static void Pump(IEnumerator<Work> work) => WorkPump.RunToEnd(work);
+        static void Coroutine(IEnumerator<JobStep> work) => JobCoroutine.RunToEnd(work);
 
         [Test]
         public void Open_TilesOfOneGrid_KeepsTheirNumbers()
@@ -306,14 +306,14 @@ namespace FastPoints.Tests.Reading
             string target = PathOf("all.fastpoints");
             using var reader = PointReaders.Open(paths);
             ConvertResult result = null;
-            Pump(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
+            Coroutine(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
             Assert.That(result.Manifest.Points, Is.EqualTo(60000));
             Assert.That(result.Manifest.PointsLeftOut, Is.Zero);
             Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
             Assert.That(result.Manifest.Sources.Select(s => s.Name + " " + s.Points),
                 Is.EqualTo(new[] { "a.las 20000", "b.las 20000", "c.las 20000" }));
             var verified = new VerifyResult();
-            Pump(VerifyCloud.Run(target, new[] { reader }, verified, null));
+            Coroutine(VerifyCloud.Run(target, new[] { reader }, verified, null));
             Assert.That(verified.Problems, Is.Empty);
         }
 
@@ -324,7 +324,7 @@ namespace FastPoints.Tests.Reading
             string b = WriteLas("b.las", new[] { new int3(1500, 1, 2) }, new double3(0.001, 1, 1), new double3(500001, 0, 0));
             using var reader = PointReaders.Open(new[] { a, b });
             var summarise = new SummariseCloud(reader);
-            Pump(summarise.Run(null));
+            Coroutine(summarise.Run(null));
             Assert.That(summarise.Summary.Points, Is.EqualTo(2));
             Assert.That(summarise.Summary.Bounds.Min.x, Is.EqualTo(500000));
             Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));

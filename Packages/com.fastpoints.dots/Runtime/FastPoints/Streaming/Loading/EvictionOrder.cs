@@ -4,7 +4,7 @@ using Unity.Collections;
 namespace FastPoints.Streaming
 {
     /// <summary>The slots of a cache and their order, from the least to the most useful. Blittable, for jobs.</summary>
-    internal struct UsefulOrder : IDisposable
+    internal struct EvictionOrder : IDisposable
     {
         public NativeList<CachedNode> Slots;
 
@@ -13,25 +13,25 @@ namespace FastPoints.Streaming
 
         struct Ends
         {
-            public int Least;
-            public int Most;
+            public int First;
+            public int Last;
         }
 
-        public UsefulOrder(Allocator allocator)
+        public EvictionOrder(Allocator allocator)
         {
             Slots = new NativeList<CachedNode>(1024, allocator);
-            m_ends = new NativeReference<Ends>(new Ends { Least = NodeCache.None, Most = NodeCache.None }, allocator);
+            m_ends = new NativeReference<Ends>(new Ends { First = NodeCache.None, Last = NodeCache.None }, allocator);
         }
 
-        public int LeastUseful => m_ends.Value.Least;
+        public int NextToEvict => m_ends.Value.First;
 
         /// <summary>Makes it the most useful.</summary>
-        public void Use(int slot, uint frame, int rank)
+        public void Touch(int slot, uint frame, int rank)
         {
             ref var used = ref Slots.ElementAt(slot);
             used.UsedFrame = frame;
             used.Rank = rank;
-            if (m_ends.Value.Most == slot)
+            if (m_ends.Value.Last == slot)
                 return;
             Unlink(slot);
             Append(slot);
@@ -41,13 +41,13 @@ namespace FastPoints.Streaming
         {
             var ends = m_ends.Value;
             ref var added = ref Slots.ElementAt(slot);
-            added.LessUseful = ends.Most;
-            added.MoreUseful = NodeCache.None;
-            if (ends.Most != NodeCache.None)
-                Slots.ElementAt(ends.Most).MoreUseful = slot;
+            added.EvictedBefore = ends.Last;
+            added.EvictedAfter = NodeCache.None;
+            if (ends.Last != NodeCache.None)
+                Slots.ElementAt(ends.Last).EvictedAfter = slot;
             else
-                ends.Least = slot;
-            ends.Most = slot;
+                ends.First = slot;
+            ends.Last = slot;
             m_ends.Value = ends;
         }
 
@@ -55,14 +55,14 @@ namespace FastPoints.Streaming
         {
             var ends = m_ends.Value;
             var gone = Slots[slot];
-            if (gone.LessUseful != NodeCache.None)
-                Slots.ElementAt(gone.LessUseful).MoreUseful = gone.MoreUseful;
+            if (gone.EvictedBefore != NodeCache.None)
+                Slots.ElementAt(gone.EvictedBefore).EvictedAfter = gone.EvictedAfter;
             else
-                ends.Least = gone.MoreUseful;
-            if (gone.MoreUseful != NodeCache.None)
-                Slots.ElementAt(gone.MoreUseful).LessUseful = gone.LessUseful;
+                ends.First = gone.EvictedAfter;
+            if (gone.EvictedAfter != NodeCache.None)
+                Slots.ElementAt(gone.EvictedAfter).EvictedBefore = gone.EvictedBefore;
             else
-                ends.Most = gone.LessUseful;
+                ends.Last = gone.EvictedBefore;
             m_ends.Value = ends;
         }
 
@@ -81,13 +81,13 @@ namespace FastPoints.Streaming
         public int Cloud;
         public int Page;
         public int Node;
-        public PoolRange Run;
+        public PoolRange Range;
         public CachePhase Phase;
 
         /// <summary>Must be remembered along with a slot's number: it rises when the slot is released.</summary>
         public int Version;
 
-        /// <summary>Frame of the last selection or forecast that wanted it, and its rank there: 0 is the most needed.</summary>
+        /// <summary>Frame of the last selection or prefetch that wanted it, and its rank there: 0 is the most needed.</summary>
         public uint UsedFrame;
         public int Rank;
 
@@ -102,8 +102,8 @@ namespace FastPoints.Streaming
         public uint Tint;
 
         /// <summary>Neighbours in the order of usefulness.</summary>
-        public int LessUseful;
-        public int MoreUseful;
+        public int EvictedBefore;
+        public int EvictedAfter;
     }
 
     /// <summary>The state of a node in the cache.</summary>

@@ -2,11 +2,11 @@ using System;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A source whose points have no fixed length: a block is a stretch of the file with the points that start in it,
+    /// <summary>A source whose points have no fixed length: a block is a segment of the file with the points that start in it,
     /// and a range reads its whole block.</summary>
-    internal abstract class StretchReader : PointReader
+    internal abstract class SegmentReader : PointReader
     {
-        private protected StretchBlocks Blocks { get; } = new StretchBlocks();
+        private protected SegmentBlocks Blocks { get; } = new SegmentBlocks();
 
         public override int BlockCount => Blocks.Count;
 
@@ -22,9 +22,9 @@ namespace FastPoints.Reading
     }
 
     /// <summary>The blocks of such a source, once they are found.</summary>
-    sealed class StretchBlocks
+    sealed class SegmentBlocks
     {
-        StretchBlock[] m_blocks;
+        SegmentBlock[] m_blocks;
 
         public bool AreFound => m_blocks != null;
 
@@ -34,10 +34,10 @@ namespace FastPoints.Reading
 
         public int MaxBytes { get; private set; }
 
-        public StretchBlock this[int block] => Found()[block];
+        public SegmentBlock this[int block] => Found()[block];
 
         /// <returns>The points of all blocks.</returns>
-        public long Take(StretchBlock[] blocks)
+        public long Take(SegmentBlock[] blocks)
         {
             m_blocks = blocks;
             MaxPoints = MaxBytes = 0;
@@ -51,11 +51,11 @@ namespace FastPoints.Reading
             return points;
         }
 
-        StretchBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+        SegmentBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
     }
 
-    /// <summary>A stretch of a file with the points that start in it.</summary>
-    struct StretchBlock
+    /// <summary>A segment of a file with the points that start in it.</summary>
+    struct SegmentBlock
     {
         public long OffsetBytes;
         public int Bytes;

@@ -6,20 +6,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one stretch at
+    /// <summary>Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one segment at
     /// a hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file,
     /// and some can be read before others: the cost depends only on how many are wanted.</summary>
-    /// <remarks>Bytes are not points: fewer long lines than short ones start in a stretch. Each line nevertheless has the same
-    /// chance: one that starts at byte b is found by the stretches that begin at most at b - 1 and end behind b, and there are as
-    /// many of these for a long line as for a short one, whatever precedes it. This is only fair with all lines of a stretch; a
+    /// <remarks>Bytes are not points: fewer long lines than short ones start in a segment. Each line nevertheless has the same
+    /// chance: one that starts at byte b is found by the segments that begin at most at b - 1 and end behind b, and there are as
+    /// many of these for a long line as for a short one, whatever precedes it. This is only fair with all lines of a segment; a
     /// fixed number of each would prefer lines among long ones.</remarks>
-    sealed class AsciiStretches
+    sealed class AsciiSegments
     {
         public const int Count = 2048;
-        public const int StretchBytes = 16 << 10;
+        public const int SegmentBytes = 16 << 10;
 
         /// <summary>In a smaller file, counting all lines is about as fast.</summary>
-        public const long LeastBytes = 2L * Count * StretchBytes;
+        public const long MinBytes = 2L * Count * SegmentBytes;
 
         /// <summary>Reads in flight: if each takes long, together they take as long as one.</summary>
         const int Slots = 32;
@@ -29,13 +29,13 @@ namespace FastPoints.Reading
         readonly SourceHandle m_file;
         readonly long m_offset;
         readonly long m_bytes;
-        readonly List<StretchBlock> m_blocks = new List<StretchBlock>();
+        readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
         readonly int[] m_rowsOfPart = new int[Count];
         long m_points;
         int m_found;
 
         /// <param name="offset">Offset of the first line; lines continue to the file's end.</param>
-        public AsciiStretches(SourceHandle file, long fileBytes, long offset)
+        public AsciiSegments(SourceHandle file, long fileBytes, long offset)
         {
             m_file = file;
             m_offset = offset;
@@ -44,11 +44,11 @@ namespace FastPoints.Reading
                 m_rowsOfPart[part] = -1;
         }
 
-        /// <summary>Stretches with lines, and all that start in each, in the order in which they were found.</summary>
-        public StretchBlock[] Blocks => m_blocks.ToArray();
+        /// <summary>Segments with lines, and all that start in each, in the order in which they were found.</summary>
+        public SegmentBlock[] Blocks => m_blocks.ToArray();
 
         /// <summary>Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
-        /// stretches, since each part has a single stretch (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
+        /// segments, since each part has a single segment (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
         public PointEstimate Estimate
         {
             get
@@ -63,13 +63,13 @@ namespace FastPoints.Reading
                         squares += (rows - last) * (double)(rows - last);
                     last = rows;
                 }
-                double weight = m_bytes / (double)Math.Max(1, m_found) / (StretchBytes - 1);
+                double weight = m_bytes / (double)Math.Max(1, m_found) / (SegmentBytes - 1);
                 return new PointEstimate(weight * m_points, weight * Math.Sqrt(squares / 2));
             }
         }
 
-        /// <summary>Work for a pump: reads the next stretches until there are this many in all.</summary>
-        public IEnumerator<Work> Find(int count)
+        /// <summary>Coroutine: reads the next segments until there are this many in all.</summary>
+        public IEnumerator<JobStep> Find(int count)
         {
             int first = m_found, wanted = Math.Min(Count, count) - first;
             if (wanted <= 0)
@@ -80,7 +80,7 @@ namespace FastPoints.Reading
             {
                 for (int i = 0; i < slots.Length; i++)
                     slots[i] = new Slot();
-                yield return Work.Of(SlotRing.Run(slots.Length, wanted,
+                yield return JobStep.Of(SlotRing.Run(slots.Length, wanted,
                     (slot, i) => slots[slot].Begin(order.StratumAt(first + i), this), slot => Take(slots[slot])));
             }
             finally
@@ -91,9 +91,9 @@ namespace FastPoints.Reading
         }
 
         /// <summary>Hashes with the finaliser of SplitMix64.</summary>
-        long PlaceOf(int part)
+        long OffsetOf(int part)
         {
-            long first = m_bytes / Count * part, places = m_bytes / Count - StretchBytes + 1;
+            long first = m_bytes / Count * part, places = m_bytes / Count - SegmentBytes + 1;
             ulong hash = (ulong)(part + 1) * 0x9E3779B97F4A7C15UL;
             hash = (hash ^ hash >> 30) * 0xBF58476D1CE4E5B9UL;
             hash = (hash ^ hash >> 27) * 0x94D049BB133111EBUL;
@@ -107,10 +107,10 @@ namespace FastPoints.Reading
             m_rowsOfPart[slot.Part] = rows;
             if (rows == 0)
                 return;
-            m_blocks.Add(new StretchBlock
+            m_blocks.Add(new SegmentBlock
             {
                 OffsetBytes = slot.Read.Offset,
-                Bytes = StretchBytes,
+                Bytes = SegmentBytes,
                 FirstPoint = m_points,
                 Points = rows,
                 StartsInRow = true,
@@ -122,15 +122,15 @@ namespace FastPoints.Reading
         {
             readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
 
-            public NativeFileRead Read { get; } = new NativeFileRead(StretchBytes, Allocator.Persistent);
+            public NativeFileRead Read { get; } = new NativeFileRead(SegmentBytes, Allocator.Persistent);
             public int Part { get; private set; }
             public JobHandle Counted { get; private set; }
 
-            public JobHandle Begin(int part, AsciiStretches stretches)
+            public JobHandle Begin(int part, AsciiSegments segments)
             {
                 Part = part;
-                var read = Read.Begin(stretches.m_file, stretches.PlaceOf(part), StretchBytes);
-                Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = StretchBytes, Result = m_rows }.Schedule(read);
+                var read = Read.Begin(segments.m_file, segments.OffsetOf(part), SegmentBytes);
+                Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = SegmentBytes, Result = m_rows }.Schedule(read);
                 JobHandle.ScheduleBatchedJobs();
                 return Counted;
             }

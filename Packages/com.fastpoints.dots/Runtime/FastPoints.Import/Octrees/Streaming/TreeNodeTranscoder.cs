@@ -11,10 +11,10 @@ namespace FastPoints.Octrees
 {
     /// <summary>Makes nodes of a source's own octree: a slot of its reader decodes the attributes of some planes, then slices of
     /// at most about 4 ms order and pack them.</summary>
-    sealed unsafe class TreeNodeMaker : NodeMaker
+    sealed unsafe class TreeNodeTranscoder : NodeTranscoder
     {
         /// <summary>Nodes up to this size share one size of memory, which is doubled for larger ones.</summary>
-        const int LeastCapacity = 1 << 12;
+        const int MinCapacity = 1 << 12;
 
         readonly PointReader m_reader;
         readonly TreeGrid m_grid;
@@ -23,7 +23,7 @@ namespace FastPoints.Octrees
         BlockRead m_read;
         int m_capacity;
         NativeArray<byte> m_offsets;
-        NativeArray<uint> m_pointOfPlace;
+        NativeArray<uint> m_pointOfRank;
         NativeArray<ulong> m_keys;
         NativeArray<ulong> m_keyScratch;
         NativeArray<uint> m_pointScratch;
@@ -33,12 +33,12 @@ namespace FastPoints.Octrees
         JobHandle m_done;
         PointCloudException m_refused;
         SourceNode m_node;
-        MakerChain m_chain;
+        TranscoderChain m_chain;
         int m_pointsInChain;
 
         /// <param name="planes">The planes that it makes, which the source still owns.</param>
         /// <param name="planesOfPage">How many planes of a node the source's pages have.</param>
-        public TreeNodeMaker(PointReader reader, TreeGrid grid, TreePlanes planes, int planesOfPage)
+        public TreeNodeTranscoder(PointReader reader, TreeGrid grid, TreePlanes planes, int planesOfPage)
         {
             m_reader = reader;
             m_grid = grid;
@@ -55,7 +55,7 @@ namespace FastPoints.Octrees
         public int Capacity => m_capacity;
 
         /// <summary>Takes its place behind the others of a chain, for a node of so many points.</summary>
-        public void Join(MakerChain chain, int points)
+        public void Join(TranscoderChain chain, int points)
         {
             (m_chain, m_pointsInChain) = (chain, points);
             chain.Points += points;
@@ -84,8 +84,8 @@ namespace FastPoints.Octrees
             try
             {
                 if (m_node.PointCount > m_capacity)
-                    MakeRoom(m_node.PointCount);
-                m_read.After = m_chain?.End ?? default;
+                    Reserve(m_node.PointCount);
+                m_read.Dependency = m_chain?.End ?? default;
                 m_read.Begin(new BlockRange(m_node.Block, 0, m_node.PointCount));
                 m_done = Schedule(m_read.Decoded);
                 if (m_chain != null)
@@ -98,7 +98,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        internal override MakeOutcome End(out StreamFailure failure)
+        internal override TranscodeResult End(out StreamFailure failure)
         {
             failure = default;
             m_done.Complete();
@@ -112,24 +112,24 @@ namespace FastPoints.Octrees
             catch (PointCloudException broken)
             {
                 failure = new StreamFailure(broken.Path, broken.ByteOffset, broken.What);
-                return broken.Code == FailureCode.ReadFailed && IsOneFile ? MakeOutcome.Unreadable : MakeOutcome.Damaged;
+                return broken.Code == FailureCode.ReadFailed && IsOneFile ? TranscodeResult.Unreadable : TranscodeResult.Damaged;
             }
             if (!m_state.Value.IsDamaged)
-                return MakeOutcome.Made;
+                return TranscodeResult.Done;
             var cell = m_node.Cell;
             string name = NumberText.Of(m_node.Level) + "-" + NumberText.Of(cell.x) + "-" + NumberText.Of(cell.y) + "-"
                 + NumberText.Of(cell.z);
             string path = m_reader.FileOfBlock(m_node.Block, out long offset);
             failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + NumberText.Of(m_node.PointCount) +
                 " points, got " + NumberText.Of(m_read.Points.Count));
-            return MakeOutcome.Damaged;
+            return TranscodeResult.Damaged;
         }
 
         public override void Dispose()
         {
             m_done.Complete();
             m_done = default;
-            FreeRoom();
+            FreeBuffers();
             if (m_lengthOfPlane.IsCreated)
                 m_lengthOfPlane.Dispose();
             if (m_state.IsCreated)
@@ -148,12 +148,12 @@ namespace FastPoints.Octrees
                 Grid = grid.Source,
                 Corner = grid.Corner,
                 IsWide = grid.IsWide,
-                CubePlace = grid.PlaceOf(m_node.Key),
+                CubePosition = grid.PositionOf(m_node.Key),
                 CubeBits = math.min(grid.BitsOf(m_node.Level), 62),
                 Count = count,
                 Capacity = m_capacity,
                 Offsets = m_offsets,
-                PointOfPlace = m_pointOfPlace,
+                PointOfRank = m_pointOfRank,
                 State = m_state,
                 Keys = m_keys,
                 KeyScratch = m_keyScratch,
@@ -172,7 +172,7 @@ namespace FastPoints.Octrees
             {
                 Columns = m_read.Points.Bytes,
                 Offsets = m_offsets,
-                PointOfPlace = m_pointOfPlace,
+                PointOfRank = m_pointOfRank,
                 Shape = ShapeOf(plane),
                 Plane = plane,
                 Count = m_node.PointCount,
@@ -198,28 +198,28 @@ namespace FastPoints.Octrees
         PointColumn ColumnOf(int plane, int column) =>
             m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));
 
-        void MakeRoom(int points)
+        void Reserve(int points)
         {
-            FreeRoom();
-            int capacity = Math.Max(LeastCapacity, math.ceilpow2(points));
+            FreeBuffers();
+            int capacity = Math.Max(MinCapacity, math.ceilpow2(points));
             int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
             m_read = m_reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
-            m_offsets = Room<byte>((m_grid.IsWide ? 24L : 12L) * capacity);
-            m_pointOfPlace = Room<uint>(capacity);
-            m_keys = Room<ulong>(slice);
-            m_keyScratch = Room<ulong>(slice);
-            m_pointScratch = Room<uint>(slice);
+            m_offsets = Allocate<byte>((m_grid.IsWide ? 24L : 12L) * capacity);
+            m_pointOfRank = Allocate<uint>(capacity);
+            m_keys = Allocate<ulong>(slice);
+            m_keyScratch = Allocate<ulong>(slice);
+            m_pointScratch = Allocate<uint>(slice);
             long bytes = 0;
             for (int p = 0; p < m_planes.Count; p++)
                 bytes += ShapeOf(p).LongestBytes(PlaneShape.BlocksOf(capacity), capacity);
-            m_packed = Room<byte>(bytes);
+            m_packed = Allocate<byte>(bytes);
             m_capacity = capacity;
         }
 
-        static NativeArray<T> Room<T>(long count) where T : unmanaged =>
+        static NativeArray<T> Allocate<T>(long count) where T : unmanaged =>
             new NativeArray<T>(checked((int)count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
 
-        void FreeRoom()
+        void FreeBuffers()
         {
             m_capacity = 0;
             m_read?.Dispose();
@@ -227,7 +227,7 @@ namespace FastPoints.Octrees
             if (!m_offsets.IsCreated)
                 return;
             m_offsets.Dispose();
-            m_pointOfPlace.Dispose();
+            m_pointOfRank.Dispose();
             m_keys.Dispose();
             m_keyScratch.Dispose();
             m_pointScratch.Dispose();
@@ -235,9 +235,9 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>Makers whose nodes are decoded one after the other, while the next is read: as many chains as workers leave
+    /// <summary>transcoders whose nodes are decoded one after the other, while the next is read: as many chains as workers leave
     /// frames' own jobs their turn, however many nodes are begun.</summary>
-    sealed class MakerChain
+    sealed class TranscoderChain
     {
         /// <summary>The last job of the node that was begun last.</summary>
         public JobHandle End;

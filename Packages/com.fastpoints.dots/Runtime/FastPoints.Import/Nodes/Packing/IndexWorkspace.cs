@@ -5,9 +5,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>The working memory of chunks that become nodes one after another: the jobs of one lane never run side by side.
-    /// It is as large as the lane's largest chunk needs.</summary>
-    internal sealed class IndexLane : IDisposable
+    /// <summary>The working memory of chunks that become nodes one after another: the jobs of one workspace never run side by
+    /// side. It is as large as the workspace's largest chunk needs.</summary>
+    internal sealed class IndexWorkspace : IDisposable
     {
         readonly int m_strideBytes;
         readonly bool m_hasAverages;
@@ -24,7 +24,7 @@ namespace FastPoints.Nodes
         internal WriteScratch Writing;
         internal SampleScratch Sampling;
 
-        public IndexLane(RecordLayout records, NativeStoreLayout store)
+        public IndexWorkspace(RecordLayout records, NativeStoreLayout store)
         {
             m_strideBytes = records.StrideBytes;
             m_hasAverages = store.HasAverages;
@@ -37,7 +37,7 @@ namespace FastPoints.Nodes
         /// <summary>The last of the jobs so far.</summary>
         public JobHandle Last { get; internal set; }
 
-        /// <summary>Points of the chunks that are in the lane.</summary>
+        /// <summary>Points of the chunks that are in the workspace.</summary>
         public long Points { get; set; }
 
         /// <summary>Makes room for chunks of so many points. Waits for the jobs so far if there is too little: the largest
@@ -62,11 +62,11 @@ namespace FastPoints.Nodes
         public JobHandle Begin(int count, JobHandle ready)
         {
             Reserve(count);
-            return new ResetLaneJob
+            return new ResetWorkspaceJob
             {
-                Ordering = Ordering.Now,
-                Sampling = Sampling.Now,
-                Writing = Writing.Now,
+                Ordering = Ordering.Progress,
+                Sampling = Sampling.Progress,
+                Writing = Writing.Progress,
             }.Schedule(JobHandle.CombineDependencies(ready, Last));
         }
 
@@ -96,7 +96,7 @@ namespace FastPoints.Nodes
 
         /// <summary>The jobs of the next chunk begin at their first stage.</summary>
         [BurstCompile]
-        struct ResetLaneJob : IJob
+        struct ResetWorkspaceJob : IJob
         {
             public NativeReference<OrderScratch.State> Ordering;
             public NativeReference<SampleScratch.State> Sampling;

@@ -8,7 +8,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Core
 {
-    public class WorkGroupTests
+    public class CoroutineGroupTests
     {
         static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();
         readonly List<string> m_events = new List<string>();
@@ -16,13 +16,13 @@ namespace FastPoints.Tests.Core
         [SetUp]
         public void Forget() => m_events.Clear();
 
-        IEnumerable<IEnumerator<Work>> Works(int count, int steps, int failing = -1)
+        IEnumerable<IEnumerator<JobStep>> Works(int count, int steps, int failing = -1)
         {
             for (int i = 0; i < count; i++)
                 yield return One(i, steps, i == failing);
         }
 
-        IEnumerator<Work> One(int number, int steps, bool isFailing)
+        IEnumerator<JobStep> One(int number, int steps, bool isFailing)
         {
             m_events.Add("begin " + number);
             try
@@ -41,27 +41,27 @@ namespace FastPoints.Tests.Core
         [TestCase(1), TestCase(2), TestCase(9)]
         public void Run_SeveralWorks_BeginsEachInOrderAndNoMoreAtOnce(int atOnce)
         {
-            WorkPump.RunToEnd(WorkGroup.Run(Works(5, 3), atOnce));
-            int inWork = 0, most = 0, begun = 0;
+            JobCoroutine.RunToEnd(CoroutineGroup.Run(Works(5, 3), atOnce));
+            int inWork = 0, max = 0, begun = 0;
             foreach (string what in m_events)
             {
                 bool isBegin = what.StartsWith("begin");
                 if (isBegin)
                     Assert.That(what, Is.EqualTo("begin " + begun++));
-                most = Math.Max(most, inWork += isBegin ? 1 : -1);
+                max = Math.Max(max, inWork += isBegin ? 1 : -1);
             }
             Assert.That(begun, Is.EqualTo(5));
             Assert.That(inWork, Is.EqualTo(0));
-            Assert.That(most, Is.EqualTo(Math.Min(atOnce, 5)));
+            Assert.That(max, Is.EqualTo(Math.Min(atOnce, 5)));
         }
 
         [Test]
-        public void Run_NoWorks_Ends() => WorkPump.RunToEnd(WorkGroup.Run(Works(0, 0), 2));
+        public void Run_NoWorks_Ends() => JobCoroutine.RunToEnd(CoroutineGroup.Run(Works(0, 0), 2));
 
         [Test]
         public void Run_OneFails_FreesAll()
         {
-            Assert.That(() => WorkPump.RunToEnd(WorkGroup.Run(Works(5, 3, failing: 1), 3)),
+            Assert.That(() => JobCoroutine.RunToEnd(CoroutineGroup.Run(Works(5, 3, failing: 1), 3)),
                 Throws.InvalidOperationException.With.Message.EqualTo("broken"));
             Assert.That(m_events.FindAll(e => e.StartsWith("free")).Count, Is.EqualTo(
                 m_events.FindAll(e => e.StartsWith("begin")).Count));
@@ -72,26 +72,26 @@ namespace FastPoints.Tests.Core
         {
             s_gate.Reset();
             using var workers = new WorkerCount(1);
-            var pump = new WorkPump(WorkGroup.Run(new[] { Waiting(), One(1, 5, false) }, 2));
+            var coroutine = new JobCoroutine(CoroutineGroup.Run(new[] { Waiting(), One(1, 5, false) }, 2));
             try
             {
                 for (int i = 0; i < 100 && !m_events.Contains("free 1"); i++)
-                    pump.Tick(2);
+                    coroutine.Tick(2);
                 Assert.That(m_events, Does.Contain("free 1"));
-                Assert.That(pump.IsDone, Is.False);
+                Assert.That(coroutine.IsDone, Is.False);
                 s_gate.Set();
-                for (int i = 0; i < 1000 && !pump.Tick(2); i++)
+                for (int i = 0; i < 1000 && !coroutine.Tick(2); i++)
                     Thread.Sleep(1);
-                Assert.That(pump.IsDone, Is.True);
+                Assert.That(coroutine.IsDone, Is.True);
             }
             finally
             {
                 s_gate.Set();
-                pump.Cancel();
+                coroutine.Cancel();
             }
         }
 
-        static IEnumerator<Work> Waiting()
+        static IEnumerator<JobStep> Waiting()
         {
             var job = default(GateJob).Schedule();
             try

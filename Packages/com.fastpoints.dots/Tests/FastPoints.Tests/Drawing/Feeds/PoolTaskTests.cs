@@ -7,9 +7,9 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Drawing
 {
-    public sealed class PoolWorkTests
+    public sealed class PoolTaskTests
     {
-        static readonly TimeSpan s_mostTime = TimeSpan.FromMinutes(1);
+        static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
 
         sealed class Thing : IDisposable
         {
@@ -22,55 +22,55 @@ namespace FastPoints.Tests.Drawing
         public void Take_OfWorkThatFails_IsItsFailure()
         {
             var thrown = new PointCloudException(FailureCode.NotFound, "a.las", -1, "no such file");
-            var work = PoolWork.Begin<int>("cloud", () => throw thrown);
+            var work = PoolTask.Begin<int>("cloud", () => throw thrown);
             Assert.That(Assert.Throws<PointCloudException>(() => work.Take()), Is.SameAs(thrown));
         }
 
         [Test]
-        public void Take_OfWorkThatThrowsWhatNobodyForesaw_NamesTheFileAndSaysWhere()
+        public void Take_OfWorkThatThrowsUnexpectedly_NamesTheFileAndSaysWhere()
         {
-            var work = PoolWork.Begin<int>("cloud", () => throw new InvalidOperationException("planted"));
+            var work = PoolTask.Begin<int>("cloud", () => throw new InvalidOperationException("planted"));
             var failure = Failures.Of(() => work.Take(), FailureCode.Unexpected);
             Assert.That(failure.Message, Is.EqualTo("cloud: InvalidOperationException: planted"));
-            Assert.That(failure.Story, Does.StartWith(failure.Message).And.Contains(nameof(PoolWorkTests)));
+            Assert.That(failure.FullMessage, Does.StartWith(failure.Message).And.Contains(nameof(PoolTaskTests)));
         }
 
         [Test]
         public void Take_OfWorkThatWaitsForATaskThatFails_IsWhatTheTaskThrew()
         {
             int Fail() => throw new InvalidOperationException("planted");
-            var work = PoolWork.Begin("cloud", () => Task.Run(Fail).Result);
+            var work = PoolTask.Begin("cloud", () => Task.Run(Fail).Result);
             Assert.That(Assert.Throws<PointCloudException>(() => work.Take()).What,
                 Is.EqualTo("InvalidOperationException: planted"));
         }
 
         [Test]
         public void TakeIfSound_OfWorkThatFails_IsNothing() =>
-            Assert.That(PoolWork.Begin<string>("cloud", () => throw new InvalidOperationException("planted")).TakeIfSound(),
+            Assert.That(PoolTask.Begin<string>("cloud", () => throw new InvalidOperationException("planted")).TakeOrDefault(),
                 Is.Null);
 
         [Test]
         public void Dispose_BeforeTheEnd_DisposesWhatComesOfIt()
         {
-            using var goesOn = new ManualResetEventSlim();
+            using var hasMore = new ManualResetEventSlim();
             var thing = new Thing();
-            var work = PoolWork.Begin("cloud", () =>
+            var work = PoolTask.Begin("cloud", () =>
             {
-                goesOn.Wait();
+                hasMore.Wait();
                 return thing;
             }, unwanted => unwanted.Dispose());
             work.Dispose();
             Assert.That(thing.Disposed.IsSet, Is.False);
-            goesOn.Set();
-            Assert.That(thing.Disposed.Wait(s_mostTime), Is.True);
+            hasMore.Set();
+            Assert.That(thing.Disposed.Wait(s_maxTime), Is.True);
         }
 
         [Test]
         public void Dispose_AfterTheEnd_DisposesWhatNobodyTook()
         {
             var thing = new Thing();
-            var work = PoolWork.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
-            Assert.That(SpinWait.SpinUntil(() => work.IsDone, s_mostTime), Is.True);
+            var work = PoolTask.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
+            Assert.That(SpinWait.SpinUntil(() => work.IsDone, s_maxTime), Is.True);
             work.Dispose();
             Assert.That(thing.Disposed.IsSet, Is.True);
         }
@@ -79,7 +79,7 @@ namespace FastPoints.Tests.Drawing
         public void Dispose_OfWhatWasTaken_LeavesItToWhoHasIt()
         {
             var thing = new Thing();
-            var work = PoolWork.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
+            var work = PoolTask.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             work.Take();
             work.Dispose();
             Assert.That(thing.Disposed.IsSet, Is.False);

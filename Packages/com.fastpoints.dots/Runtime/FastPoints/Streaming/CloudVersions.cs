@@ -6,7 +6,7 @@ namespace FastPoints.Streaming
     /// finished cloud. A newer state is streamed beside the shown one and replaces it when nearly all of its selected nodes are
     /// loaded. A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud
     /// replaces both, so that each region only ever gains. Main thread.</summary>
-    public sealed class CloudSuccession
+    public sealed class CloudVersions
     {
         public const int None = -1;
 
@@ -18,13 +18,13 @@ namespace FastPoints.Streaming
         CloudStage m_nextStage;
         uint m_frameAdded;
 
-        public CloudSuccession(StreamContext stream) => m_stream = stream;
+        public CloudVersions(StreamContext stream) => m_stream = stream;
 
         /// <summary>Number of the state that is shown; <see cref="None"/> before the first one.</summary>
         public int Cloud { get; private set; } = None;
 
         /// <summary>Number of the preview that is shown beside a build in progress, or <see cref="None"/>.</summary>
-        public int Beside { get; private set; } = None;
+        public int Preview { get; private set; } = None;
 
         /// <summary>Number of the next state to show, or <see cref="None"/>.</summary>
         public int Next { get; private set; } = None;
@@ -37,7 +37,7 @@ namespace FastPoints.Streaming
         /// <param name="placement">Null for the place of the shown state, or georeferenced space if there is none.</param>
         public void Add(NodeSource source, CloudPlacement? placement = null, CloudStage stage = CloudStage.Whole)
         {
-            int added = m_stream.Add(source, placement ?? PlacementLike(source));
+            int added = m_stream.Add(source, placement ?? PlacementFor(source));
             m_frameAdded = m_stream.Selector.Frame;
             if (Cloud == None)
             {
@@ -57,10 +57,10 @@ namespace FastPoints.Streaming
         {
             var shown = m_stream.Clouds[Cloud];
             shown.Placement = placement;
-            if (Beside != None)
-                m_stream.Clouds[Beside].Placement = placement.Along(shown.Source, m_stream.Clouds[Beside].Source);
+            if (Preview != None)
+                m_stream.Clouds[Preview].Placement = placement.ForVersion(shown.Source, m_stream.Clouds[Preview].Source);
             if (Next != None)
-                m_stream.Clouds[Next].Placement = placement.Along(shown.Source, m_stream.Clouds[Next].Source);
+                m_stream.Clouds[Next].Placement = placement.ForVersion(shown.Source, m_stream.Clouds[Next].Source);
         }
 
         /// <summary>Updates the states; called once after each frame.</summary>
@@ -73,21 +73,21 @@ namespace FastPoints.Streaming
             Next = None;
             if (m_nextStage == CloudStage.Preview && m_stage == CloudStage.Building)
             {
-                Remove(Beside);
-                Beside = next;
+                Remove(Preview);
+                Preview = next;
                 return false;
             }
             if (m_nextStage == CloudStage.Building && m_stage == CloudStage.Preview)
             {
-                Beside = Cloud;
+                Preview = Cloud;
             }
             else
             {
                 m_stream.Remove(Cloud);
                 if (m_nextStage != CloudStage.Building)
                 {
-                    Remove(Beside);
-                    Beside = None;
+                    Remove(Preview);
+                    Preview = None;
                 }
             }
             Cloud = next;
@@ -98,7 +98,7 @@ namespace FastPoints.Streaming
         /// <summary>Withdraws a build that was broken off: its shown state is replaced by the preview beside it, or by the next
         /// one.</summary>
         /// <returns>Whether <see cref="Cloud"/> has changed.</returns>
-        public bool Withdraw()
+        public bool DropBuild()
         {
             if (Next != None && m_nextStage == CloudStage.Building)
             {
@@ -108,11 +108,11 @@ namespace FastPoints.Streaming
             if (Cloud == None || m_stage != CloudStage.Building)
                 return false;
             m_stage = CloudStage.Preview;
-            if (Beside == None)
+            if (Preview == None)
                 return false;
             m_stream.Remove(Cloud);
-            Cloud = Beside;
-            Beside = None;
+            Cloud = Preview;
+            Preview = None;
             return true;
         }
 
@@ -120,9 +120,9 @@ namespace FastPoints.Streaming
         internal void Remove()
         {
             Remove(Cloud);
-            Remove(Beside);
+            Remove(Preview);
             Remove(Next);
-            Cloud = Beside = Next = None;
+            Cloud = Preview = Next = None;
         }
 
         void Remove(int cloud)
@@ -131,9 +131,9 @@ namespace FastPoints.Streaming
                 m_stream.Remove(cloud);
         }
 
-        CloudPlacement PlacementLike(NodeSource source) => Cloud == None
+        CloudPlacement PlacementFor(NodeSource source) => Cloud == None
             ? CloudPlacement.Geo(source.Grid, source.Root)
-            : m_stream.Clouds[Cloud].Placement.Along(m_stream.Clouds[Cloud].Source, source);
+            : m_stream.Clouds[Cloud].Placement.ForVersion(m_stream.Clouds[Cloud].Source, source);
 
         /// <summary>Whether a node that has points could not be read.</summary>
         unsafe bool HasFailed(SelectedNode node)

@@ -8,7 +8,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>Makes nodes of a source whose files do not hold them packed, one at a time: a read, then jobs that decode and
     /// pack, in memory that is reused from node to node. Main thread; only <see cref="Dispose"/> waits.</summary>
-    public abstract class NodeMaker : IDisposable
+    public abstract class NodeTranscoder : IDisposable
     {
         /// <summary>The handle of what was begun last.</summary>
         public abstract JobHandle Done { get; }
@@ -24,17 +24,17 @@ namespace FastPoints.Streaming
         public abstract void Begin(in HierarchyPage page, int node);
 
         /// <summary>Ends a node whose work is done.</summary>
-        /// <param name="failure">The failure, if the outcome is not <see cref="MakeOutcome.Made"/>.</param>
-        internal abstract MakeOutcome End(out StreamFailure failure);
+        /// <param name="failure">The failure, if the outcome is not <see cref="TranscodeResult.Done"/>.</param>
+        internal abstract TranscodeResult End(out StreamFailure failure);
 
         /// <summary>Ends a node whose work is done, for a caller that needs it.</summary>
-        /// <exception cref="PointCloudException">The outcome is not <see cref="MakeOutcome.Made"/>.</exception>
+        /// <exception cref="PointCloudException">The outcome is not <see cref="TranscodeResult.Done"/>.</exception>
         public void EndOrThrow()
         {
             var outcome = End(out var failure);
-            if (outcome != MakeOutcome.Made)
+            if (outcome != TranscodeResult.Done)
                 throw new PointCloudException(
-                    outcome == MakeOutcome.Damaged ? FailureCode.BadInput : FailureCode.ReadFailed, failure.Path,
+                    outcome == TranscodeResult.Damaged ? FailureCode.BadInput : FailureCode.ReadFailed, failure.Path,
                     failure.OffsetBytes, failure.What);
         }
 
@@ -56,9 +56,9 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>The outcome of making a node.</summary>
-    internal enum MakeOutcome : byte
+    internal enum TranscodeResult : byte
     {
-        Made,
+        Done,
         /// <summary>The node's bytes are wrong or missing.</summary>
         Damaged,
         /// <summary>The file, which also holds other nodes, cannot be read.</summary>

@@ -10,14 +10,14 @@ namespace FastPoints.Sampling
 {
     /// <summary>What an unfinished sample shows where it has no point yet: the first point read in each cell that would be empty
     /// (spatial thinning). When there are too many, the cells become larger.</summary>
-    sealed class SubstitutePoints : IDisposable
+    sealed class PlaceholderPoints : IDisposable
     {
         /// <summary>Cells along the longest edge, divided by the root of the wanted points: a surface then has about as many
         /// cells as there are points, or a few more.</summary>
         const double CellsPerRootOfPoints = 1.05;
 
         /// <summary>When this share of their places is taken, they are thinned with cells larger by this factor.</summary>
-        const double MostTaken = 0.9, CoarserCells = 1.2;
+        const double MaxTaken = 0.9, CoarserCells = 1.2;
 
         readonly PositionTransform m_transform;
         EmptyCells m_cells;
@@ -28,7 +28,7 @@ namespace FastPoints.Sampling
 
         /// <param name="wanted">Number of points in the sample.</param>
         /// <param name="bounds">The bounds of nearly all points.</param>
-        public SubstitutePoints(PointSchema schema, PositionTransform transform, int wanted, BoundsGeo bounds)
+        public PlaceholderPoints(PointSchema schema, PositionTransform transform, int wanted, BoundsGeo bounds)
         {
             m_transform = transform;
             double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
@@ -49,7 +49,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Do not read it while anything is in flight.</summary>
         public int Count => m_count.Value;
-        public bool AreTooMany => m_count.Value > MostTaken * Points.Capacity;
+        public bool AreTooMany => m_count.Value > MaxTaken * Points.Capacity;
 
         /// <summary>Adds the needed ones of a block's points, in slices, after everything scheduled before.</summary>
         /// <param name="count">The most points that there may be.</param>
@@ -87,14 +87,14 @@ namespace FastPoints.Sampling
             return m_lastAppended;
         }
 
-        /// <summary>Work for a pump: adds the needed ones of a sample's points.</summary>
-        public IEnumerator<Work> Append(PreviewSample sample)
+        /// <summary>Coroutine: adds the needed ones of a sample's points.</summary>
+        public IEnumerator<JobStep> Append(PreviewSample sample)
         {
             var columns = SampleBuffer.ColumnsOf(sample.Points);
             var all = new NativeReference<DecodeResult>(new DecodeResult { Points = sample.Count }, Allocator.Persistent);
             try
             {
-                yield return Work.Of(Slices.Run(0, sample.Count, SampleBuffer.PointsPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Run(0, sample.Count, SampleBuffer.PointsPerSlice, (first, end, after) =>
                     ScheduleAppend(sample.Points, columns, all, first, end, 0, default, after)));
             }
             finally
@@ -105,20 +105,21 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>Work for a pump: enlarges the cells, then calls <see cref="Thin"/>.</summary>
-        public IEnumerator<Work> Coarsen(SampleBuffer own)
+        /// <summary>Coroutine: enlarges the cells, then calls <see cref="Thin"/>.</summary>
+        public IEnumerator<JobStep> Coarsen(SampleBuffer own)
         {
             m_cells.CellsPerUnit /= CoarserCells;
             return Thin(own);
         }
 
-        /// <summary>Work for a pump: marks the sample's own points again, and keeps the substitutes in cells without any of
+        /// <summary>Coroutine: marks the sample's own points again, and keeps the placeholders in cells without any of
         /// these.</summary>
-        public IEnumerator<Work> Thin(SampleBuffer own)
+        public IEnumerator<JobStep> Thin(SampleBuffer own)
         {
             int count = m_count.Value, places = own.Places;
             var marked = default(JobHandle);
-            yield return Work.Of(Slices.Schedule(0, places, SampleBuffer.PlacesPerSlice, (first, end, after) => new MarkCellsJob
+            yield return JobStep.Of(Slices.Schedule(0, places, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                new MarkCellsJob
             {
                 Sample = own.Points.Bytes,
                 Filled = own.Filled,
@@ -129,7 +130,7 @@ namespace FastPoints.Sampling
                 Cells = m_cells,
                 Table = m_table,
             }.Schedule(after), 1, default, all => marked = all));
-            yield return Work.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, after) => new KeepEmptyCellsJob
+            yield return JobStep.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, after) => new KeepEmptyCellsJob
             {
                 Columns = m_columns,
                 Points = Points.Bytes,

@@ -7,7 +7,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>The memory of selections from frame to frame: it takes clouds and views, and produces chosen nodes and missing
     /// pages. Main thread.</summary>
-    internal sealed unsafe class NodeSelector : IDisposable
+    internal sealed unsafe class LodSelector : IDisposable
     {
         NativeList<SelectionCloud> m_clouds;
         NativeList<CloudPlacement> m_placements;
@@ -15,25 +15,25 @@ namespace FastPoints.Streaming
         NativeList<LocalClip> m_clips;
         NativeArray<ClipBox> m_clipBoxes;
         NativeList<SelectedNode> m_selected;
-        NativeList<SelectedNode> m_forecast;
+        NativeList<SelectedNode> m_prefetched;
         NativeList<MissingHierarchyPage> m_missing;
-        NativeList<MissingHierarchyPage> m_missingOfForecast;
+        NativeList<MissingHierarchyPage> m_missingOfPrefetch;
         NativeReference<long> m_points;
-        NativeReference<long> m_pointsOfForecast;
+        NativeReference<long> m_pointsOfPrefetch;
         SelectionHeap m_heap;
 
-        public NodeSelector()
+        public LodSelector()
         {
             m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
             m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
             m_views = new NativeList<CloudView>(Allocator.Persistent);
             m_clips = new NativeList<LocalClip>(Allocator.Persistent);
             m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
-            m_forecast = new NativeList<SelectedNode>(256, Allocator.Persistent);
+            m_prefetched = new NativeList<SelectedNode>(256, Allocator.Persistent);
             m_missing = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
-            m_missingOfForecast = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
+            m_missingOfPrefetch = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
             m_points = new NativeReference<long>(Allocator.Persistent);
-            m_pointsOfForecast = new NativeReference<long>(Allocator.Persistent);
+            m_pointsOfPrefetch = new NativeReference<long>(Allocator.Persistent);
             m_heap = new SelectionHeap(Allocator.Persistent);
         }
 
@@ -43,9 +43,9 @@ namespace FastPoints.Streaming
         /// <summary>Chosen nodes, parents before children, the most needed first.</summary>
         public NativeArray<SelectedNode> Selected => m_selected.AsArray();
 
-        /// <summary>Nodes of the last <see cref="Forecast"/> that were not chosen already; their parent indices mean
+        /// <summary>Nodes of the last <see cref="Prefetch"/> that were not chosen already; their parent indices mean
         /// nothing.</summary>
-        public NativeArray<SelectedNode> Forecasted => m_forecast.AsArray();
+        public NativeArray<SelectedNode> Prefetched => m_prefetched.AsArray();
 
         /// <summary>Missing pages, the most needed first.</summary>
         public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
@@ -61,7 +61,7 @@ namespace FastPoints.Streaming
             m_clipBoxes = clipBoxes;
             m_clouds.Clear();
             m_placements.Clear();
-            m_forecast.Clear();
+            m_prefetched.Clear();
         }
 
         /// <param name="cloud">Its number in what is chosen; clouds are added in rising order.</param>
@@ -69,14 +69,14 @@ namespace FastPoints.Streaming
         /// <param name="placement">A cloud without volume is left out.</param>
         public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement)
         {
-            if (!placement.IsSound)
+            if (!placement.IsValid)
                 return;
             m_clouds.Add(new SelectionCloud { Cloud = cloud, Pages = pages });
             m_placements.Add(placement);
         }
 
         /// <param name="missingToStopAt">See <see cref="SelectNodesJob.MissingToStopAt"/>.</param>
-        public void Choose(NativeArray<StreamView> views, in SelectionSettings settings, int missingToStopAt = int.MaxValue)
+        public void Choose(NativeArray<StreamView> views, in LodSettings settings, int missingToStopAt = int.MaxValue)
         {
             var job = JobFor(views, settings);
             job.MissingToStopAt = missingToStopAt;
@@ -88,15 +88,15 @@ namespace FastPoints.Streaming
 
         /// <summary>Chooses what the same clouds need for future views, beyond what this frame has chosen.</summary>
         /// <param name="points">The approximate limit of points.</param>
-        public void Forecast(NativeArray<StreamView> views, in SelectionSettings settings, long points)
+        public void Prefetch(NativeArray<StreamView> views, in LodSettings settings, long points)
         {
             var job = JobFor(views, settings);
             job.MissingToStopAt = int.MaxValue;
-            job.IsForecast = true;
-            job.ForecastPoints = points;
-            job.Selected = m_forecast;
-            job.Missing = m_missingOfForecast;
-            job.Points = m_pointsOfForecast;
+            job.IsPrefetch = true;
+            job.PrefetchPoints = points;
+            job.Selected = m_prefetched;
+            job.Missing = m_missingOfPrefetch;
+            job.Points = m_pointsOfPrefetch;
             job.Run();
         }
 
@@ -109,15 +109,15 @@ namespace FastPoints.Streaming
             m_views.Dispose();
             m_clips.Dispose();
             m_selected.Dispose();
-            m_forecast.Dispose();
+            m_prefetched.Dispose();
             m_missing.Dispose();
-            m_missingOfForecast.Dispose();
+            m_missingOfPrefetch.Dispose();
             m_points.Dispose();
-            m_pointsOfForecast.Dispose();
+            m_pointsOfPrefetch.Dispose();
             m_heap.Dispose();
         }
 
-        SelectNodesJob JobFor(NativeArray<StreamView> views, in SelectionSettings settings)
+        SelectNodesJob JobFor(NativeArray<StreamView> views, in LodSettings settings)
         {
             m_views.Clear();
             m_clips.Clear();

@@ -8,7 +8,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Where in a scene clouds are dropped: a point, a parent, a scene, a place among siblings; and the origin that
     /// several of them share.</summary>
-    internal sealed class DropPlace
+    internal sealed class DropTarget
     {
         const string OriginName = "Point Cloud Origin";
 
@@ -25,9 +25,9 @@ namespace FastPoints.Editor
         /// <summary>The place of a drop in the Hierarchy.</summary>
         /// <param name="target">The GameObject that it fell on or beside; null for a scene, or nothing.</param>
         /// <param name="scene">The scene that it fell on, if it did.</param>
-        public static DropPlace Of(GameObject target, HierarchyDropFlags flags, Transform parent, Scene scene)
+        public static DropTarget Of(GameObject target, HierarchyDropFlags flags, Transform parent, Scene scene)
         {
-            var place = new DropPlace { Parent = parent, Scene = target != null ? target.scene : scene };
+            var place = new DropTarget { Parent = parent, Scene = target != null ? target.scene : scene };
             if (target == null || parent != null)
                 return place;
             var on = target.transform;
@@ -42,20 +42,20 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Who drops files may delete what they fell on, or close the scene, before they are imported.</summary>
-        bool IsGone => Parent is { } && Parent == null || Scene != default && !Scene.IsValid();
+        bool IsDestroyed => Parent is { } && Parent == null || Scene != default && !Scene.IsValid();
 
         /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
         /// share an origin, which is made if there is none.</summary>
         /// <returns>The last one; null if there is no place any more.</returns>
         public PointCloud Show(IReadOnlyList<PointCloudAsset> assets)
         {
-            if (IsGone || assets.Count == 0)
+            if (IsDestroyed || assets.Count == 0)
                 return null;
             // What comes updates after the drop would be part of whatever the user did last, and the next of this.
             Undo.IncrementCurrentGroup();
             var origin = Parent != null ? Parent.GetComponentInParent<PointCloudOrigin>() : OfScene();
             if (assets.Count > 1 && origin == null)
-                origin = ObjectFactory.AddComponent<PointCloudOrigin>(Make(OriginName, Parent, true));
+                origin = ObjectFactory.AddComponent<PointCloudOrigin>(Create(OriginName, Parent, true));
             PointCloud cloud = null;
             foreach (var asset in assets)
                 cloud = Show(asset, origin);
@@ -66,12 +66,12 @@ namespace FastPoints.Editor
 
         PointCloud Show(PointCloudAsset asset, PointCloudOrigin origin)
         {
-            var made = origin != null ? Make(asset.name, origin.transform, false) : Make(asset.name, Parent, true);
+            var made = origin != null ? Create(asset.name, origin.transform, false) : Create(asset.name, Parent, true);
             if (Point.HasValue && origin == null)
                 made.transform.position = Point.Value;
             var cloud = ObjectFactory.AddComponent<PointCloud>(made);
             cloud.Cloud = asset;
-            if (origin == null || origin.HasPlace)
+            if (origin == null || origin.HasPosition)
                 return cloud;
             Undo.RecordObject(origin, "Set origin");
             origin.AlignTo(asset);
@@ -94,7 +94,7 @@ namespace FastPoints.Editor
             return only;
         }
 
-        GameObject Make(string name, Transform parent, bool isOfDrop)
+        GameObject Create(string name, Transform parent, bool isOfDrop)
         {
             var made = ObjectFactory.CreateGameObject(name);
             if (parent != null)

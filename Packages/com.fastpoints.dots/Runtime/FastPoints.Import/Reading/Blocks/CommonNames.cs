@@ -6,7 +6,7 @@ namespace FastPoints.Reading
 {
     /// <summary>Finds LAS's attributes by the names that writers of PLY, PCD, E57 and text give them: scalar_Classification,
     /// return_number, las:gpsTime.</summary>
-    static class UsualNames
+    static class CommonNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>
         {
@@ -14,7 +14,7 @@ namespace FastPoints.Reading
             { "nir", AttributeNames.NearInfrared }, { "infrared", AttributeNames.NearInfrared },
         };
 
-        static UsualNames()
+        static CommonNames()
         {
             foreach (string name in new[]
             {
@@ -37,7 +37,7 @@ namespace FastPoints.Reading
                     plain.Append(char.ToLowerInvariant(c));
             if (name.StartsWith("scalar_", System.StringComparison.OrdinalIgnoreCase))
                 plain.Remove(0, "scalar".Length);
-            return s_names.TryGetValue(plain.ToString(), out string usual) ? usual : null;
+            return s_names.TryGetValue(plain.ToString(), out string typical) ? typical : null;
         }
     }
 }

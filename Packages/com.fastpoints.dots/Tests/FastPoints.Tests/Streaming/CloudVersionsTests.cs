@@ -6,11 +6,11 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Streaming
 {
     /// <summary>Which states of a cloud are shown.</summary>
-    public sealed class CloudSuccessionTests
+    public sealed class CloudVersionsTests
     {
         StreamedTestCloud m_cloud;
         StreamContext m_stream;
-        CloudSuccession m_succession;
+        CloudVersions m_versions;
 
         [OneTimeSetUp]
         public void MakeCloud() => m_cloud = new StreamedTestCloud(20_000, 8000);
@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Streaming
         public void Begin()
         {
             m_stream = StreamedTestCloud.Stream();
-            m_succession = new CloudSuccession(m_stream);
+            m_versions = new CloudVersions(m_stream);
         }
 
         [TearDown]
@@ -31,63 +31,63 @@ namespace FastPoints.Tests.Streaming
         /// <summary>Adds a state and lets it come.</summary>
         void Add(CloudStage stage)
         {
-            m_succession.Add(m_cloud.Open(), null, stage);
-            for (int frame = 0; frame < 1_000_000 && (frame < 2 || !m_succession.IsCurrent); frame++)
+            m_versions.Add(m_cloud.Open(), null, stage);
+            for (int frame = 0; frame < 1_000_000 && (frame < 2 || !m_versions.IsCurrent); frame++)
             {
                 StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
-                m_succession.Update();
+                m_versions.Update();
             }
-            Assert.That(m_succession.IsCurrent, Is.True);
+            Assert.That(m_versions.IsCurrent, Is.True);
         }
 
         int[] Shown() => Enumerable.Range(0, m_stream.Clouds.Count)
-            .Where(c => m_stream.Clouds[c] != null && !m_stream.Clouds[c].IsLeaving).ToArray();
+            .Where(c => m_stream.Clouds[c] != null && !m_stream.Clouds[c].IsRemoving).ToArray();
 
         [Test]
         public void Update_PreviewBesideABuild_StaysUntilTheWholeIsThere()
         {
             Add(CloudStage.Preview);
-            int preview = m_succession.Cloud;
+            int preview = m_versions.Cloud;
             Add(CloudStage.Building);
-            Assert.That(m_succession.Beside, Is.EqualTo(preview));
-            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_succession.Cloud }));
+            Assert.That(m_versions.Preview, Is.EqualTo(preview));
+            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_versions.Cloud }));
 
             Add(CloudStage.Building);
-            Assert.That(m_succession.Beside, Is.EqualTo(preview));
-            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_succession.Cloud }));
+            Assert.That(m_versions.Preview, Is.EqualTo(preview));
+            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_versions.Cloud }));
 
-            int build = m_succession.Cloud;
+            int build = m_versions.Cloud;
             Add(CloudStage.Preview);
-            Assert.That(m_succession.Cloud, Is.EqualTo(build), "a better preview takes the preview's place alone");
-            Assert.That(Shown(), Is.EquivalentTo(new[] { m_succession.Beside, build }));
+            Assert.That(m_versions.Cloud, Is.EqualTo(build), "a better preview takes the preview's place alone");
+            Assert.That(Shown(), Is.EquivalentTo(new[] { m_versions.Preview, build }));
 
             Add(CloudStage.Whole);
-            Assert.That(m_succession.Beside, Is.EqualTo(CloudSuccession.None));
-            Assert.That(Shown(), Is.EqualTo(new[] { m_succession.Cloud }));
+            Assert.That(m_versions.Preview, Is.EqualTo(CloudVersions.None));
+            Assert.That(Shown(), Is.EqualTo(new[] { m_versions.Cloud }));
         }
 
         [Test]
-        public void Withdraw_OfABuildWithAPreviewBeside_ShowsThePreview()
+        public void DropBuild_OfABuildWithAPreviewBeside_ShowsThePreview()
         {
             Add(CloudStage.Preview);
-            int preview = m_succession.Cloud;
+            int preview = m_versions.Cloud;
             Add(CloudStage.Building);
-            Assert.That(m_succession.Withdraw(), Is.True);
-            Assert.That(m_succession.Cloud, Is.EqualTo(preview));
+            Assert.That(m_versions.DropBuild(), Is.True);
+            Assert.That(m_versions.Cloud, Is.EqualTo(preview));
             Assert.That(Shown(), Is.EqualTo(new[] { preview }));
-            Assert.That(m_succession.Withdraw(), Is.False);
+            Assert.That(m_versions.DropBuild(), Is.False);
         }
 
         [Test]
-        public void Withdraw_OfABuildAlone_ShowsItUntilAPreviewIsThere()
+        public void DropBuild_OfABuildAlone_ShowsItUntilAPreviewIsThere()
         {
             Add(CloudStage.Building);
-            int build = m_succession.Cloud;
-            m_succession.Withdraw();
+            int build = m_versions.Cloud;
+            m_versions.DropBuild();
             Assert.That(Shown(), Is.EqualTo(new[] { build }));
             Add(CloudStage.Preview);
-            Assert.That(m_succession.Cloud, Is.Not.EqualTo(build));
-            Assert.That(Shown(), Is.EqualTo(new[] { m_succession.Cloud }));
+            Assert.That(m_versions.Cloud, Is.Not.EqualTo(build));
+            Assert.That(Shown(), Is.EqualTo(new[] { m_versions.Cloud }));
         }
 
         /// <summary>States of one cloud have grids and cubes of their own.</summary>
@@ -97,11 +97,11 @@ namespace FastPoints.Tests.Streaming
             using var other = new StreamedTestCloud(3000, 8000, 12);
             var random = new Random(5);
             var linear = new double3x3(random.NextDouble3(), random.NextDouble3(), random.NextDouble3());
-            m_succession.Add(m_cloud.Open(), null, CloudStage.Preview);
-            m_succession.Add(other.Open(), null, CloudStage.Whole);
-            m_succession.Place(new CloudPlacement(linear, random.NextDouble3() * 1000));
-            var shown = m_stream.Clouds[m_succession.Cloud];
-            var next = m_stream.Clouds[m_succession.Next];
+            m_versions.Add(m_cloud.Open(), null, CloudStage.Preview);
+            m_versions.Add(other.Open(), null, CloudStage.Whole);
+            m_versions.Place(new CloudPlacement(linear, random.NextDouble3() * 1000));
+            var shown = m_stream.Clouds[m_versions.Cloud];
+            var next = m_stream.Clouds[m_versions.Next];
             var geo = StreamedTestCloud.OriginGeo + new double3(10, 20, 3);
             double3 At(StreamedCloud cloud) => cloud.Placement.OriginWorld + math.mul(cloud.Placement.Linear,
                 geo - cloud.Source.Grid.ToGeo(cloud.Source.Root.Corner));

@@ -9,12 +9,12 @@ using Unity.Jobs.LowLevel.Unsafe;
 namespace FastPoints.Core
 {
     /// <summary>One step of work: jobs that must finish before the next step can run, or other work to do first.</summary>
-    public readonly struct Work
+    public readonly struct JobStep
     {
         internal readonly JobHandle Jobs;
-        internal readonly IEnumerator<Work> Inner;
+        internal readonly IEnumerator<JobStep> Inner;
 
-        Work(JobHandle jobs, IEnumerator<Work> inner)
+        JobStep(JobHandle jobs, IEnumerator<JobStep> inner)
         {
             Jobs = jobs;
             Inner = inner;
@@ -22,17 +22,17 @@ namespace FastPoints.Core
 
         /// <summary>Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
         /// disposed.</summary>
-        public static Work Of(IEnumerator<Work> inner) => new Work(default, inner);
+        public static JobStep Of(IEnumerator<JobStep> inner) => new JobStep(default, inner);
 
-        public static implicit operator Work(JobHandle jobs) => new Work(jobs, null);
+        public static implicit operator JobStep(JobHandle jobs) => new JobStep(jobs, null);
     }
 
     /// <summary>Iterates the steps of work and of all work nested in it; each is the handle to await.</summary>
-    internal sealed class WorkSteps : IEnumerator<JobHandle>
+    internal sealed class CoroutineStack : IEnumerator<JobHandle>
     {
-        readonly Stack<IEnumerator<Work>> m_stack = new Stack<IEnumerator<Work>>();
+        readonly Stack<IEnumerator<JobStep>> m_stack = new Stack<IEnumerator<JobStep>>();
 
-        public WorkSteps(IEnumerator<Work> work) => m_stack.Push(work);
+        public CoroutineStack(IEnumerator<JobStep> work) => m_stack.Push(work);
 
         public JobHandle Current { get; private set; }
 
@@ -101,40 +101,40 @@ namespace FastPoints.Core
     /// converter calls <see cref="RunToEnd"/>, which waits.</summary>
     /// <remarks>Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when
     /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
-    public sealed class WorkPump
+    public sealed class JobCoroutine
     {
         /// <summary>How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after
         /// another, the ticks between two of them no longer double.</summary>
-        const double LookMs = 1;
-        const int MostLooksInVain = 4;
+        const double SpinMs = 1;
+        const int MaxFailedSpins = 4;
 
         /// <summary>A tick that gets more than this is no part of a smooth frame: an editor's without focus, of which there are
         /// few. It waits for jobs as long as its budget.</summary>
-        const double MostOfFrameMs = 16;
+        const double MaxFrameMs = 16;
 
         static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
 
-        readonly WorkSteps m_work;
+        readonly CoroutineStack m_work;
         readonly Func<double> m_nowMs;
         JobHandle m_awaited;
-        int m_looksInVain;
-        int m_ticksUntilLook;
+        int m_failedSpins;
+        int m_ticksUntilSpin;
 
-        public WorkPump(IEnumerator<Work> work) : this(work, s_nowMs)
+        public JobCoroutine(IEnumerator<JobStep> work) : this(work, s_nowMs)
         {
         }
 
         /// <param name="nowMs">The clock that budgets go by, in milliseconds.</param>
-        internal WorkPump(IEnumerator<Work> work, Func<double> nowMs)
+        internal JobCoroutine(IEnumerator<JobStep> work, Func<double> nowMs)
         {
-            m_work = new WorkSteps(work);
+            m_work = new CoroutineStack(work);
             m_nowMs = nowMs;
         }
 
         public bool IsDone { get; private set; }
 
         /// <summary>Ticks that waited for a job that did not end.</summary>
-        internal int LooksInVain { get; private set; }
+        internal int FailedSpins { get; private set; }
 
         /// <summary>Whether a job has ended. Without worker threads only who waits runs jobs: it is run here and now. Main
         /// thread.</summary>
@@ -152,21 +152,21 @@ namespace FastPoints.Core
         public bool Tick(double budgetMs)
         {
             double beginMs = m_nowMs();
-            bool isAwaiting = false, isRare = budgetMs > MostOfFrameMs;
-            double lookUntilMs = 0;
-            if (m_ticksUntilLook > 0)
-                m_ticksUntilLook--;
+            bool isAwaiting = false, isRare = budgetMs > MaxFrameMs;
+            double spinUntilMs = 0;
+            if (m_ticksUntilSpin > 0)
+                m_ticksUntilSpin--;
             while (!IsDone && m_nowMs() - beginMs < budgetMs)
             {
                 if (HasEnded(m_awaited))
                 {
                     if (isAwaiting)
-                        m_looksInVain = 0;
+                        m_failedSpins = 0;
                     isAwaiting = false;
                     Step();
-                    lookUntilMs = m_ticksUntilLook == 0 ? m_nowMs() + LookMs : 0;
+                    spinUntilMs = m_ticksUntilSpin == 0 ? m_nowMs() + SpinMs : 0;
                 }
-                else if (isRare || m_nowMs() < lookUntilMs)
+                else if (isRare || m_nowMs() < spinUntilMs)
                 {
                     isAwaiting = true;
                     Thread.Yield();
@@ -179,8 +179,8 @@ namespace FastPoints.Core
             JobHandle.ScheduleBatchedJobs();
             if (!isAwaiting || isRare)
                 return IsDone;
-            LooksInVain++;
-            m_ticksUntilLook = 1 << (m_looksInVain = Math.Min(m_looksInVain + 1, MostLooksInVain));
+            FailedSpins++;
+            m_ticksUntilSpin = 1 << (m_failedSpins = Math.Min(m_failedSpins + 1, MaxFailedSpins));
             return IsDone;
         }
 
@@ -195,22 +195,22 @@ namespace FastPoints.Core
 
         /// <summary>Runs the work on the calling thread until it is done.</summary>
         /// <exception cref="OperationCanceledException">The token was cancelled; everything is freed.</exception>
-        public static void RunToEnd(IEnumerator<Work> work, CancellationToken cancellation = default)
+        public static void RunToEnd(IEnumerator<JobStep> work, CancellationToken cancellation = default)
         {
-            var pump = new WorkPump(work);
+            var coroutine = new JobCoroutine(work);
             try
             {
-                while (!pump.IsDone)
+                while (!coroutine.IsDone)
                 {
                     cancellation.ThrowIfCancellationRequested();
-                    pump.Step();
+                    coroutine.Step();
                     // A step that awaits no job may wait for another thread.
                     Thread.Yield();
                 }
             }
             finally
             {
-                pump.Cancel();
+                coroutine.Cancel();
             }
         }
 

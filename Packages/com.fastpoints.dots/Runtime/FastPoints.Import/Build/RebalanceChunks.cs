@@ -7,14 +7,14 @@ namespace FastPoints.Build
 {
     /// <summary>Finds the root cube by the points that came, and makes chunks that are neither too large nor needlessly
     /// small.</summary>
-    internal sealed class SettleChunks
+    internal sealed class RebalanceChunks
     {
         readonly BuildContext m_build;
         readonly ScatterPoints m_scatter;
         readonly ChunkSet m_chunks;
         readonly BuildCheckpoints m_checkpoints;
 
-        public SettleChunks(BuildContext build, ScatterPoints scatter, ChunkSet chunks, BuildCheckpoints checkpoints)
+        public RebalanceChunks(BuildContext build, ScatterPoints scatter, ChunkSet chunks, BuildCheckpoints checkpoints)
         {
             m_build = build;
             m_scatter = scatter;
@@ -22,8 +22,8 @@ namespace FastPoints.Build
             m_checkpoints = checkpoints;
         }
 
-        /// <summary>Work for a pump.</summary>
-        public IEnumerator<Work> Run()
+        /// <summary>Coroutine.</summary>
+        public IEnumerator<JobStep> Run()
         {
             var journal = m_checkpoints.Journal;
             var found = m_scatter.Statistics;
@@ -31,53 +31,53 @@ namespace FastPoints.Build
                 yield break;
             if (journal.At == BuildJournal.Stage.Read)
             {
-                yield return Work.Of(TakeChunks());
+                yield return JobStep.Of(AddChunks());
                 journal.At = BuildJournal.Stage.Split;
-                yield return Work.Of(m_checkpoints.Write());
+                yield return JobStep.Of(m_checkpoints.Write());
             }
             else
             {
                 foreach (var chunk in journal.Chunks)
                     m_chunks.Add(chunk.Cube, chunk.Runs);
             }
-            m_chunks.Settled = m_checkpoints.Write;
+            m_chunks.Rebalanced = m_checkpoints.Write;
             if (journal.At == BuildJournal.Stage.Split)
             {
                 long target = m_build.Plan.PointsPerChunk;
-                yield return Work.Of(m_chunks.SplitLarge(2 * target, target));
-                // The pump looks at its budget.
+                yield return JobStep.Of(m_chunks.SplitLarge(2 * target, target));
+                // The coroutine checks its budget.
                 yield return default;
                 journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(journal.Root, target);
                 journal.At = BuildJournal.Stage.Index;
-                yield return Work.Of(m_checkpoints.Write());
+                yield return JobStep.Of(m_checkpoints.Write());
             }
-            m_chunks.Settled = null;
+            m_chunks.Rebalanced = null;
             if (m_build.Files != null)
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }
 
         /// <summary>Takes over the partition's chunks. Where there are points outside, the root grows until it has
         /// them.</summary>
-        IEnumerator<Work> TakeChunks()
+        IEnumerator<JobStep> AddChunks()
         {
             var map = m_build.Map;
             var lists = m_scatter.Chunks;
             for (int c = 0; c < map.Chunks.Length; c++)
-                TakeChunk(map.Chunks[c], lists, c);
+                AddChunk(map.Chunks[c], lists, c);
             int inside = m_chunks.Chunks.Count;
-            TakeChunk(map.Cube, lists, map.Outside);
+            AddChunk(map.Cube, lists, map.Outside);
             var root = map.Cube;
             if (m_chunks.Chunks.Count > inside)
             {
                 var shells = RootCube.Grow(root, m_scatter.Statistics.Min, m_scatter.Statistics.Max);
                 root = shells[shells.Length - 1];
-                yield return Work.Of(m_chunks.SplitOutside(shells, m_chunks.Chunks[inside]));
+                yield return JobStep.Of(m_chunks.SplitOutside(shells, m_chunks.Chunks[inside]));
             }
             m_checkpoints.Journal.Root = root;
         }
 
-        void TakeChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)
+        void AddChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)
         {
             if (m_build.Files != null)
             {

@@ -11,25 +11,25 @@ namespace FastPoints.Build
 {
     /// <summary>Some points of all sources, spread evenly over their records, with all attributes: they represent what is not
     /// built yet. Owns its records.</summary>
-    internal sealed class ProvisionalSample : IDisposable
+    internal sealed class PlaceholderSample : IDisposable
     {
         /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
         /// cover.</summary>
         const int RunPoints = 16;
 
         /// <summary>Runs that are grouped in one slice.</summary>
-        const int RunsAtOnce = 2048;
+        const int RunsPerSlice = 2048;
 
         readonly BuildContext m_build;
         readonly NativeReference<RecordPagePool> m_pool;
         RecordPages m_pages;
 
         /// <summary>The readers' blocks are known. Points outside the partition's cube will be left out.</summary>
-        public ProvisionalSample(BuildContext build)
+        public PlaceholderSample(BuildContext build)
         {
             m_build = build;
             m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(build.Records.StrideBytes,
-                2 * build.Plan.ProvisionalPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
+                2 * build.Plan.PlaceholderPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
             Attributes = new AttributeStatistics[build.Attributes.Count];
             for (int a = 0; a < Attributes.Length; a++)
                 Attributes[a] = AttributeStatistics.None;
@@ -41,15 +41,15 @@ namespace FastPoints.Build
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
         public AttributeStatistics[] Attributes { get; }
 
-        /// <summary>Work for a pump: reads the sample.</summary>
-        public IEnumerator<Work> Read()
+        /// <summary>Coroutine: reads the sample.</summary>
+        public IEnumerator<JobStep> Read()
         {
             for (int i = 0; i < m_build.Readers.Count; i++)
             {
                 var reader = m_build.Readers[i];
                 double share = reader.PointCount / (double)Math.Max(1, m_build.Points);
-                var runs = SampleRuns.Choose(reader, (long)(m_build.Plan.ProvisionalPoints * share) / RunPoints, RunPoints);
-                yield return Work.Of(Read(reader, m_build.Grid.Sources[i], runs));
+                var runs = SampleRuns.Choose(reader, (long)(m_build.Plan.PlaceholderPoints * share) / RunPoints, RunPoints);
+                yield return JobStep.Of(Read(reader, m_build.Grid.Sources[i], runs));
             }
             IsRead = true;
         }
@@ -86,7 +86,7 @@ namespace FastPoints.Build
             m_pool.Dispose();
         }
 
-        IEnumerator<Work> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
+        IEnumerator<JobStep> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
         {
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             foreach (var attribute in m_build.Attributes)
@@ -94,31 +94,31 @@ namespace FastPoints.Build
             var wanted = reader.Info.Schema.Select(names.ToArray());
             if (reader.HasRunReads)
             {
-                yield return Work.Of(ReadRuns(reader, grid, runs, wanted));
+                yield return JobStep.Of(ReadRuns(reader, grid, runs, wanted));
                 yield break;
             }
             int longest = SourceSample.LongestOf(runs);
-            var ahead = SourceScan.AheadFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
-                m_build.Settings.Workers, m_build.AheadMs);
-            using var consumer = new Taking(this, grid, longest);
-            yield return Work.Of(SourceScan.Run(reader, wanted, consumer, ahead, m_build.Settings.Workers, 0, runs.Count,
+            var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
+                m_build.Settings.Workers, m_build.InFlightMs);
+            using var consumer = new Consumer(this, grid, longest);
+            yield return JobStep.Of(SourceScan.Run(reader, wanted, consumer, limit, m_build.Settings.Workers, 0, runs.Count,
                 r => runs[r], longest, null));
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<Work> ReadRuns(PointReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
+        IEnumerator<JobStep> ReadRuns(PointReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
         {
-            var batch = new PointBatch(wanted, RunPoints * RunsAtOnce, Allocator.Persistent);
+            var batch = new PointBatch(wanted, RunPoints * RunsPerSlice, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
             var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.Records, m_build.Map, batch);
             try
             {
-                for (int first = 0; first < runs.Count; first += RunsAtOnce)
+                for (int first = 0; first < runs.Count; first += RunsPerSlice)
                 {
-                    int count = Math.Min(RunsAtOnce, runs.Count - first), points = 0;
+                    int count = Math.Min(RunsPerSlice, runs.Count - first), points = 0;
                     for (int r = first; r < first + count; r++)
                         points += runs[r].Count;
-                    yield return Work.Of(reader.ReadRuns(runs, first, count, batch, read =>
+                    yield return JobStep.Of(reader.ReadRuns(runs, first, count, batch, read =>
                     {
                         decoded.Value = new DecodeResult { Points = points };
                         return slot.ScheduleGrouping(batch, decoded, grid, read);
@@ -146,14 +146,14 @@ namespace FastPoints.Build
         }
 
         /// <summary>Takes runs that come as blocks.</summary>
-        sealed class Taking : IBlockConsumer, IDisposable
+        sealed class Consumer : IBlockConsumer, IDisposable
         {
-            readonly ProvisionalSample m_sample;
+            readonly PlaceholderSample m_sample;
             readonly SourceGrid m_grid;
             readonly int m_longest;
             readonly List<RecordSlot> m_slots = new List<RecordSlot>();
 
-            public Taking(ProvisionalSample sample, SourceGrid grid, int longest)
+            public Consumer(PlaceholderSample sample, SourceGrid grid, int longest)
             {
                 m_sample = sample;
                 m_grid = grid;

@@ -10,7 +10,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Core
 {
-    public class WorkPumpTests
+    public class JobCoroutineTests
     {
         readonly List<string> m_events = new List<string>();
         Action m_atInnermost;
@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Core
         }
 
         /// <summary>A step, what is nested, a step.</summary>
-        IEnumerator<Work> Level(int levels)
+        IEnumerator<JobStep> Level(int levels)
         {
             try
             {
@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Core
                     m_atInnermost();
                 yield return default;
                 if (levels > 1)
-                    yield return Work.Of(Level(levels - 1));
+                    yield return JobStep.Of(Level(levels - 1));
                 yield return default;
                 m_events.Add("end " + levels);
             }
@@ -45,7 +45,7 @@ namespace FastPoints.Tests.Core
         [Test]
         public void RunToEnd_NestedWork_IsDoneWhereItStands()
         {
-            WorkPump.RunToEnd(Level(3));
+            JobCoroutine.RunToEnd(Level(3));
             Assert.That(m_events, Is.EqualTo(new[]
             {
                 "begin 3", "begin 2", "begin 1", "end 1", "free 1", "end 2", "free 2", "end 3", "free 3",
@@ -57,11 +57,11 @@ namespace FastPoints.Tests.Core
         {
             using var workers = new WorkerCount(0);
             using var value = new NativeReference<int>(Allocator.Persistent);
-            var pump = new WorkPump(Setting(value));
-            for (int tick = 0; tick < 1000 && !pump.IsDone; tick++)
-                pump.Tick(2);
-            bool isDone = pump.IsDone;
-            pump.Cancel();
+            var coroutine = new JobCoroutine(Setting(value));
+            for (int tick = 0; tick < 1000 && !coroutine.IsDone; tick++)
+                coroutine.Tick(2);
+            bool isDone = coroutine.IsDone;
+            coroutine.Cancel();
             Assert.That(isDone, Is.True);
             Assert.That(value.Value, Is.EqualTo(7));
         }
@@ -72,9 +72,9 @@ namespace FastPoints.Tests.Core
         {
             s_gate.Set();
             using var workers = new WorkerCount(1);
-            var pump = new WorkPump(Waits(40), () => 0);
-            Assert.That(pump.Tick(8), Is.True);
-            Assert.That(pump.LooksInVain, Is.Zero);
+            var coroutine = new JobCoroutine(Waits(40), () => 0);
+            Assert.That(coroutine.Tick(8), Is.True);
+            Assert.That(coroutine.FailedSpins, Is.Zero);
         }
 
         [Test]
@@ -83,15 +83,15 @@ namespace FastPoints.Tests.Core
             using var workers = new WorkerCount(1);
             double nowMs = 0;
             int ticks = 0;
-            var pump = new WorkPump(Waits(40), () => nowMs += 0.1);
-            for (; !pump.IsDone; ticks++)
+            var coroutine = new JobCoroutine(Waits(40), () => nowMs += 0.1);
+            for (; !coroutine.IsDone; ticks++)
             {
                 s_gate.Reset();
-                pump.Tick(16);
+                coroutine.Tick(16);
                 s_gate.Set();
                 Thread.Sleep(1);
             }
-            Assert.That(pump.LooksInVain, Is.GreaterThan(0).And.LessThanOrEqualTo(5 + ticks / 16));
+            Assert.That(coroutine.FailedSpins, Is.GreaterThan(0).And.LessThanOrEqualTo(5 + ticks / 16));
         }
 
         /// <summary>By a clock that stands as soon as a short look would be over; only then can the job end.</summary>
@@ -102,21 +102,21 @@ namespace FastPoints.Tests.Core
             s_gate.Reset();
             using var workers = new WorkerCount(1);
             int nowMs = 0;
-            var pump = new WorkPump(Waits(1), () =>
+            var coroutine = new JobCoroutine(Waits(1), () =>
             {
                 if (nowMs == 10)
                     s_gate.Set();
                 return nowMs = Math.Min(nowMs + 1, 10);
             });
-            Assert.That(pump.Tick(budgetMs), Is.EqualTo(waits));
+            Assert.That(coroutine.Tick(budgetMs), Is.EqualTo(waits));
             s_gate.Set();
-            pump.Cancel();
+            coroutine.Cancel();
         }
 
         static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();
 
         /// <summary>Awaits jobs of a tenth of a millisecond that wait for the gate.</summary>
-        static IEnumerator<Work> Waits(int jobs)
+        static IEnumerator<JobStep> Waits(int jobs)
         {
             var job = default(JobHandle);
             try
@@ -145,7 +145,7 @@ namespace FastPoints.Tests.Core
             }
         }
 
-        static IEnumerator<Work> Setting(NativeReference<int> value)
+        static IEnumerator<JobStep> Setting(NativeReference<int> value)
         {
             var job = new SetJob { Value = value }.Schedule();
             try
@@ -169,7 +169,7 @@ namespace FastPoints.Tests.Core
         public void MoveNext_StepsOfAllLevels_AreCounted()
         {
             int steps = 0;
-            using (var work = new WorkSteps(Level(3)))
+            using (var work = new CoroutineStack(Level(3)))
                 while (work.MoveNext())
                     steps++;
             Assert.That(steps, Is.EqualTo(6));
@@ -180,7 +180,8 @@ namespace FastPoints.Tests.Core
         {
             using var cancellation = new CancellationTokenSource();
             m_atInnermost = cancellation.Cancel;
-            Assert.That(() => WorkPump.RunToEnd(Level(3), cancellation.Token), Throws.InstanceOf<OperationCanceledException>());
+            Assert.That(() =>
+                JobCoroutine.RunToEnd(Level(3), cancellation.Token), Throws.InstanceOf<OperationCanceledException>());
             Assert.That(m_events, Is.EqualTo(new[] { "begin 3", "begin 2", "begin 1", "free 1", "free 2", "free 3" }));
         }
 
@@ -188,14 +189,14 @@ namespace FastPoints.Tests.Core
         public void RunToEnd_FaultInTheInnermostLevel_FreesAllAndIsThrown()
         {
             m_atInnermost = () => throw new InvalidOperationException("broken");
-            Assert.That(() => WorkPump.RunToEnd(Level(3)), Throws.InvalidOperationException.With.Message.EqualTo("broken"));
+            Assert.That(() => JobCoroutine.RunToEnd(Level(3)), Throws.InvalidOperationException.With.Message.EqualTo("broken"));
             Assert.That(m_events, Is.EqualTo(new[] { "begin 3", "begin 2", "begin 1", "free 1", "free 2", "free 3" }));
         }
 
         [Test]
         public void Dispose_WhereFreeingFails_FreesTheOtherLevels()
         {
-            var work = new WorkSteps(FailingToFree());
+            var work = new CoroutineStack(FailingToFree());
             for (int i = 0; i < 2; i++)
                 Assert.That(work.MoveNext(), Is.True);
             Assert.That(() => work.Dispose(), Throws.InvalidOperationException);
@@ -203,19 +204,19 @@ namespace FastPoints.Tests.Core
             Assert.That(work.MoveNext(), Is.False);
         }
 
-        IEnumerator<Work> FailingToFree()
+        IEnumerator<JobStep> FailingToFree()
         {
             try
             {
                 yield return default;
-                yield return Work.Of(Inner());
+                yield return JobStep.Of(Inner());
             }
             finally
             {
                 m_events.Add("free outer");
             }
 
-            IEnumerator<Work> Inner()
+            IEnumerator<JobStep> Inner()
             {
                 try
                 {

@@ -7,20 +7,20 @@ namespace FastPoints.Core
 {
     /// <summary>Examines files off the main thread: opens them, asks for their lengths, reads what AsyncReadManager does not
     /// suit. Whatever is thrown there reaches the caller as a <see cref="PointCloudException"/>.</summary>
-    public static class PoolWork
+    public static class PoolTask
     {
         /// <summary>Begins work on a thread of the thread pool.</summary>
         /// <param name="path">The file or folder that it works on, for messages.</param>
         /// <param name="work">Must not use anything that other code changes: it continues even when its result is no longer
         /// wanted.</param>
         /// <param name="unwanted">Frees a result that nobody took before the work was disposed, on any thread.</param>
-        public static PoolWork<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
-            new PoolWork<T>(path, work, unwanted);
+        public static PoolTask<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
+            new PoolTask<T>(path, work, unwanted);
 
-        /// <summary>The same as work for a pump; it runs in place if the pump runs on a thread of the pool.</summary>
-        /// <param name="done">Takes the result, on the pump's thread.</param>
+        /// <summary>The same as a coroutine; it runs in place if the coroutine runs on a thread of the pool.</summary>
+        /// <param name="done">Takes the result, on the coroutine's thread.</param>
         /// <param name="unwanted">Frees a result that came too late for that, on any thread.</param>
-        public static IEnumerator<Work> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
+        public static IEnumerator<JobStep> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
         {
             if (Thread.CurrentThread.IsThreadPoolThread)
             {
@@ -35,14 +35,14 @@ namespace FastPoints.Core
     }
 
     /// <summary>Work that runs, or has ended, on a thread of the pool. One thread owns it and takes its result.</summary>
-    public sealed class PoolWork<T> : IDisposable
+    public sealed class PoolTask<T> : IDisposable
     {
         readonly string m_path;
         readonly Task<T> m_task;
         readonly Action<T> m_unwanted;
         bool m_isTaken;
 
-        internal PoolWork(string path, Func<T> work, Action<T> unwanted)
+        internal PoolTask(string path, Func<T> work, Action<T> unwanted)
         {
             m_path = path;
             m_unwanted = unwanted;
@@ -68,7 +68,7 @@ namespace FastPoints.Core
         }
 
         /// <summary>The same for callers that only dispose the result: the default if the work failed.</summary>
-        public T TakeIfSound()
+        public T TakeOrDefault()
         {
             try
             {

@@ -1,0 +1,46 @@
+using System.Threading;
+using FastPoints.Core;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Core
+{
+    public class InFlightLimitTests
+    {
+        [Test]
+        public void Resume_IdleAgainAndAgain_DoublesUpToTheMaximum()
+        {
+            var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
+            foreach (int wanted in new[] { 6, 12, 20, 20 })
+            {
+                limit.Await();
+                Thread.Sleep(3);
+                limit.Resume(true);
+                Assert.That(limit.Value, Is.EqualTo(wanted));
+            }
+        }
+
+        [Test]
+        public void Resume_NotIdle_StaysAsItIs()
+        {
+            var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
+            limit.Await();
+            Thread.Sleep(3);
+            limit.Resume(false);
+            Assert.That(limit.Value, Is.EqualTo(3));
+        }
+
+        [Test]
+        public void Resume_IdleAfterLongerThanPlanned_StaysAsItIs()
+        {
+            var limit = new InFlightLimit(3, 20, () => 2.5);
+            limit.Await();
+            Thread.Sleep(5);
+            limit.Resume(true);
+            Assert.That(limit.Value, Is.EqualTo(3));
+        }
+
+        [TestCase(5, 2, 2), TestCase(0, 9, 1), TestCase(5, 0, 1)]
+        public void Count_AtFirst_IsWithinItsLimits(int first, int max, int wanted) =>
+            Assert.That(new InFlightLimit(first, max, () => 1).Value, Is.EqualTo(wanted));
+    }
+}
