@@ -12,6 +12,9 @@ namespace FastPoints.Rendering
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
 
+        /// <summary>The most that staging has room for, whatever the limit of a frame.</summary>
+        const int MaxUploadBytes = 64 << 20;
+
         /// <summary>A bank and <see cref="ListBuffer"/>.</summary>
         const int VertexBuffers = 2;
 
@@ -23,12 +26,10 @@ namespace FastPoints.Rendering
         /// <param name="copyPages">The package's CopyPages.compute.</param>
         /// <param name="limitBytes">Limit of the banks; upload buffers come on top.</param>
         /// <param name="bankBytes">No node may be larger.</param>
-        /// <param name="bytesPerUpload">The usual upload of one frame.</param>
-        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes,
-            int bytesPerUpload = 4 << 20)
+        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
-            m_upload = new StagingRing(copyPages, PagesFor(bytesPerUpload));
+            m_upload = new StagingRing(copyPages);
         }
 
         /// <summary>Why this device can neither keep nor draw points; null if it can.</summary>
@@ -51,7 +52,8 @@ namespace FastPoints.Rendering
         /// <summary>A picture is about to be drawn, with whatever is in view.</summary>
         internal void BeginPicture() => m_isDrawn = true;
 
-        public override bool TryBeginUpload() => m_upload.TryBegin(m_frame);
+        public override bool TryBeginUpload(int maxBytes) =>
+            m_upload.TryBegin(m_frame, PagesFor(math.clamp(maxBytes, PageBytes, MaxUploadBytes)));
 
         public override byte* AddressForUpload(PoolRange run, long bytes) => m_upload.Take(run);
 

@@ -26,24 +26,24 @@ namespace FastPoints.Rendering
         int m_next;
 
         /// <param name="copyPages">The package's CopyPages.compute.</param>
-        /// <param name="pages">Size of each buffer; a larger node makes it grow.</param>
-        public StagingRing(ComputeShader copyPages, int pages)
+        public StagingRing(ComputeShader copyPages)
         {
             m_copyPages = copyPages;
             m_kernel = copyPages.FindKernel(ShaderNames.CopyPagesKernel);
             for (int i = 0; i < m_buffers.Length; i++)
-                m_buffers[i] = new StagingBuffer(pages);
+                m_buffers[i] = new StagingBuffer();
             m_endOfBank = new NativeList<int>(Allocator.Persistent);
         }
 
         /// <param name="frame">Counts frames that a picture was drawn in.</param>
+        /// <param name="pages">Room; a larger node makes more.</param>
         /// <returns>Whether there is memory to write to.</returns>
-        public bool TryBegin(long frame)
+        public bool TryBegin(long frame, int pages)
         {
             if (m_isSent[m_next] && !HasBeenRead(frame))
                 return false;
             m_isSent[m_next] = false;
-            m_buffers[m_next].Lock();
+            m_buffers[m_next].Begin(pages);
             return true;
         }
 

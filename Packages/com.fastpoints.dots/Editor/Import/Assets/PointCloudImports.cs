@@ -19,7 +19,8 @@ namespace FastPoints.Editor
         static PointCloudImports()
         {
             // Import workers load scripts as well, but the only queue is the editor's.
-            if (AssetDatabase.IsAssetImportWorkerProcess())
+            OwnedEntity.IsInWorker = AssetDatabase.IsAssetImportWorkerProcess();
+            if (OwnedEntity.IsInWorker)
                 return;
             PointCloudPaths.PathOfAsset = AssetDatabase.GUIDToAssetPath;
             FastPointsSettings.instance.Apply();

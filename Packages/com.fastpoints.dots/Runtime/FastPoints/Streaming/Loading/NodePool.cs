@@ -117,7 +117,8 @@ namespace FastPoints.Streaming
 
         /// <summary>Begins the one upload that may be in flight, if there is memory to write to. It takes at least one
         /// node.</summary>
-        public virtual bool TryBeginUpload() => true;
+        /// <param name="maxBytes">The most that it is to take.</param>
+        public virtual bool TryBeginUpload(int maxBytes) => true;
 
         /// <summary>The address where the upload's job writes the contents of a range, front to back and without reading. Null if
         /// the upload has no more room.</summary>
