@@ -2,7 +2,6 @@ using System;
 using NUnit.Framework;
 using NUnit.Framework.Interfaces;
 using StandIns.Engine;
-using UnityOutside.Graphics;
 
 [assembly: UnityOutside.Tests.AsInUnity]
 

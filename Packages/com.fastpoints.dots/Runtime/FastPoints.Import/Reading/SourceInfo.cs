@@ -38,6 +38,9 @@ namespace FastPoints.Reading
         public bool HasBoundsClaimed;
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
+        /// <summary>The bounds claimed, where they can be true; otherwise empty.</summary>
+        internal BoundsGeo BoundsTrusted => HasBoundsClaimed && BoundsClaimed.IsFinite ? BoundsClaimed : BoundsGeo.Empty;
+
         public PositionTransform Transform = PositionTransform.Identity;
 
         /// <summary>The attributes of each point.</summary>

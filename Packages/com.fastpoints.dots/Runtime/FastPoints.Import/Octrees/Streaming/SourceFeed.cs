@@ -141,9 +141,7 @@ namespace FastPoints.Octrees
             return new CloudFacts
             {
                 Stage = stage,
-                BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty
-                    ? info.BoundsClaimed
-                    : seen,
+                BoundsGeo = info.BoundsTrusted.IsEmpty ? seen : info.BoundsTrusted,
                 MetresPerUnit = info.Crs.MetresPerUnit,
                 Ranges = ranges,
             };
