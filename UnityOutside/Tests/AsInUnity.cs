@@ -2,6 +2,7 @@ using System;
 using NUnit.Framework;
 using NUnit.Framework.Interfaces;
 using StandIns.Engine;
+using UnityOutside.Graphics;
 
 [assembly: UnityOutside.Tests.AsInUnity]
 
