@@ -5,18 +5,17 @@ using Unity.Jobs;
 
 namespace FastPoints.E57
 {
-    /// <summary>Checks some of a buffer's pages against their checksums and moves their content together, over the checksums of
-    /// earlier pages: a chain of these turns a buffer of pages into one of content.</summary>
+    // A chain of these turns a buffer of pages into one of content: it moves content over the checksums of earlier pages.
     [BurstCompile]
     unsafe struct CheckE57PagesJob : IJob
     {
-        /// <summary>A slice takes about 1 ms.</summary>
+        // About 1 ms.
         public const int SlicePages = 1024;
 
         [ReadOnly] public NativeArray<uint> CrcTable;
         public NativeArray<byte> Buffer;
 
-        /// <summary>For each page, 1 if its checksum is wrong.</summary>
+        // For each page, 1 if its checksum is wrong.
         public NativeArray<byte> IsDamaged;
         public int FirstPage;
         public int Pages;
@@ -36,7 +35,6 @@ namespace FastPoints.E57
             }
         }
 
-        /// <summary>Schedules all pages of a buffer in slices.</summary>
         public static JobHandle Schedule(NativeArray<uint> crcTable, NativeArray<byte> buffer, NativeArray<byte> isDamaged,
             int pages, JobHandle read)
         {

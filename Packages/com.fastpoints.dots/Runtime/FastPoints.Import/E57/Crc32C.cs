@@ -4,9 +4,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.E57
 {
-    /// <summary>CRC-32C (Castagnoli, reflected polynomial 0x82F63B78, RFC 3720 B.4), eight bytes a step: Kounavis and Berry, "A
-    /// systematic approach to building high performance software-based CRC generators", 2005.</summary>
-    /// <remarks>Its tables lie in native memory, so that jobs share them.</remarks>
+    // CRC-32C (Castagnoli, reflected polynomial 0x82F63B78, RFC 3720 B.4), eight bytes a step: Kounavis and Berry, "A systematic
+    // approach to building high performance software-based CRC generators", 2005. Jobs share the tables.
     internal sealed unsafe class Crc32C : IDisposable
     {
         const uint Polynomial = 0x82F63B78;
@@ -28,7 +27,6 @@ namespace FastPoints.E57
                 m_tables[i] = m_tables[i - 256] >> 8 ^ m_tables[(int)(m_tables[i - 256] & 255)];
         }
 
-        /// <summary>The tables for jobs, which pass them to <see cref="Compute"/>.</summary>
         public NativeArray<uint> Table => m_tables;
 
         public uint Of(byte[] bytes, int first, int count)

@@ -8,24 +8,19 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>Decodes some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put
-    /// where they belong. A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> follows it.</summary>
+    // Gathers the bytes of some fields from the packets, unpacks them and puts them where they belong.
     [BurstCompile]
     unsafe struct DecodeE57Job : IJob
     {
         public const int FieldsPerSlice = 16;
         const int TileValues = 256;
 
-        /// <summary>Content of the extents, without checksums.</summary>
+        // Content of the extents, without checksums.
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeArray<byte> IsDamaged;
         [ReadOnly] public NativeArray<E57Extent> Extents;
         public int ExtentCount;
-
-        /// <summary>Bytestreams of a packet.</summary>
         public int StreamCount;
-
-        /// <summary>Fields, and where the bytes of each lie.</summary>
         [ReadOnly] public NativeArray<E57FieldRead> Reads;
         [ReadOnly] public NativeArray<E57StreamRange> Ranges;
         public int FirstRead;
@@ -36,14 +31,13 @@ namespace FastPoints.E57
 
         public NativeArray<byte> Columns;
 
-        /// <summary>Rows of <see cref="RowLength"/> doubles.</summary>
+        // Rows of RowLength doubles.
         public NativeArray<double> Vectors;
         public int RowLength;
 
-        /// <summary>For each point, 0 or an <see cref="E57Drop"/>.</summary>
+        // For each point, 0 or an E57Drop.
         public NativeArray<byte> Drops;
 
-        /// <summary>Bytes of one field.</summary>
         public NativeArray<byte> Scratch;
         public NativeReference<DecodeResult> Result;
         public NativeReference<E57Anomalies> Anomalies;
@@ -71,7 +65,7 @@ namespace FastPoints.E57
             Anomalies.Value = anomalies;
         }
 
-        /// <returns>The number of values whose bytes are present.</returns>
+        // How many values have bytes.
         int Gather(in E57FieldRead read, in E57StreamRange range, byte* drops)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
@@ -114,9 +108,7 @@ namespace FastPoints.E57
             return (int)math.clamp(whole, 0, Count);
         }
 
-        /// <summary>Marks points that have bits in damaged pages to be left out.</summary>
-        /// <param name="logical">Logical offset of the bytes.</param>
-        /// <param name="inStream">Their offset in the bytestream.</param>
+        // Points with bits in damaged pages are left out. inStream: the offset of the bytes in the bytestream.
         void MarkDamage(in E57Extent extent, long logical, long inStream, int bytes, int bits, byte* drops)
         {
             long firstPage = logical / E57Pages.DataBytes, lastPage = (logical + bytes - 1) / E57Pages.DataBytes;
@@ -133,7 +125,7 @@ namespace FastPoints.E57
             }
         }
 
-        /// <returns>The number of integers that were too large.</returns>
+        // How many integers were too large.
         int Decode(in E57FieldRead read, int count, byte* drops)
         {
             ulong* raw = stackalloc ulong[TileValues];
@@ -197,7 +189,7 @@ namespace FastPoints.E57
             return misfits;
         }
 
-        /// <summary>Whether the field's bytes are those of its column.</summary>
+        // The field's bytes are those of its column.
         static bool IsCopy(in E57FieldRead read)
         {
             if (read.Bits != read.ColumnType.SizeOf() * 8)
@@ -282,7 +274,7 @@ namespace FastPoints.E57
                 UnsafeUtility.MemCpy((double*)column + first, values, count * 8);
         }
 
-        /// <summary>Stores shares; NaN becomes 0.</summary>
+        // NaN becomes 0.
         static void StoreShares(double* values, int count, ushort* column)
         {
             for (int i = 0; i < count; i++)
@@ -290,38 +282,35 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>Why a point is left out.</summary>
     static class E57Drop
     {
         public const byte Invalid = 1;
         public const byte Damaged = 2;
     }
 
-    /// <summary>What a range contained besides points. Jobs write it; the main thread reports it.</summary>
     struct E57Anomalies
     {
-        /// <summary>Points left out because their scan marks them as invalid.</summary>
+        // Left out because their scan marks them as invalid.
         public int Invalid;
 
-        /// <summary>Points left out because a page that holds some of them has a wrong checksum.</summary>
+        // Left out because a page that holds some of them has a wrong checksum.
         public int Damaged;
         public int DamagedPages;
         public long FirstDamagedPage;
 
-        /// <summary>Integers above the maximum of their field, which were kept.</summary>
+        // Integers above the maximum of their field, which were kept.
         public int Misfits;
     }
 
-    /// <summary>Where the bytes lie that a range takes from a bytestream. Blittable, for jobs.</summary>
     struct E57StreamRange
     {
-        /// <summary>Logical offset of a packet at or before the first byte.</summary>
+        // Logical, of a packet at or before the first byte.
         public long PacketOffset;
 
-        /// <summary>Bytes of the bytestream in the packets before that.</summary>
+        // In the packets before that.
         public long BytesBefore;
 
-        /// <summary>Logical offset at which the packets that are read end.</summary>
+        // Logical, where the packets that are read end.
         public long End;
     }
 }

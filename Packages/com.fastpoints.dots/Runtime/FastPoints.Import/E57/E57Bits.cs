@@ -1,17 +1,15 @@
 namespace FastPoints.E57
 {
-    /// <summary>Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i
-    /// takes bits i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.</summary>
+    // Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i takes bits
+    // i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
     static unsafe class E57Bits
     {
-        /// <summary>Bytes behind the last value that may be loaded and not used.</summary>
+        // Behind the last value: may be loaded and not used.
         public const int PaddingBytes = 16;
 
-        /// <summary>The largest number of so many bits, 0 to 64.</summary>
         public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;
 
-        /// <param name="firstBit">First bit of the first value.</param>
-        /// <param name="bits">1 to 64.</param>
+        // bits: 1 to 64.
         public static void Unpack(byte* bytes, long firstBit, int bits, int count, ulong* values)
         {
             ulong mask = Mask(bits);
@@ -52,7 +50,6 @@ namespace FastPoints.E57
                     values[i] = ((uint*)bytes)[i];
         }
 
-        /// <summary>Bytes that this many values take, starting at a bit.</summary>
         public static long BytesOf(long firstBit, int bits, long count) => (firstBit + count * bits + 7 >> 3) - (firstBit >> 3);
     }
 }

@@ -7,8 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>A slot of <see cref="E57Reader"/>: it reads the pages of a range, checks them, decodes them field by field and
-    /// places the points.</summary>
     sealed class E57BlockRead : SlotRead
     {
         const int VectorRows = 6;
@@ -59,7 +57,6 @@ namespace FastPoints.E57
             return Schedule(first, range.Count);
         }
 
-        /// <summary>Plans what is read of the scan's fields.</summary>
         void PlanSection(E57Section section)
         {
             m_section = section;

@@ -5,14 +5,12 @@ using FastPoints.Reading;
 
 namespace FastPoints.E57
 {
-    /// <summary>The scans of an E57 file, and the blocks that they are read in: runs of records, known after a walk over the
-    /// packets.</summary>
     sealed class E57Blocks
     {
-        /// <summary>The most pages of a block's fields: it bounds a slot's memory, whatever a file claims.</summary>
+        // It bounds a slot's memory, whatever a file claims.
         const int MaxBlockPages = 24 << 10;
 
-        /// <summary>Records that take no bytes at all prove nothing about their number.</summary>
+        // Records that take no bytes at all prove nothing about their number.
         const ulong MaxRecordsWithoutBits = 65536;
 
         readonly List<E57Section> m_sections;
@@ -40,7 +38,7 @@ namespace FastPoints.E57
 
         public E57Schema Schema { get; }
 
-        /// <summary>Whether any scan's positions or normals pass through rows of doubles.</summary>
+        // Some scan's positions or normals pass through rows of doubles.
         public bool HasVectors { get; }
 
         public bool AreKnown { get; private set; }
@@ -49,10 +47,9 @@ namespace FastPoints.E57
 
         public int MaxPoints => Known(m_maxPoints);
 
-        /// <summary>The most pages of a range within one block.</summary>
+        // Of a range within one block.
         public int MaxPages => Known(m_maxPages);
 
-        /// <summary>Coroutine.</summary>
         public IEnumerator<JobStep> Find()
         {
             if (AreKnown)
@@ -109,7 +106,7 @@ namespace FastPoints.E57
             return (int)Math.Min(section.BlockPoints, section.Records - (long)(block - section.FirstBlock) * section.BlockPoints);
         }
 
-        /// <summary>Reports what a range contained besides points, once for each block.</summary>
+        // Once for each block.
         public void Warn(BlockRange range, DecodeResult result, in E57Anomalies anomalies)
         {
             bool isNew = range.First == 0 && range.Count == PointsOf(range.Block) && m_reportedBlocks.Add(range.Block);
@@ -137,7 +134,7 @@ namespace FastPoints.E57
                     " of the " + NumberText.Of(section.Scan.RecordsClaimed) + " claimed are given");
         }
 
-        /// <summary>Ends a scan before the first block whose fields lie too far apart.</summary>
+        // Ends a scan before the first block whose fields lie too far apart.
         void LimitPages(E57Section section)
         {
             var firstPages = new long[section.EndOfStream.Length];

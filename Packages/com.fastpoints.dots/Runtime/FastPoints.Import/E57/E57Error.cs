@@ -1,6 +1,5 @@
 namespace FastPoints.E57
 {
-    /// <summary>The errors that jobs report for a binary section; 0 means none.</summary>
     static class E57Error
     {
         public const int None = 0;

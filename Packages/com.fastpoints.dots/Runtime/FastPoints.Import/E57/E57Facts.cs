@@ -5,10 +5,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>Turns the contents of the XML section into facts, claims and warnings.</summary>
     static class E57Facts
     {
-        /// <summary>This many scans are listed with all that is known of them; later ones with names and counts only.</summary>
+        // This many scans are listed with all that is known of them; later ones with names and counts only.
         const int MaxWholeScans = 50;
         const int MaxScans = 1000;
         const int MaxImages = 50;
@@ -101,7 +100,6 @@ namespace FastPoints.E57
             info.HasBoundsClaimed &= !info.BoundsClaimed.IsEmpty;
         }
 
-        /// <summary>Warns that an attribute of some scans is 0 in the points of the others.</summary>
         static void AddMissing(List<E57Scan> scans, SourceInfo info)
         {
             var scansWith = new Dictionary<string, int>();

@@ -3,7 +3,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.E57
 {
-    /// <summary>The 48 bytes at the start of an E57 file (ASTM E2807, table 1).</summary>
+    // The 48 bytes at the start of a file (ASTM E2807, table 1).
     sealed class E57Header
     {
         public const int Bytes = 48;
@@ -21,14 +21,11 @@ namespace FastPoints.E57
         public uint MajorVersion;
         public uint MinorVersion;
 
-        /// <summary>Where the XML section starts, in bytes of content.</summary>
+        // In bytes of content, as XmlBytes.
         public long XmlLogicalOffset;
 
-        /// <summary>Bytes of content of the XML section.</summary>
         public int XmlBytes;
 
-        /// <summary>Reads the header; warnings go to <paramref name="info"/>.</summary>
-        /// <exception cref="PointCloudException">The XML section cannot be where the header says.</exception>
         public static E57Header Read(FileSource source, SourceInfo info)
         {
             var fields = source.Read(0, Bytes, "the E57 header");

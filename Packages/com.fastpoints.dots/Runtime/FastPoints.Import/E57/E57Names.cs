@@ -4,7 +4,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.E57
 {
-    /// <summary>The fields that ASTM E2807 and its extension for normals name, and the attributes that they become.</summary>
+    // What ASTM E2807 and its extension for normals name.
     static class E57Names
     {
         public const string CartesianInvalid = "cartesianInvalidState";
@@ -30,7 +30,6 @@ namespace FastPoints.E57
             { "nor:normalZ", AttributeNames.NormalZ },
         };
 
-        /// <summary>The attribute's usual name, or the field's own.</summary>
         public static string AttributeOf(string field) =>
             s_attributes.TryGetValue(field, out string name) ? name : CommonNames.Of(field) ?? field;
     }

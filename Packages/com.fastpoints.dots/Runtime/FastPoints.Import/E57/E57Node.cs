@@ -2,18 +2,16 @@ using System.Collections.Generic;
 
 namespace FastPoints.E57
 {
-    /// <summary>An element of the XML section: the tree of E57's own node types.</summary>
     sealed class E57Node
     {
         static readonly List<E57Node> s_none = new List<E57Node>();
 
-        /// <summary>The name with its prefix, if it has one: "nor:normalX".</summary>
+        // With its prefix, if it has one: "nor:normalX".
         public readonly string Name;
 
-        /// <summary>Line of the XML section, for messages.</summary>
+        // Of the XML section, for messages.
         public readonly int Line;
 
-        /// <summary>Text between its tags; "" for none.</summary>
         public string Text = "";
 
         List<E57Node> m_children;
@@ -27,7 +25,7 @@ namespace FastPoints.E57
 
         public IReadOnlyList<E57Node> Children => m_children ?? s_none;
 
-        /// <summary>"Structure", "Integer", ...; null if the element does not say.</summary>
+        // "Structure", "Integer", ...; null if the element does not say.
         public string Type => Attribute("type");
 
         public void Add(E57Node child) => (m_children ??= new List<E57Node>()).Add(child);
@@ -35,7 +33,6 @@ namespace FastPoints.E57
         public void AddAttribute(string name, string value) =>
             (m_attributes ??= new List<KeyValuePair<string, string>>()).Add(new KeyValuePair<string, string>(name, value));
 
-        /// <returns>The attribute's text, or null.</returns>
         public string Attribute(string name)
         {
             if (m_attributes != null)
@@ -45,7 +42,6 @@ namespace FastPoints.E57
             return null;
         }
 
-        /// <returns>The child of that name, or null.</returns>
         public E57Node Child(string name)
         {
             foreach (var child in Children)
@@ -54,15 +50,14 @@ namespace FastPoints.E57
             return null;
         }
 
-        /// <returns>A child's text in one line, or null if there is none.</returns>
+        // In one line; null if there is none.
         public string TextOf(string child)
         {
             string text = Child(child)?.Text;
             return string.IsNullOrWhiteSpace(text) ? null : E57Text.OneLine(text);
         }
 
-        /// <summary>A child's number; an empty text means 0.</summary>
-        /// <returns>NaN if there is no such child, or its text is not a number.</returns>
+        // NaN if there is no such child, or its text is not a number; an empty text means 0.
         public double NumberOf(string child)
         {
             var node = Child(child);

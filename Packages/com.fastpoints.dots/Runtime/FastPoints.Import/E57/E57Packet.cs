@@ -1,13 +1,13 @@
 namespace FastPoints.E57
 {
-    /// <summary>Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number
-    /// of bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.</summary>
+    // Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number of
+    // bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.
     unsafe struct E57Packet
     {
         public const int DataKind = 1;
         public const int IgnoredKind = 2;
 
-        /// <summary>Bytes of kind, flags, length and number of bytestreams.</summary>
+        // Kind, flags, length and number of bytestreams.
         public const int MinBytes = 4;
         public const int DataHeaderBytes = 6;
         const int RestartFlag = 1;
@@ -17,14 +17,11 @@ namespace FastPoints.E57
         public bool IsRestart;
         public int Bytes;
 
-        /// <summary>Bytes in front of the bytestreams; 0 for packets without data.</summary>
+        // In front of the bytestreams; 0 for packets without data.
         public int HeaderBytes;
 
-        /// <summary>Reads a header and checks it against its surroundings.</summary>
-        /// <param name="available">Bytes at <paramref name="p"/>; if they may not hold the whole header, it sets <paramref
-        /// name="needsMore"/>.</param>
-        /// <param name="toEnd">Bytes of the section from here.</param>
-        /// <returns>0, or an <see cref="E57Error"/>.</returns>
+        // 0 or an E57Error. Sets needsMore if the available bytes may not hold the whole header; toEnd: bytes of the section from
+        // p.
         public static int Read(byte* p, long available, long toEnd, int streams, out E57Packet packet, out bool needsMore)
         {
             packet = default;

@@ -4,8 +4,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.E57
 {
-    /// <summary>The pages that an E57 file is cut into (ASTM E2807, 5.2): 1,020 bytes of content and their CRC-32C. Offsets in
-    /// headers are physical, bytes of the file; lengths are logical, bytes of content.</summary>
+    // The pages of a file (ASTM E2807, 5.2): 1,020 bytes of content and their CRC-32C. Offsets in headers are physical, bytes of
+    // the file; lengths are logical, bytes of content.
     static class E57Pages
     {
         public const int PageBytes = 1024;
@@ -17,15 +17,13 @@ namespace FastPoints.E57
 
         public static long ToPhysical(long logical) => logical / DataBytes * PageBytes + logical % DataBytes;
 
-        /// <summary>Whether content can start there: not inside a checksum, and at a multiple of four.</summary>
+        // Not inside a checksum, and at a multiple of four.
         public static bool IsContentOffset(ulong physical) => physical % PageBytes < DataBytes && physical % 4 == 0;
 
-        /// <summary>Bytes of content, counting only whole pages.</summary>
+        // Of whole pages only.
         public static long LogicalLength(long fileBytes) => fileBytes / PageBytes * DataBytes;
 
-        /// <summary>Reads content from a logical offset.</summary>
-        /// <param name="damagedPage">The first page whose checksum is wrong, or -1.</param>
-        /// <exception cref="PointCloudException">Truncated if the file ends before.</exception>
+        // damagedPage: the first page whose checksum is wrong, or -1.
         public static byte[] Read(FileSource source, Crc32C crc, long logical, int count, string field, out long damagedPage)
         {
             damagedPage = -1;
@@ -53,7 +51,7 @@ namespace FastPoints.E57
             return content;
         }
 
-        /// <summary>A page's own checksum: the one big-endian number of the format.</summary>
+        // The one big-endian number of the format.
         static uint Checksum(byte[] bytes, int at) =>
             (uint)(bytes[at] << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3]);
     }

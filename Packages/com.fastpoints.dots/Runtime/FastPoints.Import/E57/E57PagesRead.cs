@@ -8,8 +8,7 @@ using Unity.Jobs;
 
 namespace FastPoints.E57
 {
-    /// <summary>Reads some extents of a file together into native memory, checks them and removes checksums; at most one such
-    /// read is in flight.</summary>
+    // Some extents of a file together, checked and without checksums; at most one such read is in flight.
     sealed unsafe class E57PagesRead : IDisposable
     {
         readonly E57File m_file;
@@ -28,12 +27,11 @@ namespace FastPoints.E57
 
         public int PageCapacity { get; }
 
-        /// <summary>Content, valid after the handle that <see cref="Begin"/> gives.</summary>
         public NativeArray<byte> Buffer => m_read.Buffer;
 
         public NativeArray<byte> IsDamaged => m_isDamaged;
 
-        /// <summary>The extents that <see cref="Add"/> has set, in the file's order.</summary>
+        // In the file's order.
         public NativeArray<E57Extent> Extents => m_extents;
 
         public int ExtentCount { get; private set; }
@@ -46,8 +44,7 @@ namespace FastPoints.E57
             Pages = 0;
         }
 
-        /// <summary>Adds pages behind the earlier ones; fewer than requested if the file or the buffer ends.</summary>
-        /// <returns>Whether any were added.</returns>
+        // Fewer pages than requested if the file or the buffer ends; false if none.
         public bool Add(long firstPage, int pages)
         {
             pages = (int)Math.Min(Math.Min(pages, PageCapacity - Pages), m_file.Pages - firstPage);
@@ -76,11 +73,8 @@ namespace FastPoints.E57
             return CheckE57PagesJob.Schedule(m_file.Crc.Table, Buffer, m_isDamaged, Pages, read);
         }
 
-        /// <summary>Closes a read after which all jobs are finished.</summary>
-        /// <exception cref="PointCloudException">It failed, or the file has become shorter since it was opened.</exception>
         public void End() => m_read.End();
 
-        /// <summary>Jobs that use the buffer must be complete.</summary>
         public void Dispose()
         {
             if (!m_extents.IsCreated)
@@ -91,7 +85,6 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>An E57 file whose pages are read.</summary>
     sealed class E57File
     {
         public readonly SourceHandle Handle;
@@ -106,21 +99,17 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>Consecutive pages of a file, and where a buffer holds them.</summary>
     struct E57Extent
     {
         public long FirstPage;
         public int Pages;
-
-        /// <summary>The index of its first page in the buffer.</summary>
         public int BufferPage;
 
         public long LogicalStart => FirstPage * E57Pages.DataBytes;
 
         public long LogicalEnd => (FirstPage + Pages) * E57Pages.DataBytes;
 
-        /// <summary>Added to a logical offset to give the offset in the buffer's content, once the checksums are
-        /// removed.</summary>
+        // Added to a logical offset it gives the offset in the buffer's content.
         public long ToBuffer => ((long)BufferPage - FirstPage) * E57Pages.DataBytes;
     }
 }

@@ -4,17 +4,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>The pose of a scanner (ASTM E2807, 8.4.4): it transforms its own coordinates to those of the file, in
-    /// double.</summary>
+    // From the scanner's coordinates to the file's (ASTM E2807, 8.4.4).
     struct E57Pose
     {
-        /// <summary>Columns of the rotation: the scanner's axes in the file's coordinates.</summary>
+        // The scanner's axes in the file's coordinates.
         public double3 AxisX;
         public double3 AxisY;
         public double3 AxisZ;
         public double3 Translation;
 
-        /// <summary>Whether there is no rotation.</summary>
+        // There is no rotation.
         public bool IsShift;
 
         public static E57Pose Identity => new E57Pose
@@ -27,7 +26,7 @@ namespace FastPoints.E57
 
         public bool IsIdentity => IsShift && math.all(Translation == new double3(0, 0, 0));
 
-        /// <param name="problem">What was assumed instead, if the numbers are not a valid pose; otherwise null.</param>
+        // problem: what was assumed instead, if the numbers are not a valid pose.
         public static E57Pose Read(E57Node node, out string problem)
         {
             var pose = Identity;

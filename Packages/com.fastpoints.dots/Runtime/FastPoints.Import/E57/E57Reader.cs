@@ -6,11 +6,9 @@ using Unity.Collections;
 
 namespace FastPoints.E57
 {
-    /// <summary>Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put
-    /// them. Blocks are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.</summary>
-    /// <remarks>Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is
-    /// read is checked against its checksum: points in a damaged one are left out with a warning. Images are named, not
-    /// read.</remarks>
+    // E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put them. Where in the
+    // packets a record lies takes a walk over their headers (FindBlocks). Points that a scan marks as invalid are left out and
+    // counted, points in a page with a wrong checksum with a warning. Images are named, not read.
     internal sealed class E57Reader : PointReader
     {
         const int MaxReportedScans = 20;
@@ -23,16 +21,13 @@ namespace FastPoints.E57
             m_blocks = blocks;
         }
 
-        /// <inheritdoc cref="Open(FileSource)"/>
         public static E57Reader Open(string path)
         {
             using var source = FileSource.Open(path);
             return Open(source);
         }
 
-        /// <summary>Opens an E57 file: its header, its XML section and the headers of its scans' sections are read.</summary>
-        /// <exception cref="PointCloudException">The header or the XML section is invalid, or none of the file's scans can be
-        /// read.</exception>
+        // Reads the header, the XML section and the headers of its scans' sections.
         public static E57Reader Open(FileSource source)
         {
             var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };
@@ -70,7 +65,7 @@ namespace FastPoints.E57
 
         public override bool BlocksAreKnown => m_blocks.AreKnown;
 
-        /// <summary>Fixed within a few thousand records and a packet or two.</summary>
+        // Fixed within a few thousand records and a packet or two.
         public override bool HasFixedStride => true;
 
         public override int BlockCount => m_blocks.Count;
@@ -85,7 +80,7 @@ namespace FastPoints.E57
 
         public override int PointsInBlock(int block) => m_blocks.PointsOf(block);
 
-        /// <summary>Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.</summary>
+        // Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.
         public override long BytesOfRange(BlockRange range)
         {
             var section = m_blocks.SectionOf(range.Block);

@@ -4,27 +4,26 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>One entry of data3D: a scan as the XML section describes it.</summary>
     sealed class E57Scan
     {
-        /// <summary>More bytestreams than any real prototype has.</summary>
+        // More bytestreams than any real prototype has.
         public const int MaxFields = 250;
 
-        /// <summary>Its index in the file, from 0: scans that cannot be read are missing in the list.</summary>
+        // In the file: scans that cannot be read are missing in the list.
         public int Index;
         public string Name;
         public ulong RecordsClaimed;
 
-        /// <summary>Physical offset of its binary section.</summary>
+        // Physical, of its binary section.
         public ulong SectionOffset;
 
         public readonly List<E57Field> Fields = new List<E57Field>();
         public E57Pose Pose = E57Pose.Identity;
 
-        /// <summary>In the scanner's own coordinates; empty if the file does not say.</summary>
+        // In the scanner's own coordinates; empty if the file does not say.
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
-        /// <summary>Limits of colours and intensity; NaN if the file does not say.</summary>
+        // NaN if the file does not say.
         public double2[] ColorLimits;
         public double2 IntensityLimits;
 
@@ -36,7 +35,7 @@ namespace FastPoints.E57
             return null;
         }
 
-        /// <returns>The fields of these names, or null if one is missing or not a number.</returns>
+        // Null if one is missing or not a number.
         public E57Field[] Three(string[] names)
         {
             var three = new E57Field[3];
@@ -51,10 +50,9 @@ namespace FastPoints.E57
 
         public bool IsCartesian => Three(E57Names.Cartesian) != null;
 
-        /// <summary>Name for messages: "scan 2".</summary>
         public string Label => "scan " + NumberText.Of(Index + 1L);
 
-        /// <summary>Bits of a record in all bytestreams that are read.</summary>
+        // In all bytestreams that are read.
         public long RecordBits
         {
             get
@@ -66,8 +64,7 @@ namespace FastPoints.E57
             }
         }
 
-        /// <param name="problem">Why it cannot be read; null if it can.</param>
-        /// <param name="comment">What was assumed, or null.</param>
+        // problem: why it cannot be read; comment: what was assumed; otherwise null.
         public static E57Scan Read(E57Node node, int index, out string problem, out string comment)
         {
             var scan = new E57Scan { Index = index, Name = node.TextOf("name") };

@@ -4,40 +4,38 @@ using FastPoints.Reading;
 
 namespace FastPoints.E57
 {
-    /// <summary>A scan's binary section, and where its packets contain the starts of record ranges: separately for each
-    /// bytestream, since a packet need not hold the same records of each.</summary>
+    // Marks are kept separately for each bytestream, since a packet need not hold the same records of each.
     sealed class E57Section
     {
         public const int HeaderBytes = 32;
         const int SectionId = 1;
 
-        /// <summary>Records between two marks, unless records are long: a range costs what it holds, rounded up to
-        /// that.</summary>
+        // Between two marks, unless records are long: a range costs what it holds, rounded up to that.
         const int DefaultMarkRecords = 4096;
         const int MinMarkRecords = 64;
         const long MaxMarkBytes = 512 << 10;
         const int MarksPerBlock = 8;
 
-        /// <summary>Extents closer to each other than this are read as one.</summary>
+        // Extents closer to each other than this are read as one.
         const int GapPages = 16;
 
         public readonly E57Scan Scan;
         public readonly List<E57Mark>[] MarksOfStream;
 
-        /// <summary>For each stream, the logical offset behind its last packet.</summary>
+        // For each stream, the logical offset behind its last packet.
         public readonly long[] EndOfStream;
 
-        /// <summary>Logical offsets of the first packet and of the section's end.</summary>
+        // Logical.
         public long DataStart;
         public long End;
 
-        /// <summary>Number of records that exist, as the walk found.</summary>
+        // As many as the walk found.
         public long Records;
 
-        /// <summary>Its index among the scans that are read.</summary>
+        // Among the scans that are read.
         public int Index;
 
-        /// <summary>Index of its first block and point in the whole file.</summary>
+        // Of its first block and point in the whole file.
         public int FirstBlock;
         public long FirstPoint;
 
@@ -57,12 +55,9 @@ namespace FastPoints.E57
         public int BlockPoints => MarkRecords * MarksPerBlock;
         public int BlockCount => (int)((Records + BlockPoints - 1) / BlockPoints);
 
-        /// <summary>The most records that the section can hold.</summary>
         public long RecordsPossible => (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 
-        /// <summary>Reads the section's header; anomalies become warnings.</summary>
-        /// <param name="problem">Why the section cannot be read; null if it can.</param>
-        /// <param name="offset">Byte of the file that the problem is about.</param>
+        // problem: why the section cannot be read, at byte "offset" of the file.
         public static E57Section Read(E57Scan scan, FileSource source, Crc32C crc, SourceInfo info, out string problem,
             out long offset)
         {
@@ -103,11 +98,8 @@ namespace FastPoints.E57
             return section;
         }
 
-        /// <summary>Pages that hold some records of some fields, as ranges in the file's order.</summary>
-        /// <param name="isWanted">Whether each stream is wanted; null for all.</param>
-        /// <param name="firstPages">Filled with first pages; one entry for each stream.</param>
-        /// <param name="endPages">Filled with end pages likewise.</param>
-        /// <returns>The number of ranges.</returns>
+        // Pages with some records of some fields, as ranges in the file's order: firstPages and endPages, one entry for each
+        // stream, are filled as far as the number returned. isWanted: by stream; null for all.
         public int PagesOf(long firstRecord, long endRecord, bool[] isWanted, long[] firstPages, long[] endPages)
         {
             int runs = 0;
@@ -145,8 +137,7 @@ namespace FastPoints.E57
 
         public E57Mark MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / MarkRecords)];
 
-        /// <summary>Logical offset behind the last packet that records before this one need, or sometimes behind one
-        /// more.</summary>
+        // Logical, behind the last packet that records before this one need, or sometimes behind one more.
         public long EndOf(int stream, long endRecord)
         {
             var marks = MarksOfStream[stream];
@@ -155,18 +146,16 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>The packet in which one bytestream reaches a multiple of so many records: reading can start there.</summary>
+    // The packet in which one bytestream reaches a multiple of MarkRecords: reading can start there.
     struct E57Mark
     {
         public int Stream;
-
-        /// <summary>Bytes of the packet.</summary>
         public int PacketBytes;
 
-        /// <summary>Logical offset of the packet.</summary>
+        // Logical.
         public long PacketOffset;
 
-        /// <summary>Bytes of the bytestream in the packets before it.</summary>
+        // Of the bytestream in the packets before it.
         public long BytesBefore;
     }
 }

@@ -5,14 +5,12 @@ using FastPoints.Core;
 
 namespace FastPoints.E57
 {
-    /// <summary>Reads numbers and lines of the XML section.</summary>
     static class E57Text
     {
         const int MaxShownChars = 400;
 
         static readonly DateTime s_gpsEpoch = new DateTime(1980, 1, 6, 0, 0, 0, DateTimeKind.Utc);
 
-        /// <param name="missing">The value of a missing or empty text.</param>
         public static bool TryInteger(string text, long missing, out long value)
         {
             value = missing;
@@ -21,7 +19,6 @@ namespace FastPoints.E57
             return long.TryParse(text.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
         }
 
-        /// <param name="missing">The value of a missing or empty text.</param>
         public static bool TryReal(string text, double missing, out double value)
         {
             value = missing;
@@ -33,7 +30,7 @@ namespace FastPoints.E57
         public static bool TryCount(string text, out ulong value) =>
             ulong.TryParse(text?.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out value);
 
-        /// <summary>Makes text for people: no line ends, nothing unprintable, not longer than a few lines.</summary>
+        // No line ends, nothing unprintable, not longer than a few lines.
         public static string OneLine(string text)
         {
             var line = new StringBuilder(Math.Min(text.Length, MaxShownChars));
@@ -51,7 +48,7 @@ namespace FastPoints.E57
             return line.ToString().TrimEnd();
         }
 
-        /// <summary>A dateTimeValue: seconds of GPS time, which counts no leap seconds.</summary>
+        // A dateTimeValue: GPS time counts no leap seconds.
         public static string GpsTime(double seconds) =>
             seconds > 0 && seconds < 1e10
                 ? s_gpsEpoch.AddSeconds(seconds).ToString("yyyy-MM-dd HH:mm:ss", CultureInfo.InvariantCulture) + " GPS time"

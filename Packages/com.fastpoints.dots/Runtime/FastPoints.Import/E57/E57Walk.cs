@@ -7,24 +7,23 @@ using Unity.Jobs;
 
 namespace FastPoints.E57
 {
-    /// <summary>Walks through the packets of one scan's binary section, reading little more than their headers: most writers make
-    /// packets of nearly the same length, so that the places of the next ones can be guessed and read together. If the guesses
-    /// fail, everything is read.</summary>
+    // Reads little more than the headers of packets: most writers make packets of nearly the same length, so that the places of
+    // the next ones can be guessed and read together. If the guesses fail, everything is read.
     sealed class E57Walk : IDisposable
     {
         const int BufferPages = 2048;
 
-        /// <summary>The first read; it covers all of a small file.</summary>
+        // The first read covers all of a small file.
         const int FirstPages = 256;
 
-        /// <summary>A guess covers one page before the expected one to two behind it.</summary>
+        // From one page before the expected one to two behind it.
         const int GuessPages = 4;
         const int Guesses = BufferPages / GuessPages;
 
-        /// <summary>For shorter packets, reading everything between their headers is faster.</summary>
+        // For shorter packets, reading everything between their headers is faster.
         const int MinGuessedBytes = 16 * E57Pages.DataBytes;
 
-        /// <summary>This many guesses must hold; otherwise the walk makes as many steps without guessing.</summary>
+        // This many guesses must hold; otherwise the walk makes as many steps without guessing.
         const int MinHits = 32;
         const int StepsWithoutGuess = 8;
 
@@ -68,7 +67,7 @@ namespace FastPoints.E57
             }, Allocator.Persistent);
         }
 
-        /// <summary>Coroutine; afterwards the section has its marks and knows its number of records.</summary>
+        // Coroutine; afterwards the section has its marks and knows its number of records.
         public IEnumerator<JobStep> Run()
         {
             while (!m_state.Value.IsDone)

@@ -6,23 +6,20 @@ using FastPoints.Core;
 
 namespace FastPoints.E57
 {
-    /// <summary>Reads the XML section into a tree. Prefixes need not be declared (some writers forget to). Document type
-    /// definitions, and with them entities, are refused, and a document's use of memory is bounded.</summary>
+    // Prefixes need not be declared (some writers forget to). Document type definitions, and with them entities, are refused, and
+    // a document's use of memory is bounded.
     static class E57XmlTree
     {
         public const int MaxBytes = 32 << 20;
 
-        /// <summary>The most elements and attributes: about 100 bytes each.</summary>
+        // Elements and attributes: about 100 bytes each.
         const int MaxItems = 1_000_000;
         const int MaxDepth = 64;
 
-        /// <summary>The most bytes between two tags: the parser holds all attributes of a tag together.</summary>
+        // Between two tags: the parser holds all attributes of a tag together.
         const int MaxTagBytes = 1 << 20;
         const int MaxTextChars = 1 << 20;
 
-        /// <param name="xml">The text in UTF-8.</param>
-        /// <param name="offset">Where it starts in the file.</param>
-        /// <exception cref="PointCloudException">It is not well-formed XML, or larger than any E57 file needs.</exception>
         public static E57Node Parse(byte[] xml, string path, long offset)
         {
             CheckTags(xml, path, offset);

@@ -8,8 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>The last step of a range: it transforms positions from the scanner's coordinates to the file's, rotates normals,
-    /// and removes points that are left out from all columns.</summary>
+    // The last step of a range; it also removes the points that are left out from all columns.
     [BurstCompile]
     unsafe struct PlaceE57PointsJob : IJob
     {
@@ -24,13 +23,13 @@ namespace FastPoints.E57
         public NativeReference<DecodeResult> Result;
         public NativeReference<E57Anomalies> Anomalies;
 
-        /// <summary>Whether positions lie in rows 0 to 2, and normals in rows 3 to 5.</summary>
+        // In rows 0 to 2 and rows 3 to 5.
         public bool HasPositions;
         public bool IsSpherical;
         public bool HasNormals;
         public E57Pose Pose;
 
-        /// <summary>Columns of x, y, z and of the normal's components; -1 for unwanted ones.</summary>
+        // -1 for unwanted ones.
         public int3 PositionColumns;
         public int3 NormalColumns;
 
@@ -51,7 +50,7 @@ namespace FastPoints.E57
 
         double* Row(int row) => (double*)Vectors.GetUnsafePtr() + (long)row * RowLength;
 
-        /// <summary>ASTM E2807, 8.4.3: azimuth from x to y, elevation from the xy plane, in radians.</summary>
+        // ASTM E2807, 8.4.3: azimuth from x to y, elevation from the xy plane, in radians.
         void FromSpherical(int count)
         {
             double* row0 = Row(0), row1 = Row(1), row2 = Row(2);

@@ -5,12 +5,10 @@ using Unity.Jobs;
 
 namespace FastPoints.E57
 {
-    /// <summary>Steps from packet header to packet header as far as the pages at hand reach, and marks where ranges of records
-    /// begin in the bytestreams.</summary>
+    // Steps from header to header as far as the pages at hand reach, and marks where ranges of records begin.
     [BurstCompile]
     unsafe struct WalkE57Job : IJob
     {
-        /// <summary>Content without checksums, as <see cref="CheckE57PagesJob"/> leaves it.</summary>
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeArray<byte> IsDamaged;
         [ReadOnly] public NativeArray<E57Extent> Extents;
@@ -88,7 +86,7 @@ namespace FastPoints.E57
             state.StreamsLeft--;
         }
 
-        /// <summary>A restart changes nothing if every bytestream is at a value's end.</summary>
+        // A restart changes nothing if every bytestream is at a value's end.
         bool IsWithinValue(E57StreamWalk* streams)
         {
             for (int i = 0; i < StreamCount; i++)
@@ -114,43 +112,36 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>Progress of a walk through packets in one bytestream.</summary>
     struct E57StreamWalk
     {
-        /// <summary>Bits of one value.</summary>
         public int Bits;
-
-        /// <summary>Bytes in the packets so far.</summary>
         public long Bytes;
 
-        /// <summary>Bytes that all records take; 0 for a stream that need not be followed.</summary>
+        // 0 for a stream that need not be followed.
         public long BytesWanted;
 
-        /// <summary>Bytes from mark to mark, and where the next one is due.</summary>
+        // From mark to mark, and where the next one is due.
         public long MarkStep;
         public long NextMark;
 
-        /// <summary>Logical offset behind the packet with the last wanted byte; 0 until it has come.</summary>
+        // Logical, behind the packet with the last wanted byte; 0 until it has come.
         public long EndOffset;
     }
 
-    /// <summary>Progress of a walk through the packets of one scan.</summary>
     struct E57WalkState
     {
-        /// <summary>Logical offset of the next packet.</summary>
+        // Logical, of the next packet.
         public long Position;
 
-        /// <summary>Number of streams that are still incomplete.</summary>
         public int StreamsLeft;
 
-        /// <summary>Data packets in this step, and the length of the last one.</summary>
+        // In this step.
         public int Packets;
         public int LastPacketBytes;
 
-        /// <summary>An <see cref="E57Error"/>, at <see cref="Position"/>.</summary>
+        // An E57Error, at Position.
         public int Error;
 
-        /// <summary>Headers whose page has a wrong checksum, and the first such page.</summary>
         public int DamagedHeaders;
         public long FirstDamagedPage;
 

@@ -6,11 +6,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Las
 {
-    /// <summary>Checks a header's claims against what the file can hold. Differences are warnings; the file wins.</summary>
+    // A header's claims against what the file can hold. Differences are warnings; the file wins.
     internal static class LasClaims
     {
-        /// <summary>Points that fit into the file's size, at most those claimed.</summary>
-        /// <exception cref="PointCloudException">Truncated: points are claimed, but there are none.</exception>
+        // Truncated if points are claimed, but there are none.
         public static long CountReadable(LasHeader header, long fileBytes, SourceInfo info)
         {
             ulong claimed = header.PointsClaimed;
@@ -44,8 +43,7 @@ namespace FastPoints.Las
             return readable;
         }
 
-        /// <summary>Compares the claimed box with what integers, scale and offset can express, and with a few points.</summary>
-        /// <param name="readable">Points that can be read; the first, middle and last are checked.</param>
+        // The claimed box against what integers, scale and offset can express, and the first, middle and last point.
         public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
         {
             var records = new List<long>();
@@ -55,7 +53,7 @@ namespace FastPoints.Las
             CheckBounds(header, source, records, info);
         }
 
-        /// <summary>The same, with points whose records start at these bytes of the file.</summary>
+        // With points whose records start at these bytes of the file.
         public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
         {
             int readable = records.Count;
@@ -99,7 +97,6 @@ namespace FastPoints.Las
             info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(seen.Min));
         }
 
-        /// <summary>Checks what lies between the last claimed point and the next part that the header names.</summary>
         static void CheckTrailing(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
         {
             long end = fileBytes;

@@ -4,8 +4,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a
-    /// point. It is read in any version if present; real files have it from LAS 1.2 on.</summary>
+    // The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a point. Read in
+    // any version if present; real files have it from LAS 1.2 on.
     internal static class LasExtraBytes
     {
         public const int EntryBytes = 192;
@@ -28,9 +28,8 @@ namespace FastPoints.Las
             AttributeType.Int32, AttributeType.UInt64, AttributeType.Int64, AttributeType.Float32, AttributeType.Float64,
         };
 
-        /// <summary>The described fields, one for each component (<c>Name[0]</c>, <c>Name[1]</c>, ... of several).</summary>
-        /// <param name="first">Offset of the extra bytes in the record.</param>
-        /// <param name="recordBytes">End of the record: descriptions that do not fit are left out with a warning.</param>
+        // One field for each component (Name[0], Name[1], ... of several). first: offset of the extra bytes in the record of
+        // recordBytes; descriptions that do not fit are left out with a warning.
         public static List<PointField> Read(ByteReader entries, int first, int recordBytes, SourceInfo info)
         {
             var fields = new List<PointField>();
@@ -75,7 +74,7 @@ namespace FastPoints.Las
             return fields;
         }
 
-        /// <summary>Makes one description for <see cref="LasWriter"/>: of a single component.</summary>
+        // Of a single component.
         public static byte[] Entry(PointAttribute attribute)
         {
             var entry = new byte[EntryBytes];

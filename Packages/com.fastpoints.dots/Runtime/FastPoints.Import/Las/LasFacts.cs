@@ -6,7 +6,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>Lists the parts of a LAS header that are not used in computations, as lines for people.</summary>
+    // What is not used in computations, as lines for people.
     internal static class LasFacts
     {
         static readonly string[] s_encodingBits =

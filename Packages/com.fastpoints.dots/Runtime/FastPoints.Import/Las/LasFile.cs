@@ -4,19 +4,15 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>Everything in a LAS or LAZ file except its points: header, records, the layout of a point, and what they
-    /// say.</summary>
     internal sealed class LasFile
     {
         public LasHeader Header { get; private set; }
         public LasVlrTable Vlrs { get; private set; }
         public LasRecordLayout Layout { get; private set; }
 
-        /// <summary>Complete except for the points: the reader decides on <see cref="SourceInfo.PointsReadable"/> and the claimed
-        /// bounds, since only it knows how points lie in the file.</summary>
+        // Complete except for PointsReadable and the claimed bounds: only the reader knows how points lie in the file.
         public SourceInfo Info { get; private set; }
 
-        /// <exception cref="PointCloudException">The points are unreadable: see <see cref="LasHeader.Read"/>.</exception>
         public static LasFile Read(FileSource source)
         {
             var header = LasHeader.Read(source);
@@ -50,8 +46,7 @@ namespace FastPoints.Las
             return new LasFile { Header = header, Vlrs = vlrs, Layout = layout, Info = info };
         }
 
-        /// <summary>Uses readable WKT if there is any, otherwise GeoTIFF keys: files with both have the keys for programs that
-        /// cannot read WKT.</summary>
+        // WKT if it is readable, otherwise GeoTIFF keys: files with both have the keys for programs that cannot read WKT.
         static void ReadCrs(LasVlrTable vlrs, SourceInfo info)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.WktRecord);

@@ -4,8 +4,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into
-    /// a record of doubles and one of text. What is wrong with them is a warning, since points need no keys.</summary>
+    // The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into a record
+    // of doubles and one of text. What is wrong with them is a warning, since points need no keys.
     internal static class LasGeoKeys
     {
         const int ModelTypeKey = 1024;
@@ -24,14 +24,13 @@ namespace FastPoints.Las
         const int UserDefined = 32767;
         const int EntryBytes = 8;
 
-        /// <summary>EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).</summary>
+        // EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).
         static readonly Dictionary<int, double> s_metresOfUnit = new Dictionary<int, double>
         {
             { 9001, 1 }, { 9002, 0.3048 }, { 9003, 1200.0 / 3937 }, { 9005, 0.3047972654 }, { 9014, 1.8288 },
             { 9030, 1852 }, { 9036, 1000 }, { 9093, 1609.344 },
         };
 
-        /// <summary>Fills <paramref name="crs"/> where the file has keys that say something.</summary>
         public static void Read(LasVlrTable vlrs, SourceInfo info, CoordinateSystem crs)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord);
@@ -55,7 +54,7 @@ namespace FastPoints.Las
             keys.Fill(crs);
         }
 
-        /// <summary>A directory of the codes alone.</summary>
+        // Of the codes alone.
         public static byte[] Directory(CoordinateSystem crs)
         {
             bool isGeographic = double.IsNaN(crs.MetresPerUnit);
@@ -80,7 +79,7 @@ namespace FastPoints.Las
             return directory;
         }
 
-        /// <summary>Keys that the directory has, and has room for.</summary>
+        // Keys that the directory has, and has room for.
         static int CountOf(ByteReader directory, LasVlr record, SourceInfo info)
         {
             int version = directory.UInt16(0, "GeoTIFF key directory version");
@@ -95,7 +94,7 @@ namespace FastPoints.Las
             return room;
         }
 
-        /// <summary>What the keys say; 0 and null where they say nothing.</summary>
+        // 0 and null where the keys say nothing.
         struct Keys
         {
             public int Empty;
@@ -171,7 +170,7 @@ namespace FastPoints.Las
             }
         }
 
-        /// <summary>UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.</summary>
+        // UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.
         static bool IsUtm(int epsg) =>
             epsg >= 32601 && epsg <= 32660 || epsg >= 32701 && epsg <= 32760 || epsg >= 25828 && epsg <= 25838
             || epsg >= 26901 && epsg <= 26923 || epsg >= 26701 && epsg <= 26722;

@@ -4,11 +4,11 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>The eleven point data record formats of LAS 1.0 to 1.5, each composed of the specification's parts: a core, then
-    /// GPS time, colour, near infrared, wave packet.</summary>
+    // The point data record formats of LAS 1.0 to 1.5, composed of the specification's parts: a core, then GPS time, colour, near
+    // infrared, wave packet.
     internal sealed class LasPointFormat
     {
-        /// <summary>Consecutive fields with offsets from their own start.</summary>
+        // Consecutive fields with offsets from their own start.
         sealed class Part
         {
             public readonly int Bytes;
@@ -23,7 +23,7 @@ namespace FastPoints.Las
 
         public const int Count = 11;
 
-        /// <summary>Formats from this one on have the 30-byte core.</summary>
+        // Formats from this one on have the 30-byte core.
         public const int FirstExtended = 6;
 
         // Byte 14: return number 0-2, number of returns 3-5, scan direction 6, edge of flight line 7.
@@ -119,15 +119,13 @@ namespace FastPoints.Las
 
         public int Id { get; }
 
-        /// <summary>Bytes of a record without extra bytes.</summary>
+        // Without extra bytes.
         public int RecordBytes { get; }
 
-        /// <summary>In the order of the record.</summary>
         public IReadOnlyList<PointField> Fields { get; }
 
         public bool IsExtended => Id >= FirstExtended;
 
-        /// <param name="id">0 to 10.</param>
         public static LasPointFormat Of(int id) => s_formats[id];
     }
 }

@@ -5,8 +5,8 @@ using Unity.Collections;
 
 namespace FastPoints.Las
 {
-    /// <summary>Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a range
-    /// of records whose size suits slices of work, and any part of it costs what it holds.</summary>
+    // Records have a fixed length, so a block is a range of records whose size suits slices of work, and any part of it costs
+    // what it holds.
     internal sealed class LasReader : PointReader
     {
         // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
@@ -31,7 +31,7 @@ namespace FastPoints.Las
             BlockCount = (int)blocks;
         }
 
-        /// <summary>Opens plain records, whatever the header says about compression.</summary>
+        // Whatever the header says about compression.
         internal static PointReader OpenUncompressed(LasFile las, FileSource source)
         {
             las.Info.PointsReadable = LasClaims.CountReadable(las.Header, source.Length, las.Info);

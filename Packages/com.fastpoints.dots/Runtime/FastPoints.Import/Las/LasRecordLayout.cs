@@ -4,12 +4,10 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>Everything that a record of one file holds: the fields of its point format, then extra bytes.</summary>
     internal sealed class LasRecordLayout
     {
-        /// <param name="recordBytes">According to the header; at least the format's own.</param>
-        /// <param name="extra">Described extra bytes, with offsets from the record's start. The rest of the record becomes
-        /// columns of single bytes named <c>ExtraBytes[i]</c>, so that no part of a record is lost.</param>
+        // recordBytes: according to the header, at least the format's own; extra: described bytes, with offsets from the record's
+        // start. The rest of the record becomes columns of single bytes named ExtraBytes[i], so that no part of a record is lost.
         public LasRecordLayout(LasPointFormat format, int recordBytes, IEnumerable<PointField> extra)
         {
             Format = format;
@@ -32,12 +30,10 @@ namespace FastPoints.Las
         public LasPointFormat Format { get; }
         public int RecordBytes { get; }
 
-        /// <summary>End of the last byte that the format or a description covers.</summary>
+        // End of the last byte that the format or a description covers.
         public int DescribedBytes { get; }
 
         public PointFields Fields { get; } = new PointFields();
-
-        /// <summary>One attribute for each field, in the same order.</summary>
         public PointSchema Schema { get; }
     }
 }

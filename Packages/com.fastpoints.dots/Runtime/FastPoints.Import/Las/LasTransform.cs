@@ -3,17 +3,16 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>Turns a header's scale and offset into a transform that keeps points apart, whatever the header says.</summary>
     internal static class LasTransform
     {
-        /// <summary>A hundredth of a unit, which is most common in LAS files.</summary>
+        // Most common in LAS files.
         const double TypicalScale = 0.01;
 
         static readonly string[] s_axes = { "x", "y", "z" };
 
-        /// <summary>Reads the header's transform. An axis whose scale is zero or not finite would lose its points, so it takes
-        /// the scale of another axis (x and y each other's first) or 0.01; an offset that is not finite becomes 0. Each of these
-        /// is a warning. A negative scale is kept: it mirrors, and that is exact.</summary>
+        // An axis whose scale is zero or not finite would lose its points, so it takes the scale of another axis (x and y each
+        // other's first) or 0.01; an offset that is not finite becomes 0. Each of these is a warning. A negative scale is kept:
+        // it mirrors, and that is exact.
         public static PositionTransform Read(LasHeader header, SourceInfo info)
         {
             var transform = new PositionTransform { Scale = header.Scale, Offset = header.Offset };

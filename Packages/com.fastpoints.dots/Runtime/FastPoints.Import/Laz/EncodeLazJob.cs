@@ -5,19 +5,16 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>A slice of compressing a chunk, behind the one before it.</summary>
     [BurstCompile]
     internal unsafe struct EncodeLazJob : IJob
     {
-        /// <summary>Points of a slice, and points of layers: 2 to 3 ms on one core.</summary>
+        // Points of a slice, and points of layers: 2 to 3 ms on one core.
         public const int SlicePoints = 4096, LayerPoints = 32768;
 
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<LazLayer> Layers;
         public bool IsLayered;
         public int RecordBytes;
-
-        /// <summary>Of the chunk.</summary>
         public int Points;
         public NativeArray<byte> State;
         public NativeArray<byte> Output;

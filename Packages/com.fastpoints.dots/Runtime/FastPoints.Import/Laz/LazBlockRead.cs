@@ -8,17 +8,15 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Reads one range of a block (for a layered chunk only the wanted layers: first the header that says where they
-    /// are, then a read that a job has planned), then decodes it in a chain of slices.</summary>
+    // Of a layered chunk only the wanted layers: first the header that says where they are, then a read that a job has planned.
     sealed unsafe class LazBlockRead : SlotRead
     {
-        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
+        // About 4 ms of decoding on one core.
         const int SlicePoints = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
-        /// <summary>Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes
-        /// saved.</summary>
+        // Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes saved.
         const int SmallChunkBytes = 16 << 10;
 
         const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
@@ -40,13 +38,12 @@ namespace FastPoints.Laz
         bool m_isPlanned;
         bool m_keepsStates;
 
-        /// <summary>The copies from and to the state.</summary>
+        // The copies from and to the state.
         JobHandle m_copied;
 
-        /// <summary>What the range that begins goes on from, or null.</summary>
+        // What the range that begins goes on from, or null.
         LazCheckpoint m_from;
 
-        /// <summary>Byte of the file at which the input starts.</summary>
         long m_inputOffset;
 
         public LazBlockRead(PointReader reader, LazBlocks blocks, PointSchema wanted, int capacity, Allocator allocator)
@@ -66,7 +63,7 @@ namespace FastPoints.Laz
             m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
         }
 
-        /// <returns>Whether all layers are wanted.</returns>
+        // True if all layers are wanted.
         bool ConfigureState(PointSchema wanted, Allocator allocator)
         {
             var layers = m_format.Layers;
@@ -165,8 +162,7 @@ namespace FastPoints.Laz
             return Schedule(decode, JobHandle.CombineDependencies(read, m_copied));
         }
 
-        /// <summary>Starts the read of a range's input.</summary>
-        /// <param name="decode">Receives the settings that the read implies.</param>
+        // decode: receives the settings that the read implies.
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;

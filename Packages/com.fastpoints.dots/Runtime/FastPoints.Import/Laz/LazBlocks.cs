@@ -6,24 +6,23 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>The chunks of a LAZ file as far as they are known, and the blocks that they are read in: a chunk, or a part of
-    /// one that is too long.</summary>
+    // The chunks as far as they are known, and the blocks that they are read in: a chunk, or a part of one that is too long.
     sealed class LazBlocks
     {
-        /// <summary>Compressed bytes of a layered chunk, which a slot holds whole.</summary>
+        // A slot holds a layered chunk whole.
         public const long MaxLayeredChunkBytes = 1L << 29;
 
-        /// <summary>A block has at least this many points, however long its records are.</summary>
+        // A block has at least this many points, however long its records are.
         const int MinLongChunkPoints = 1 << 16;
 
-        /// <summary>Limit for the records of a block: a slot holds its columns, whatever a file claims.</summary>
+        // A slot holds its columns, whatever a file claims.
         const int MaxBlockBytes = 32 << 20;
 
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
 
-        /// <summary>Whether each chunk is one block, so that no list of blocks is needed.</summary>
+        // Each chunk is one block, so that no list of blocks is needed.
         bool m_areChunksBlocks;
         long m_maxInputBytes = -1;
 
@@ -40,20 +39,20 @@ namespace FastPoints.Laz
 
         public LazFormat Format { get; }
 
-        /// <summary>The file for what lies between the points.</summary>
+        // For what lies between the points.
         public FileSource Source { get; }
 
-        /// <summary>The same file for the points.</summary>
+        // For the points.
         public SourceHandle File { get; }
 
         public SourceInfo Info => Las.Info;
 
-        /// <summary>Chunks with more points become several blocks.</summary>
+        // Chunks with more points become several blocks.
         public int LongChunkPoints { get; }
 
         public LazChunkList Chunks { get; set; } = new LazChunkList();
 
-        /// <summary>Copies of the decoder's state, from which blocks within long chunks are decoded.</summary>
+        // Of the decoder's state: blocks within long chunks are decoded from them.
         public List<LazCheckpoint> Checkpoints { get; } = new List<LazCheckpoint>();
 
         public int Count => m_areChunksBlocks ? Chunks.Count : m_blocks.Count;
@@ -89,18 +88,17 @@ namespace FastPoints.Laz
 
         public LazChunk ChunkOf(LazBlock block) => Chunks[block.Chunk];
 
-        /// <summary>The checkpoint from which a block is decoded, if not from its chunk's start.</summary>
+        // Null where a block is decoded from its chunk's start.
         public LazCheckpoint CheckpointOf(LazBlock block) => block.Checkpoint < 0 ? null : Checkpoints[block.Checkpoint];
 
-        /// <summary>Records that a chunk gave its last point before <paramref name="point"/>, counted in it: later blocks are not
-        /// tried, since each would decode the chunk from its start.</summary>
+        // A chunk gave its last point before this one: later blocks are not tried, each would decode the chunk from its start.
         public void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
-        /// <summary>The most points that a chunk can have, as far as is known.</summary>
+        // At most, as far as is known.
         public long EndOfChunk(LazBlock block) =>
             m_endOfChunk.TryGetValue(block.Chunk, out long end) ? end : Chunks[block.Chunk].Points;
 
-        /// <summary>Input bytes of the largest known block, for a slot that takes any.</summary>
+        // Of the largest known block, for a slot that takes any.
         public long MaxInputBytes()
         {
             // For millions of blocks this takes longer than reading some of them.
@@ -119,14 +117,12 @@ namespace FastPoints.Laz
             return m_maxInputBytes = max;
         }
 
-        /// <summary>The most bytes that this many points of a chunk take: no more is read, however long the chunk claims to
-        /// be.</summary>
+        // At most, of this many points: no more is read, however long the chunk claims to be.
         public long MaxInputBytes(long points) => Format.IsLayered
             ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
-        /// <summary>Warns about a block that gave fewer points than it has, or did not end where it should, once for each
-        /// block.</summary>
+        // Once for each block.
         public void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_reportedBlocks.Add(range.Block))
@@ -143,7 +139,7 @@ namespace FastPoints.Laz
                     + ": the others are not in the file");
         }
 
-        /// <summary>Uses each chunk as a block if none is too long for that: millions of them then take no memory.</summary>
+        // Each chunk is a block if none is too long for that: millions of them then take no memory.
         public bool TryTakeChunks()
         {
             m_areChunksBlocks = Chunks.AreInRow && Chunks.MaxPoints <= LongChunkPoints;
@@ -152,7 +148,7 @@ namespace FastPoints.Laz
             return m_areChunksBlocks;
         }
 
-        /// <summary>Adds a chunk that starts without a checkpoint, as one block or several.</summary>
+        // As one block or several; it starts without a checkpoint.
         public void AddChunk(int chunk)
         {
             var of = Chunks[chunk];
@@ -179,7 +175,7 @@ namespace FastPoints.Laz
             m_maxInputBytes = -1;
         }
 
-        /// <summary>Removes the blocks, to add others of the same chunks.</summary>
+        // Others of the same chunks will be added.
         public void Clear()
         {
             m_blocks.Clear();
@@ -195,7 +191,7 @@ namespace FastPoints.Laz
             Checkpoints.Clear();
         }
 
-        /// <summary>Checks the claimed bounds against the first points of some chunks, which are stored uncompressed.</summary>
+        // Against the first points of some chunks, which are stored uncompressed.
         public void CheckBounds()
         {
             var offsets = new List<long>();
@@ -206,26 +202,24 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>A block of a LAZ file: a chunk, or a part of one that is too long.</summary>
     struct LazBlock
     {
         public int Chunk;
 
-        /// <summary>First point, counted from the chunk's start.</summary>
+        // Counted from the chunk's start.
         public long FirstInChunk;
 
-        /// <summary>Index of its first point in the whole source.</summary>
+        // In the whole source.
         public long FirstPoint;
 
         public int Points;
 
-        /// <summary>Offset of its end in the file: the chunk's end, except for parts of one.</summary>
+        // The chunk's end, except for parts of one.
         public long EndOffset;
 
-        /// <summary>Whether it takes the chunk to its end.</summary>
         public bool IsToEnd;
 
-        /// <summary>Index of the checkpoint from which it is decoded, or -1 for the chunk's start.</summary>
+        // From which it is decoded, or -1 for the chunk's start.
         public int Checkpoint;
     }
 }

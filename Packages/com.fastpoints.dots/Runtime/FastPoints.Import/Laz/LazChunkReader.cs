@@ -7,15 +7,13 @@ using Unity.Collections;
 
 namespace FastPoints.Laz
 {
-    /// <summary>A file whose points lie in LAZ chunks, wherever these are listed: in a chunk table (<see cref="LazReader"/>) or
-    /// in the hierarchy of an octree (<see cref="CopcReader"/>). Any block can be decoded on its own, and its first points
-    /// without the rest.</summary>
+    // Points in LAZ chunks, listed in a chunk table (LazReader) or in the hierarchy of an octree (CopcReader).
     internal abstract class LazChunkReader : PointReader
     {
-        /// <summary>Of a decoder and its tile.</summary>
+        // Of a decoder and its tile.
         internal sealed override long DecoderBytes => 512 << 10;
 
-        /// <summary>Chunks up to this size are one block, unless their records are long.</summary>
+        // Chunks up to this size are one block, unless their records are long.
         public const int MaxBlockPoints = 1 << 20;
 
         private protected LazChunkReader(LazBlocks blocks)
@@ -46,7 +44,7 @@ namespace FastPoints.Laz
             return Info.Path;
         }
 
-        /// <summary>Estimates by the block's share of its chunk; unwanted layers are not deducted.</summary>
+        // Estimates by the block's share of its chunk; unwanted layers are not deducted.
         public override long BytesOfRange(BlockRange range)
         {
             var block = Blocks[range.Block];

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Compresses records to one LAZ chunk at a time, in short jobs, in memory that is reused.</summary>
+    // One chunk at a time, in short jobs, in memory that is reused.
     internal sealed unsafe class LazChunkWriter : IDisposable
     {
         readonly LazChunkForm m_form;
@@ -25,7 +25,7 @@ namespace FastPoints.Laz
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
         }
 
-        /// <summary>The chunk, when the jobs are complete.</summary>
+        // When the jobs are complete.
         public NativeArray<byte> Chunk => m_output.GetSubArray(0, (int)m_bytes.Value);
 
         public JobHandle Schedule(NativeArray<byte> records, int points)
@@ -53,7 +53,6 @@ namespace FastPoints.Laz
             return done;
         }
 
-        /// <summary>The jobs must be complete.</summary>
         public void Dispose()
         {
             if (!m_state.IsCreated)
@@ -65,10 +64,10 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>What all chunks of a file have in common.</summary>
+    // What all chunks of a file have in common.
     internal sealed class LazChunkForm
     {
-        /// <summary>LASzip's usual size, and the most memory of a chunk's output.</summary>
+        // LASzip's usual size, and the most memory of a chunk's output.
         const int DefaultPoints = 50000;
         const long MaxOutputBytes = 32 << 20;
 
@@ -90,7 +89,7 @@ namespace FastPoints.Laz
 
         public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
 
-        /// <summary>Of one chunk, and what encoders write behind it.</summary>
+        // Of one chunk, and what encoders write behind it.
         public long MaxBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
 
         long BytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)

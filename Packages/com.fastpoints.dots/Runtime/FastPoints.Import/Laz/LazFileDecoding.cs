@@ -8,11 +8,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Decodes whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range
-    /// goes.</summary>
+    // Whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range goes.
     sealed unsafe class LazFileDecoding : IDisposable
     {
-        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
+        // About 4 ms of decoding on one core.
         const int SlicePoints = 16384;
 
         const int MaxTileBytes = 64 << 10;
@@ -26,10 +25,7 @@ namespace FastPoints.Laz
         NativeArray<FieldCopy> m_copies;
         NativeReference<LazFileState> m_state;
 
-        /// <param name="las">One of the files: the others are like it.</param>
-        /// <param name="format">The format of that file, or null for LAS.</param>
-        /// <param name="batch">The batch with the wanted columns, to be filled.</param>
-        /// <exception cref="ArgumentException">The files lack an attribute.</exception>
+        // las: one of the files, the others are like it; format: null for LAS.
         public LazFileDecoding(LasFile las, LazFormat format, PointBatch batch, Allocator allocator)
         {
             m_las = las;
@@ -43,13 +39,10 @@ namespace FastPoints.Laz
             m_state = new NativeReference<LazFileState>(allocator);
         }
 
-        /// <summary>Points of the last decoded file, according to its header.</summary>
+        // Of the last decoded file, according to its header.
         public long PointsInFile => m_state.Value.PointsInFile;
 
-        /// <param name="input">The file, with <see cref="RangeCode.PaddingBytes"/> behind it, after <paramref
-        /// name="inputDeps"/>.</param>
-        /// <param name="first">First point of the range, counted from the file's start.</param>
-        /// <param name="roundsOffset">See <see cref="DecodeLazFileJob.RoundsOffset"/>.</param>
+        // input: the file with PaddingBytes of RangeCode behind it, after inputDeps; first: counted from the file's start.
         public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset,
             PointBatch to, NativeReference<DecodeResult> result, JobHandle inputDeps)
         {

@@ -4,11 +4,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Laz
 {
-    /// <summary>How a LAZ file's whole numbers are converted to another scale and offset: exactly, to the nearest whole number of
-    /// steps if allowed, or not at all.</summary>
+    // To another scale and offset: exactly, to the nearest whole number of steps if allowed, or not at all.
     unsafe struct LazFilePlacing
     {
-        /// <summary>Whether scale and offset are the same, so that there is nothing to do.</summary>
+        // There is nothing to do.
         public bool IsSame;
 
         Axis m_x;
@@ -31,10 +30,8 @@ namespace FastPoints.Laz
             }
         }
 
-        /// <param name="header">The header of the LAZ file.</param>
-        /// <param name="roundsOffset">If steps are the same, offsets are rounded to the nearest that lie whole steps
-        /// apart.</param>
-        /// <returns>Whether the file's steps are whole steps of the grid.</returns>
+        // False if the file's steps are not whole steps of the grid. roundsOffset: if steps are the same, offsets are rounded to
+        // the nearest that lie whole steps apart.
         public static bool TryMake(byte* header, in PositionTransform grid, bool roundsOffset, out LazFilePlacing placing)
         {
             double* scale = (double*)(header + LasHeader.At.Scale), offset = (double*)(header + LasHeader.At.Offset);
@@ -46,8 +43,7 @@ namespace FastPoints.Laz
                 && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, roundsOffset, out placing.m_z);
         }
 
-        /// <param name="position">X, Y, Z of a record; left half-converted if false is returned.</param>
-        /// <returns>Whether the position on the grid fits into 32 bits.</returns>
+        // False if a position does not fit into 32 bits on the grid: it is left half-converted.
         public readonly bool TryPlace(int* position) =>
             m_x.TryPlace(ref position[0]) && m_y.TryPlace(ref position[1]) && m_z.TryPlace(ref position[2]);
 

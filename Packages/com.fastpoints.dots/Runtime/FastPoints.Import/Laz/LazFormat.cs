@@ -6,35 +6,35 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>How a file's points are compressed, in the LASzip VLR's terms.</summary>
+    // In the LASzip VLR's terms.
     internal enum LazCompressor
     {
-        /// <summary>Not compressed: plain records in a file that says LAZ.</summary>
+        // Plain records in a file that says LAZ.
         None = 0,
 
-        /// <summary>One stream from the first point to the last (LASzip 1.x).</summary>
+        // One stream from the first point to the last (LASzip 1.x).
         Pointwise = 1,
 
-        /// <summary>Chunks, each a stream of its own.</summary>
+        // Chunks, each a stream of its own.
         PointwiseChunked = 2,
 
-        /// <summary>Chunks of layers, for point formats 6 to 10.</summary>
+        // Chunks of layers, for point formats 6 to 10.
         LayeredChunked = 3,
     }
 
-    /// <summary>The contents of the LASzip VLR, checked against the header.</summary>
+    // The LASzip VLR, checked against the header.
     internal sealed class LazFormat
     {
         public const string UserId = "laszip encoded";
         public const ushort RecordId = 22204;
 
-        /// <summary>The chunk size that means "in the chunk table"; 0 has been written for it as well.</summary>
+        // "In the chunk table"; 0 has been written for it as well.
         public const uint VariableChunkPoints = uint.MaxValue;
 
-        /// <summary>More extra bytes in a point than any file has: a decoder's state takes 1.6 KB for each.</summary>
+        // More than any file has: a decoder's state takes 1.6 KB for each.
         public const int MaxExtraBytes = 4096;
 
-        /// <summary>Offset of the number of items in the VLR's data; the items follow it.</summary>
+        // Of the number of items in the VLR's data; the items follow it.
         public const int ItemsAt = 32;
 
         const int FixedBytes = ItemsAt + 2;
@@ -42,24 +42,22 @@ namespace FastPoints.Laz
 
         public LazCompressor Compressor;
 
-        /// <summary>Points of each chunk except the last, or <see cref="VariableChunkPoints"/>.</summary>
+        // Of each chunk except the last, or VariableChunkPoints.
         public uint ChunkPoints;
 
         public LazItem[] Items;
         public int RecordBytes;
 
-        /// <summary>LASzip's own version, for people.</summary>
+        // LASzip's own, for people.
         public string WriterVersion;
 
-        /// <summary>The layers of layered chunks; otherwise empty.</summary>
+        // Of layered chunks; otherwise empty.
         public LazLayer[] Layers;
 
         public bool IsLayered => Compressor == LazCompressor.LayeredChunked;
 
         public bool HasVariableChunks => ChunkPoints == VariableChunkPoints;
 
-        /// <exception cref="PointCloudException">The VLR is missing or does not fit the header, or names an unknown coder or
-        /// item.</exception>
         public static LazFormat Read(LasFile las)
         {
             string path = las.Info.Path;
@@ -107,7 +105,7 @@ namespace FastPoints.Laz
             return format;
         }
 
-        /// <summary>The VLR's bytes from <see cref="ItemsAt"/> on.</summary>
+        // From ItemsAt on.
         internal byte[] ItemBytesOfVlr()
         {
             var bytes = new byte[FixedBytes - ItemsAt + Items.Length * ItemBytes];
@@ -122,7 +120,6 @@ namespace FastPoints.Laz
             return bytes;
         }
 
-        /// <summary>Adds all of it as lines for people.</summary>
         public void AddFacts(SourceInfo info)
         {
             info.Fact("LASzip version", WriterVersion);
@@ -157,8 +154,7 @@ namespace FastPoints.Laz
             return item;
         }
 
-        /// <summary>Checks that the items are those of the point format, in the record's order, and as long as the
-        /// record.</summary>
+        // They must be those of the point format, in the record's order, and as long as the record.
         static void CheckItems(LazFormat format, LasFile las, long at)
         {
             var got = new List<string>();
@@ -186,7 +182,7 @@ namespace FastPoints.Laz
                     NumberText.Of(format.RecordBytes) + " (the record length)", bytes);
         }
 
-        /// <summary>The item types of a point format, extra bytes aside.</summary>
+        // Extra bytes aside.
         public static string ItemsOf(int pointFormat)
         {
             var items = new List<LazItemType>();

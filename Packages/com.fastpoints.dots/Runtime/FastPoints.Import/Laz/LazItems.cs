@@ -5,10 +5,10 @@ using System.Text;
 
 namespace FastPoints.Laz
 {
-    /// <summary>What a LAZ file says of its items: the parts of a record that are compressed each in its own way.</summary>
+    // The parts of a record that are compressed each in its own way.
     internal static class LazItems
     {
-        /// <param name="version">Of the items: 1 or 2 for point formats 0 to 5, 3 or 4 above.</param>
+        // version: 1 or 2 for point formats 0 to 5, 3 or 4 above.
         public static LazItem[] Of(int pointFormat, int version, int extraBytes)
         {
             var items = new List<LazItem>();
@@ -36,9 +36,6 @@ namespace FastPoints.Laz
             at += item.Bytes;
         }
 
-        /// <summary>The whole LASzip VLR.</summary>
-        /// <param name="compressor">One of <see cref="LazCompressor"/>.</param>
-        /// <param name="chunkPoints">Points of a chunk.</param>
         public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
         {
             var vlr = new BinaryWriter(new MemoryStream());

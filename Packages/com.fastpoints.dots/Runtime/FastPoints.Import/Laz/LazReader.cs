@@ -6,11 +6,10 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's
-    /// chunks; any of them can be decoded on its own, and its first points without the rest.</summary>
-    /// <remarks>A chunk of more than <c>MaxBlockPoints</c> points becomes several blocks. In a pointwise chunk each block starts
-    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once.
-    /// In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by default).</remarks>
+    // What LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. A chunk of more than MaxBlockPoints points
+    // becomes several blocks. In a pointwise chunk each block starts from a checkpoint, a copy of the decoder's state there,
+    // which FindBlocks takes by decoding the chunk once. In a layered chunk each block decodes from the chunk's start (no writer
+    // makes such long chunks by default).
     internal sealed class LazReader : LazChunkReader
     {
         LazChunkList Chunks => Blocks.Chunks;
@@ -28,10 +27,7 @@ namespace FastPoints.Laz
                 MakeBlocks(null);
         }
 
-        /// <summary>Reads the header, the LASzip VLR and the chunk table. Warnings are in
-        /// <see cref="PointReader.Info"/>.</summary>
-        /// <param name="longChunkPoints">The most points of a chunk that is one block.</param>
-        /// <exception cref="PointCloudException">The points cannot be located, or are coded in an unknown way.</exception>
+        // longChunkPoints: of a chunk that is one block, at most.
         public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var format = LazFormat.Read(las);
@@ -43,7 +39,7 @@ namespace FastPoints.Laz
 
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
-        /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
+        // False for layered files, whose chunks say how long they are: all are found quickly.
         public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
         public override IEnumerator<JobStep> FindPrefixes()
@@ -83,7 +79,7 @@ namespace FastPoints.Laz
             m_areBlocksKnown = true;
         }
 
-        /// <summary>Drops what an earlier or cancelled search has found.</summary>
+        // What an earlier or cancelled search has found.
         void Forget()
         {
             Blocks.Clear();
@@ -94,7 +90,7 @@ namespace FastPoints.Laz
 
         public override void DisposeUnread() => Blocks.DropCheckpoints();
 
-        /// <returns>Whether the table that says where they are is lost.</returns>
+        // True if the table that says where they are is lost.
         bool FindChunks()
         {
             long start = Header.PointsOffset;
@@ -140,8 +136,7 @@ namespace FastPoints.Laz
             Blocks.CheckBounds();
         }
 
-        /// <summary>Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an
-        /// earlier one.</summary>
+        // Between the checkpoints of a long chunk; blocks whose checkpoint lost its state start from an earlier one.
         void AddPartsByCheckpoints(int c, BlockRange checkpoints)
         {
             var chunk = Chunks[c];

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Decodes a pointwise chunk from a window of the file, a slice at a time, without keeping its points.</summary>
+    // A pointwise chunk from a window of the file, a slice at a time, without keeping its points.
     sealed unsafe class LazWalkStream : IDisposable
     {
         const int MaxTilePoints = 512;
@@ -24,7 +24,7 @@ namespace FastPoints.Laz
         NativeReference<LazWalkStep> m_step;
         JobHandle m_decode;
 
-        /// <summary>Offset of the window in the file.</summary>
+        // In the file.
         long m_windowStart;
         long m_windowEnd;
         long m_inputEnd;
@@ -45,16 +45,16 @@ namespace FastPoints.Laz
             m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
         }
 
-        /// <summary>Points decoded of the chunk.</summary>
+        // Decoded of the chunk.
         public long Point { get; private set; }
 
-        /// <summary>Where the next point's bytes start in the file.</summary>
+        // Of the next point.
         public long FileOffset { get; private set; }
 
-        /// <summary>Whether the input does not hold the next point.</summary>
+        // The input does not hold the next point.
         public bool IsStopped { get; private set; }
 
-        /// <summary>Whether the window may not hold the next tile, and the file has more.</summary>
+        // The window may not hold the next tile, and the file has more.
         public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd
             || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint;
 
@@ -106,7 +106,7 @@ namespace FastPoints.Laz
             IsStopped = step.IsStopped;
         }
 
-        /// <summary>The state, whose next input byte is at <see cref="FileOffset"/>.</summary>
+        // Its next input byte is at FileOffset.
         public LazCheckpoint Checkpoint()
         {
             PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());

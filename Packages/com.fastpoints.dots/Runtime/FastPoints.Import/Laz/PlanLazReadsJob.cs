@@ -6,35 +6,32 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Plans, from the header of a layered chunk, the reads that bring its wanted layers behind the header, packed as
-    /// <see cref="LayeredChunk.Start"/> expects them: neighbours in one read, and of each no more than the points take.</summary>
+    // Plans the reads that bring a layered chunk's wanted layers behind its header, packed as LayeredChunk.Start expects them:
+    // neighbours in one read, and of each no more than the points take.
     [BurstCompile]
     internal unsafe struct PlanLazReadsJob : IJob
     {
-        /// <summary>The chunk's header, at its start.</summary>
+        // The chunk's header, at its start.
         [ReadOnly] public NativeArray<byte> Input;
 
-        /// <summary>For each layer, the most bytes that a point takes; 0 for one that is not wanted.</summary>
+        // Of each layer; 0 for one that is not wanted.
         [ReadOnly] public NativeArray<int> BytesPerPoint;
 
-        /// <summary>Receives the reads: at most one for each wanted layer, or one of a single byte if there is nothing to
-        /// read.</summary>
+        // At most one for each wanted layer, or one of a single byte if there is nothing to read.
         public NativeArray<ReadCommand> Commands;
 
-        /// <summary>One value, whose count is set.</summary>
+        // One value, whose count is set.
         public NativeArray<ReadCommandArray> CommandArray;
 
-        /// <summary>One value: receives the number of bytes in the final input.</summary>
+        // One value: the final input's.
         public NativeArray<long> InputBytes;
 
-        /// <summary>Where the reads go: the input's memory, which no job touches until they are done.</summary>
+        // The input's memory, which no job touches until the reads are done.
         [NativeDisableUnsafePtrRestriction] public byte* Buffer;
 
         public long BufferBytes;
         public int RecordBytes;
         public long ChunkOffset;
-
-        /// <summary>Offset behind the chunk's last byte in the file.</summary>
         public long ChunkEnd;
         public long Points;
 

@@ -6,27 +6,23 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>The progress of one slice of a walk.</summary>
     struct LazWalkStep
     {
         public int Points;
-
-        /// <summary>Bytes of input taken.</summary>
         public long Bytes;
 
-        /// <summary>Whether the input does not hold the next point.</summary>
+        // The input does not hold the next point.
         public bool IsStopped;
 
-        /// <summary>Number of the chunk's points that its stream's end does not confirm, when it stopped.</summary>
+        // Points that the stream's end does not confirm, when it stopped.
         public int UncertainPoints;
     }
 
-    /// <summary>Decodes points of a pointwise chunk only to find their end.</summary>
+    // Only to find their end.
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
-        /// <summary>The input from where the state's stream has been consumed up to, with <see cref="RangeCode.PaddingBytes"/>
-        /// behind <see cref="InputEnd"/>.</summary>
+        // The input from where the state's stream has been consumed up to, with PaddingBytes of RangeCode behind InputEnd.
         [ReadOnly] public NativeArray<byte> Input;
 
         public NativeArray<byte> State;
@@ -35,8 +31,7 @@ namespace FastPoints.Laz
         public int InputStart;
         public int InputEnd;
 
-        /// <summary>Whether the input continues behind its end, so that no point may be decoded that might not be
-        /// complete.</summary>
+        // The input continues behind its end, so that no point may be decoded that might not be complete.
         public bool HasMore;
 
         public int TilePoints;

@@ -7,13 +7,11 @@ using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Decodes lines of text into columns. A line that lacks a value or has an invalid one ends the block there;
-    /// unwanted values are skipped unread.</summary>
+    // A line that lacks a value or has an invalid one ends the block there; unwanted values are skipped unread.
     [BurstCompile]
     unsafe struct DecodePlyAsciiJob : IJob
     {
-        /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's
-        /// end.</summary>
+        // Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's end.
         public NativeArray<byte> Input;
         public AsciiRange Range;
         [ReadOnly] public NativeArray<PlyStep> Steps;
@@ -136,7 +134,7 @@ namespace FastPoints.Ply
             return PlyError.None;
         }
 
-        /// <summary>A whole number, or a float whose bits are meant.</summary>
+        // A whole number, or a float whose bits are meant.
         static bool Color(ref byte* p, byte* output, int row, PlyStep* step)
         {
             uint bits;
@@ -170,7 +168,6 @@ namespace FastPoints.Ply
         }
     }
 
-    /// <summary>What the jobs of the PLY reader report in <see cref="DecodeResult.Error"/>.</summary>
     static class PlyError
     {
         public const int None = 0;
@@ -193,10 +190,9 @@ namespace FastPoints.Ply
         };
     }
 
-    /// <summary>Anomalies that a decoding job met and that cost no point.</summary>
+    // What cost no point.
     struct PlyAnomalies
     {
-        /// <summary>Values that do not fit into their integer type.</summary>
         public int Misfits;
         public long FirstMisfitOffset;
 

@@ -6,7 +6,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Decodes binary records, whose lists make their lengths vary, into columns.</summary>
     [BurstCompile]
     unsafe struct DecodePlyListsJob : IJob
     {
@@ -14,8 +13,6 @@ namespace FastPoints.Ply
         public long InputOffset;
         public int InputBytes;
         [ReadOnly] public NativeArray<PlyStep> Steps;
-
-        /// <summary>Records of the block to skip first.</summary>
         public int FirstPoint;
         public int Points;
         public bool IsBigEndian;

@@ -6,10 +6,8 @@ using Unity.Collections;
 
 namespace FastPoints.Ply
 {
-    /// <summary>An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over
-    /// several lines, or several in one line, are not supported (nor are they by the usual readers).</summary>
-    /// <remarks>A block is a segment of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
-    /// once. A range reads its whole block; decoding stops at the range's end.</remarks>
+    // A vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over several lines, or several in
+    // one line, are not supported (nor are they by the usual readers).
     sealed class PlyAsciiReader : SegmentReader
     {
         const int MaxBlockBytes = 1 << 20;
@@ -17,7 +15,7 @@ namespace FastPoints.Ply
         readonly PlyFile m_ply;
         readonly bool m_hasVerticesAlone;
 
-        /// <summary>Lines before the first vertex's, as claimed.</summary>
+        // As claimed.
         readonly ulong m_rowsBefore;
         bool m_areAllFound;
         AsciiSegments m_segments;
@@ -45,8 +43,7 @@ namespace FastPoints.Ply
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <summary>Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look
-        /// alike.</summary>
+        // Not if there are faces as well, whose lines look alike.
         public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
             && Info.FileBytes - m_ply.Header.DataOffset >= AsciiSegments.MinBytes;
 

@@ -2,10 +2,10 @@ using FastPoints.Core;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Loads values of either byte order. Unity runs on little-endian machines only. HPC#.</summary>
+    // Of either byte order; Unity runs on little-endian machines only. HPC#.
     static class PlyBytes
     {
-        /// <summary>Loads an integer of 1, 2, 4 or 8 bytes as its bits, without extending its sign.</summary>
+        // An integer of 1, 2, 4 or 8 bytes as its bits, without extending its sign.
         public static unsafe ulong Load(byte* p, int bytes, bool isBigEndian)
         {
             ulong value = 0;
@@ -14,7 +14,6 @@ namespace FastPoints.Ply
             return value;
         }
 
-        /// <summary>Whether bits that <see cref="Load"/> gave are a negative number of this type.</summary>
         public static bool IsNegative(ulong bits, AttributeType type) =>
             type.IsSigned() && !type.IsFloat() && (bits >> 8 * type.SizeOf() - 1 & 1) != 0;
     }

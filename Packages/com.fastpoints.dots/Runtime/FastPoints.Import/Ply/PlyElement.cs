@@ -3,17 +3,14 @@ using FastPoints.Core;
 
 namespace FastPoints.Ply
 {
-    /// <summary>One element of a PLY file: its number of instances according to the header, and what each one holds.</summary>
     internal sealed class PlyElement
     {
         public string Name;
 
-        /// <summary>The claimed number, which may be anything.</summary>
+        // Claimed, which may be anything.
         public ulong Count;
 
         public readonly List<PlyProperty> Properties = new List<PlyProperty>();
-
-        /// <summary>Offset of its header line.</summary>
         public long LineOffset;
 
         public bool HasLists
@@ -27,7 +24,7 @@ namespace FastPoints.Ply
             }
         }
 
-        /// <summary>Bytes of one instance in a binary file, or -1 if lists make it vary.</summary>
+        // Of one instance in a binary file, or -1 if lists make it vary.
         public int FixedBytes
         {
             get
@@ -43,8 +40,7 @@ namespace FastPoints.Ply
             }
         }
 
-        /// <summary>Where the element ends if it starts at <paramref name="offset"/> of a file of <paramref name="fileBytes"/>;
-        /// one past the file's end for any count that does not fit. Without lists only.</summary>
+        // One past the file's end for any count that does not fit. Without lists only.
         public long EndOfFixed(long offset, long fileBytes)
         {
             ulong bytes = (ulong)FixedBytes;
@@ -53,24 +49,21 @@ namespace FastPoints.Ply
         }
     }
 
-    /// <summary>One property of a PLY element, as its header line declares it.</summary>
     internal sealed class PlyProperty
     {
         public string Name;
 
-        /// <summary>Type of the value, or of a list's items.</summary>
+        // Of the value, or of a list's items.
         public AttributeType Type;
 
         public bool IsList;
 
-        /// <summary>Type of the number before a list's items, which is always an integer.</summary>
+        // Of the number before a list's items, which is always an integer.
         public AttributeType CountType;
 
-        /// <summary>Whether its bytes are blue, green, red and perhaps alpha (PCD).</summary>
+        // Its bytes are blue, green, red and perhaps alpha (PCD).
         public bool IsColor;
         public bool HasAlpha;
-
-        /// <summary>Offset of its header line.</summary>
         public long LineOffset;
     }
 }

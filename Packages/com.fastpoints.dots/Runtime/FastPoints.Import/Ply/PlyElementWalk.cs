@@ -6,9 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Walks through a binary file's elements up to its vertices, and through these if they have lists: one window of
-    /// the file at a time, each as one job. Windows that lie within a list or an element of fixed length are not read at
-    /// all.</summary>
+    // Walks up to the vertices of a binary file, and through these if they have lists: one window of the file at a time, each as
+    // one job. Windows that lie within a list or an element of fixed length are not read at all.
     sealed class PlyElementWalk : IDisposable
     {
         const int WindowBytes = 4 << 20;
@@ -21,7 +20,7 @@ namespace FastPoints.Ply
         NativeList<SegmentBlock> m_blocks;
         JobHandle m_walked;
 
-        /// <param name="isIndexing">Whether the vertices are walked, too, and gathered into blocks.</param>
+        // isIndexing: the vertices are walked, too, and gathered into blocks.
         public PlyElementWalk(PlyFile ply, bool isIndexing)
         {
             m_ply = ply;
@@ -49,14 +48,12 @@ namespace FastPoints.Ply
             m_blocks = new NativeList<SegmentBlock>(16, Allocator.Persistent);
         }
 
-        /// <summary>The progress of the walk. Do not read it while a job is in flight.</summary>
+        // Not while a job is in flight, like TakeBlocks.
         public PlyWalkState State => m_state.Value;
 
-        /// <summary>The blocks so far. Do not call this while a job is in flight.</summary>
         public SegmentBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
 
-        /// <summary>Closes the previous window, whose handle must be complete, and starts the next.</summary>
-        /// <returns>Whether there was a next one.</returns>
+        // Closes the previous window, whose handle must be complete, and starts the next. False at the end.
         public bool Next(out JobHandle handle)
         {
             m_walked.Complete();

@@ -5,12 +5,11 @@ using FastPoints.Reading;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Everything in a PLY file except its points, and what is said about these.</summary>
     sealed class PlyFile
     {
         const int FirstHeaderBytes = 16 << 10;
 
-        /// <summary>Its header describes a PCD file, whose points are no vertices.</summary>
+        // Its header describes a PCD file, whose points are no vertices.
         readonly bool m_isPcd;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
         int m_brokenWarning = -1;
@@ -19,7 +18,6 @@ namespace FastPoints.Ply
         bool m_hasReportedMisfits;
         bool m_hasReportedExtraValues;
 
-        /// <param name="names">Attribute name of each property; null where it is none.</param>
         public PlyFile(PlyHeader header, SourceInfo info, string[] names)
         {
             Header = header;
@@ -36,15 +34,13 @@ namespace FastPoints.Ply
 
         public PlyElement Vertex { get; }
 
-        /// <summary>Attribute name of each property of the vertex element; null for lists, packed colours and padding.</summary>
+        // Null for lists, packed colours and padding.
         public string[] Names { get; }
 
         public SourceHandle Handle { get; }
 
         public bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
 
-        /// <summary>Reads the header.</summary>
-        /// <exception cref="PointCloudException">It is invalid, or has no vertices with x, y and z.</exception>
         public static PlyFile Read(FileSource source)
         {
             var header = ReadHeader(source);
@@ -54,7 +50,7 @@ namespace FastPoints.Ply
             return new PlyFile(header, Describe(source, header), PlyNames.Of(header.Elements[header.VertexIndex]));
         }
 
-        /// <summary>Where the attributes lie in a record without lists.</summary>
+        // In a record without lists.
         public PointFields RecordFields()
         {
             var fields = new PointFields();
@@ -68,8 +64,7 @@ namespace FastPoints.Ply
             return fields;
         }
 
-        /// <summary>The attributes that a property holds: one, none, or those of a packed colour.</summary>
-        /// <param name="at">The property's offset.</param>
+        // One, none, or those of a packed colour; at: the property's offset.
         public IEnumerable<PointField> FieldsOf(int property, int at)
         {
             var declared = Vertex.Properties[property];
@@ -136,7 +131,7 @@ namespace FastPoints.Ply
             return info;
         }
 
-        /// <summary>Settles the number of vertices: fewer than claimed is a warning, none at all a failure.</summary>
+        // Fewer vertices than claimed is a warning, none at all a failure.
         public void SetPointCount(long found, long endOffset, string reason)
         {
             Info.PointsReadable = found;
@@ -149,7 +144,7 @@ namespace FastPoints.Ply
             Info.Warn(endOffset, text);
         }
 
-        /// <summary>Warns about a range that broke off. Its points are kept; the file's first range must have some.</summary>
+        // The points of a broken range are kept; the file's first range must have some.
         public void WarnBroken(BlockRange range, DecodeResult result, bool areBlocksKnown)
         {
             string text = PlyError.Text(result.Error);
@@ -173,14 +168,14 @@ namespace FastPoints.Ply
                 m_brokenBlocks.Count + " blocks so far)");
         }
 
-        /// <summary>Forgets broken ranges when other blocks replace the known ones.</summary>
+        // Other blocks replace the known ones.
         public void ForgetBroken()
         {
             m_brokenBlocks.Clear();
             m_pointsLost = 0;
         }
 
-        /// <summary>Reports, once for each file, values that were changed or skipped.</summary>
+        // Once for each file: values that were changed or skipped.
         public void WarnAnomalies(in PlyAnomalies anomalies)
         {
             if (anomalies.Misfits > 0 && !m_hasReportedMisfits)

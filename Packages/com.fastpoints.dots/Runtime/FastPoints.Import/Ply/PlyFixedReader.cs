@@ -6,14 +6,12 @@ using Unity.Collections;
 
 namespace FastPoints.Ply
 {
-    /// <summary>A binary PLY file whose vertices have no lists: records of one length, any of which can be read alone.</summary>
-    /// <remarks>If an element before the vertices has lists, finding their first byte takes a walk through that
-    /// element.</remarks>
+    // Vertices without lists. If an element before them has lists, finding their first byte takes a walk through that element.
     sealed class PlyFixedReader : PointReader
     {
         const int MaxBlockPoints = 32768;
 
-        /// <summary>Records of many properties come in shorter blocks, so that a slot's memory stays small.</summary>
+        // Records of many properties come in shorter blocks, so that a slot's memory stays small.
         const int MaxBlockBytes = 4 << 20;
 
         readonly PlyFile m_ply;

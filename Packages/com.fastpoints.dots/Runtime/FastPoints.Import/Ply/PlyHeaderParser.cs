@@ -6,15 +6,14 @@ using FastPoints.Core;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks.
-    /// What may declare
-    /// something unknown is refused: a property that is left out would shift all that follows it.</summary>
+    // Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks. What may declare something unknown is refused:
+    // a property that is left out would shift all that follows it.
     internal sealed class PlyHeaderParser
     {
-        /// <summary>A header longer than this is refused.</summary>
+        // Longer headers are refused.
         public const int MaxHeaderBytes = 1 << 20;
 
-        /// <summary>The most elements of a file, and properties of an element; files with more are refused.</summary>
+        // Elements of a file, and properties of an element; files with more are refused.
         public const int MaxDeclarations = 1024;
 
         static readonly Dictionary<string, AttributeType> s_typeOfName = new Dictionary<string, AttributeType>
@@ -46,14 +45,11 @@ namespace FastPoints.Ply
             m_length = length;
         }
 
-        /// <summary>Whether a file that starts with these bytes calls itself PLY: "ply" and then a blank or a line end.</summary>
+        // "ply" and then a blank or a line end.
         public static bool IsSignature(byte[] start, int length) =>
             length >= 4 && start[0] == 'p' && start[1] == 'l' && start[2] == 'y' && (IsLineEnd(start[3]) || IsBlank(start[3]));
 
-        /// <param name="length">Number of valid bytes.</param>
-        /// <param name="isWhole">Whether these are all bytes of the file.</param>
-        /// <returns>The header, or null if it does not end in these bytes and there may be more.</returns>
-        /// <exception cref="PointCloudException">The header is not PLY, or is not supported.</exception>
+        // Null if the header does not end in these bytes and there may be more (the file is not whole).
         public static PlyHeader Parse(string path, byte[] bytes, int length, bool isWhole) =>
             new PlyHeaderParser(path, bytes, length).Run(isWhole);
 
@@ -92,9 +88,9 @@ namespace FastPoints.Ply
             }
         }
 
-        /// <remarks>CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF behind it is the
-        /// first byte of the data. In all other files CR LF after end_header is two bytes, whatever ends the lines before
-        /// (assimp's cube_binary_header_with_RN_newline.ply has LF everywhere else).</remarks>
+        // CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF behind it is the first byte of
+        // the data. In all other files CR LF after end_header is two bytes, whatever ends the lines before (assimp's
+        // cube_binary_header_with_RN_newline.ply has LF everywhere else).
         int AfterLineEnd(int end, bool isEndHeader)
         {
             if (end >= m_length)
@@ -137,8 +133,8 @@ namespace FastPoints.Ply
             }
         }
 
-        /// <summary>Whether a line with an unknown first word may declare values, without which all others would be shifted:
-        /// exporters have written remarks without "comment", which may be passed over.</summary>
+        // A line with an unknown first word may declare values, without which all others would be shifted: exporters have written
+        // remarks without "comment", which may be passed over.
         static bool LooksLikeDeclaration(string[] words) => words.Length == 3 && ulong.TryParse(words[2], out _)
             || words.Length > 1 && (words[1] == "list" || s_typeOfName.ContainsKey(words[1]));
 
@@ -203,7 +199,7 @@ namespace FastPoints.Ply
             return type;
         }
 
-        /// <summary>A count that does not fit into a ulong is as absurd as the largest that does.</summary>
+        // A count that does not fit into a ulong is as absurd as the largest that does.
         ulong Count(string word, int offset)
         {
             foreach (char c in word)
@@ -224,7 +220,7 @@ namespace FastPoints.Ply
         PointCloudException Bad(int offset, string field, string wanted, string got) =>
             PointCloudException.Wanted(FailureCode.BadInput, m_path, offset, field, wanted, Quote(got));
 
-        /// <summary>Quotes a word of the file, fit for a message of one line.</summary>
+        // Fit for a message of one line.
         internal static string Quote(string word)
         {
             var text = new StringBuilder("\"");

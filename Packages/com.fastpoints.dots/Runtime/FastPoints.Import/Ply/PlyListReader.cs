@@ -6,8 +6,7 @@ using Unity.Collections;
 
 namespace FastPoints.Ply
 {
-    /// <summary>A binary PLY file whose vertices have lists: one walk through the file finds where blocks of them
-    /// start.</summary>
+    // Vertices with lists: one walk through the file finds where blocks of them start.
     sealed class PlyListReader : SegmentReader
     {
         readonly PlyFile m_ply;

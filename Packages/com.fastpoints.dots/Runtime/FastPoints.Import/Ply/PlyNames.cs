@@ -5,12 +5,10 @@ using FastPoints.Reading;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Maps the names that PLY writers give their vertex properties to the names that mean the same in every
-    /// format.</summary>
-    /// <remarks>Case is ignored. All others keep the name in the file.</remarks>
+    // What writers call vertex properties; case is ignored. All others keep the name in the file.
     internal static class PlyNames
     {
-        /// <summary>Groups of rows that only count if all their names are present: "r" alone may be a radius.</summary>
+        // Rows that only count if all their names are present: "r" alone may be a radius.
         static readonly string[][] s_groups =
         {
             new[] { "x", AttributeNames.X }, new[] { "y", AttributeNames.Y }, new[] { "z", AttributeNames.Z },
@@ -31,8 +29,8 @@ namespace FastPoints.Ply
             new[] { "reflectance", AttributeNames.Intensity },
         };
 
-        /// <summary>The attribute name of each property of the vertex element; null for lists. No name comes twice: of several
-        /// candidates the first row of the table wins, and a name that the file repeats gets a number.</summary>
+        // Null for lists. No name comes twice: of several candidates the first row of the table wins, and a name that the file
+        // repeats gets a number.
         public static string[] Of(PlyElement vertex)
         {
             var properties = vertex.Properties;

@@ -3,18 +3,15 @@ using FastPoints.Core;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Turns an element's declaration into the steps that jobs take through each of its instances.</summary>
     static class PlyPlan
     {
-        /// <summary>The steps that only find the end of an instance.</summary>
+        // Only find the end of an instance.
         public static List<PlyStep> Passing(PlyElement element) => Build(element, null, null);
 
-        /// <summary>The steps that fill the batch's columns and skip all other properties.</summary>
-        /// <param name="names">Attribute name of each property.</param>
+        // Fill the batch's columns and skip all other properties.
         public static List<PlyStep> Decoding(PlyElement element, string[] names, PointBatch batch) =>
             Build(element, names, batch);
 
-        /// <summary>The attributes of a packed colour.</summary>
         public static readonly string[] ColorNames =
         {
             AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Alpha,
@@ -93,31 +90,28 @@ namespace FastPoints.Ply
 
     enum PlyStepKind : byte
     {
-        /// <summary>Values that are not wanted.</summary>
         Skip,
-        /// <summary>A value that goes into a column.</summary>
         Value,
-        /// <summary>A list, which is skipped.</summary>
         List,
-        /// <summary>In text: a number whose bits are a colour.</summary>
+        // In text: a number whose bits are a colour.
         Color,
     }
 
-    /// <summary>One step through one instance of an element. Blittable: jobs carry arrays of these.</summary>
+    // One step through one instance of an element. Blittable: jobs carry arrays of these.
     struct PlyStep
     {
         public PlyStepKind Kind;
 
-        /// <summary>Type of the value, or of a list's count.</summary>
+        // Of the value, or of a list's count.
         public AttributeType Type;
 
-        /// <summary>Skip: number of values. List: bytes of an item.</summary>
+        // Skip: number of values. List: bytes of an item.
         public int Count;
 
-        /// <summary>In a binary file: bytes of the skipped values, of the value, or of a list's count.</summary>
+        // In a binary file: bytes of the skipped values, of the value, or of a list's count.
         public int Bytes;
 
-        /// <summary>Value: offset of its column in the batch. Colour: of red, or -1.</summary>
+        // Value: offset of its column in the batch. Colour: of red, or -1.
         public int ColumnOffsetBytes;
         public int GreenOffsetBytes;
         public int BlueOffsetBytes;

@@ -6,10 +6,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>A slot for vertices without a fixed length: lines, or records with lists.</summary>
+    // Vertices without a fixed length: lines, or records with lists.
     sealed class PlyRead : SlotRead
     {
-        /// <summary>The last line may extend this many bytes behind its block.</summary>
+        // The last line may extend this many bytes behind its block.
         const int MaxLineBytes = 64 << 10;
 
         readonly PointReader m_reader;

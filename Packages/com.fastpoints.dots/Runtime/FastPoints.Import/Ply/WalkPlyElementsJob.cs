@@ -6,22 +6,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Steps through elements with lists as far as one segment of the file reaches, reading only the lists' counts, and
-    /// records a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.</summary>
+    // Steps through elements with lists as far as one segment of the file reaches, reading only the lists' counts, and records a
+    // block for every MaxBlockPoints points or MaxBlockBytes.
     [BurstCompile]
     unsafe struct WalkPlyElementsJob : IJob
     {
         public const int MaxBlockPoints = 65536;
         public const int MaxBlockBytes = 1 << 20;
 
-        /// <summary>A block is as long as its last vertex makes it; longer lists count as damage.</summary>
+        // A block is as long as its last vertex makes it; longer lists count as damage.
         public const int MaxRecordBytes = 16 << 20;
 
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeArray<PlyWalkElement> Elements;
         [ReadOnly] public NativeArray<PlyStep> Steps;
-
-        /// <summary>Offset of the input in the file.</summary>
         public long InputOffset;
         public int InputBytes;
         public long FileBytes;
@@ -63,7 +61,7 @@ namespace FastPoints.Ply
             return true;
         }
 
-        /// <returns>Whether the element is done; if not, the walk needs other bytes or is over.</returns>
+        // False if the walk needs other bytes or is over.
         bool PassLists(ref PlyWalkState state, in PlyWalkElement element)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
@@ -134,24 +132,23 @@ namespace FastPoints.Ply
         }
     }
 
-    /// <summary>An element to walk through. Blittable: jobs carry arrays of these.</summary>
     struct PlyWalkElement
     {
         public ulong Count;
 
-        /// <summary>Bytes of one instance, or -1 if lists make it vary.</summary>
+        // Of one instance, or -1 if lists make it vary.
         public int FixedBytes;
         public int FirstStep;
         public int Steps;
 
-        /// <summary>Whether its instances are the points, to be gathered into blocks.</summary>
+        // Its instances are the points, to be gathered into blocks.
         public bool IsIndexed;
     }
 
-    /// <summary>Progress of a walk through a binary file's elements, which can stop at any step and continue there.</summary>
+    // The walk can stop at any step and continue there.
     struct PlyWalkState
     {
-        /// <summary>Offset of the next step in the file. It may lie behind what was read: lists are skipped.</summary>
+        // Of the next step in the file. It may lie behind what was read: lists are skipped.
         public long Position;
         public int Element;
         public ulong Instance;

@@ -10,8 +10,6 @@ namespace FastPoints.Reading
     {
         public readonly byte[] Bytes;
         public readonly string Path;
-
-        /// <summary>Where <see cref="Bytes"/> starts in the file.</summary>
         public readonly long FileOffset;
 
         public ByteReader(byte[] bytes, string path, long fileOffset)
@@ -49,8 +47,8 @@ namespace FastPoints.Reading
 
         public double Float64(int at, string field) => BitConverter.Int64BitsToDouble((long)UInt64(at, field));
 
-        /// <summary>Text of a fixed field, up to its first zero byte, without blanks at its end. Bytes outside printable ASCII
-        /// become '?', since the text is shown to people as one line.</summary>
+        // Up to the first zero byte, without blanks at the end. Other than printable ASCII becomes '?': people see it as one
+        // line.
         public string Text(int at, int count, string field)
         {
             int start = Start(at, count, field);

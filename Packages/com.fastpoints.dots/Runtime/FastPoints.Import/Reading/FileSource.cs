@@ -4,10 +4,8 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A file whose header is being read: with small managed reads at any offset, never beyond the file's real size.
-    /// AsyncReadManager reads the points into native memory instead.</summary>
-    /// <remarks>The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a
-    /// later read opens it again.</remarks>
+    // A file whose header is being read: small managed reads at any offset, never beyond the file's real size. The stream is
+    // open between the first read and Dispose; a later read opens it again. AsyncReadManager reads the points instead.
     internal sealed class FileSource : IDisposable
     {
         const int StreamBufferBytes = 16 * 1024;
@@ -22,15 +20,10 @@ namespace FastPoints.Reading
             Length = length;
         }
 
-        /// <summary>The path as the caller gave it, which messages show.</summary>
         public string Path { get; }
-
-        /// <summary>Bytes of the file when it was opened.</summary>
         public long Length { get; }
 
-        /// <summary>Opens a regular file that is not empty.</summary>
-        /// <exception cref="PointCloudException">NotFound for a folder or a missing file, AccessDenied, Truncated for an empty
-        /// file, a pipe or a device.</exception>
+        // NotFound for a folder or a missing file; Truncated for an empty file, a pipe or a device.
         public static FileSource Open(string path)
         {
             if (string.IsNullOrEmpty(path))
@@ -57,7 +50,6 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Bytes of a file; <see cref="NoSuchFile"/> if it or its path does not exist.</summary>
         internal static long LengthOf(string path)
         {
             if (path == null)
@@ -73,16 +65,13 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Reads exactly <paramref name="count"/> bytes from <paramref name="offset"/>.</summary>
-        /// <param name="field">The name of the bytes for messages.</param>
-        /// <exception cref="PointCloudException">Truncated if the file ends before; nothing is allocated then.</exception>
+        // Truncated if the file ends before; nothing is allocated then. The field is the name of the bytes for messages.
         public ByteReader Read(long offset, int count, string field)
         {
             CheckRange(offset, count, field);
             return ReadUpTo(offset, count);
         }
 
-        /// <summary>Does the same into the caller's memory.</summary>
         public void Read(long offset, byte[] into, int count, string field)
         {
             CheckRange(offset, count, field);
@@ -96,8 +85,7 @@ namespace FastPoints.Reading
                     Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
         }
 
-        /// <summary>Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
-        /// end.</summary>
+        // Fewer bytes, or none, at the file's end.
         public ByteReader ReadUpTo(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);

@@ -55,8 +55,6 @@ namespace FastPoints.Reading
         /// <summary>Points of the whole source, after <see cref="FindPrefixes()"/>.</summary>
         internal virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
-        /// <summary>The octree that the source contains, or null. Its blocks come level by level within each page of the
-        /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
         internal virtual SourceTree Tree => null;
 
         /// <summary>Coroutine that reads only those pages of <see cref="Tree"/> that its first levels need: afterwards the

@@ -6,8 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The reads of a source that are in flight, one behind another: as many as keep workers busy, each with memory of
-    /// its own, which is allocated when it is first needed and freed a slot a step.</summary>
+    // The reads in flight of a source, as many as keep workers busy; a slot's memory is allocated when it is first needed.
     internal sealed class ReadSlots : IDisposable
     {
         readonly PointReader m_reader;
@@ -21,8 +20,7 @@ namespace FastPoints.Reading
         readonly Stack<int> m_spare = new Stack<int>();
         bool m_keepsStates;
 
-        /// <param name="longest">The most points of a read.</param>
-        /// <param name="chains">The most reads whose jobs run side by side; 0 for all that are in flight.</param>
+        // longest: the most points of a read; chains: the most reads whose jobs run side by side, 0 for all in flight.
         public ReadSlots(PointReader reader, PointSchema wanted, int longest, InFlightLimit limit, int chains)
         {
             m_reader = reader;
@@ -32,21 +30,17 @@ namespace FastPoints.Reading
             m_last = new JobHandle[chains];
         }
 
-        /// <summary>Slots that have memory.</summary>
         public int Count => m_reads.Count;
 
         public int InFlight => m_inFlight.Count;
 
-        /// <summary>See <see cref="BlockRead.TryKeepStates"/>; before the first read.</summary>
         public bool TryKeepStates()
         {
             Add();
             return m_keepsStates = m_reads[0].TryKeepStates();
         }
 
-        /// <summary>Coroutine: reads from <paramref name="first"/> to before <paramref name="end"/>, and hands each to the
-        /// consumer.</summary>
-        /// <param name="begin">Begins a read by its number.</param>
+        // Coroutine: reads from first to before end, and hands each to the consumer.
         public IEnumerator<JobStep> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
             StageProgress progress)
         {
@@ -94,7 +88,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Coroutine: frees all, a slot a step, since large blocks take a millisecond.</summary>
+        // Coroutine: frees a slot a step, since large blocks take a millisecond.
         public IEnumerator<JobStep> Free()
         {
             for (; m_reads.Count > 0; m_reads.RemoveAt(m_reads.Count - 1))
@@ -105,7 +99,6 @@ namespace FastPoints.Reading
             m_spare.Clear();
         }
 
-        /// <summary>Awaits what is in flight. May be called twice.</summary>
         public void Dispose()
         {
             for (int i = 0; i < m_reads.Count; i++)

@@ -4,16 +4,14 @@ using FastPoints.Store;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Recognises a folder's kind of point cloud by its index file.</summary>
     internal static class SourceFolder
     {
-        /// <summary>Names that writers give an index; its contents decide.</summary>
+        // Names that writers give an index; its contents decide.
         static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };
 
-        /// <summary>Whether a file's name is one of these.</summary>
         public static bool IsIndex(string fileName) => Array.IndexOf(s_indexNames, fileName) >= 0;
 
-        /// <summary>The index of an octree's folder, or null for a folder that has none.</summary>
+        // Null for a folder that has none.
         public static string FindIndex(string folder)
         {
             foreach (string name in s_indexNames)

@@ -3,14 +3,12 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The JSON index of a source (Potree's cloud.js and metadata.json, ept.json), whose members are requested by name.
-    /// A missing member, or one of another type, is a failure that names the file and the member.</summary>
     internal static class SourceJson
     {
         /// <summary>Larger texts are not parsed: the objects would take some 50 times the bytes.</summary>
         public const int MaxBytes = 4 << 20;
 
-        /// <summary>Whether the first bytes of a file look like a JSON object, a byte order mark in front or not.</summary>
+        // Also with a byte order mark in front.
         public static bool Is(byte[] head)
         {
             int at = head.Length >= 3 && head[0] == 0xEF && head[1] == 0xBB && head[2] == 0xBF ? 3 : 0;
@@ -24,8 +22,7 @@ namespace FastPoints.Reading
             return true;
         }
 
-        /// <summary>Reads and parses the file. Trailing commas are accepted, since such files are edited by hand.</summary>
-        /// <exception cref="PointCloudException">It is not a JSON object, or is too long for an index.</exception>
+        // Trailing commas are accepted, since such files are edited by hand.
         public static JsonMembers Read(FileSource source)
         {
             if (source.Length > MaxBytes)

@@ -4,26 +4,20 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Visits every point of a source once, block by block, with several blocks in flight, in bounded memory.</summary>
     internal static class SourceScan
     {
         /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
 
-        /// <summary>Limit of the memory of one scan's slots: it bounds a scan's resident set, whatever the number of cores and
-        /// the size of blocks.</summary>
+        // Bounds a scan's resident set, whatever the number of cores and the size of blocks.
         public const long MaxSlotBytes = 96L << 20;
 
-        /// <summary>Number of slots: <see cref="DefaultSlots"/>, or as many as fit into <see cref="MaxSlotBytes"/> with a block's
-        /// columns and its bytes in the file.</summary>
         public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
 
-        /// <param name="extraBytesPerPoint">Bytes that the consumer keeps for each point of a slot.</param>
-        /// <param name="maxBytes">The limit for all slots together; there is always one.</param>
+        // maxBytes is for all slots together; there is always one.
         public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes) =>
             reader.BlockCount == 0 ? 1 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
 
-        /// <summary>Slots that fit into so many bytes, and at least one.</summary>
         internal static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
         {
             long fileBytes = reader.BytesOfRange(new BlockRange(0, 0, reader.PointsInBlock(0)));
@@ -32,7 +26,7 @@ namespace FastPoints.Reading
             return (int)Math.Max(1, Math.Min(int.MaxValue, maxBytes / Math.Max(1, bytesPerSlot)));
         }
 
-        /// <summary>Points that a worker takes in a millisecond at most: of records of one length, and of all others.</summary>
+        // Points that a worker takes in a millisecond at most: of records of one length, and of all others.
         const double RecordsPerMs = 8000, OthersPerMs = 2000;
 
         /// <summary>Slots for a coroutine that is ticked: as many at first as are done in the time, or as one that awaits each

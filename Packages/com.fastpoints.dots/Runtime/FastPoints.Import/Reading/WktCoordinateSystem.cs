@@ -3,8 +3,7 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Extracts from a CRS in well-known text what is shown: name, EPSG codes, length of the unit. WKT 1 and
-    /// 2.</summary>
+    // What is shown of a CRS in well-known text: name, EPSG codes, length of the unit. WKT 1 and 2.
     internal static class WktCoordinateSystem
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };
@@ -18,8 +17,7 @@ namespace FastPoints.Reading
         static readonly string[] s_vertical = { "VERT_CS", "VERTCRS", "VERTICALCRS" };
         static readonly string[] s_unit = { "UNIT", "LENGTHUNIT" };
 
-        /// <summary>Fills <paramref name="crs"/> from <paramref name="wkt"/>.</summary>
-        /// <returns>Whether the text is well-known text at all; if not, nothing is filled in.</returns>
+        // False if it is no well-known text at all; nothing is filled in then.
         public static bool Read(string wkt, CoordinateSystem crs)
         {
             var root = WktNode.Parse(wkt);
@@ -53,11 +51,11 @@ namespace FastPoints.Reading
             return LengthOf(horizontal);
         }
 
-        /// <summary>WKT 2 writes geocentric systems with the geographic ones' keyword.</summary>
+        // WKT 2 writes geocentric systems with the geographic ones' keyword.
         static bool IsCartesian(WktNode axes) =>
             axes != null && axes.Values.Count > 0 && axes.Values[0].ToUpperInvariant() == "CARTESIAN";
 
-        /// <summary>WKT 1 and most of WKT 2 give the unit of the whole system; WKT 2 may give it axis by axis instead.</summary>
+        // WKT 1 and most of WKT 2 give the unit of the whole system; WKT 2 may give it axis by axis instead.
         static double LengthOf(WktNode system)
         {
             var unit = system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit);

@@ -2,11 +2,10 @@ using System.Collections.Generic;
 
 namespace FastPoints.Reading
 {
-    /// <summary>One <c>KEYWORD[...]</c> of well-known text (OGC 01-009, ISO 19162), with its quoted and plain values and the
-    /// nodes inside it.</summary>
+    // One KEYWORD[...] of well-known text (OGC 01-009, ISO 19162).
     internal sealed class WktNode
     {
-        /// <summary>Text that is nested deeper than any CRS is not followed.</summary>
+        // Text that is nested deeper than any CRS is not followed.
         const int MaxDepth = 64;
 
         public readonly string Keyword;
@@ -15,7 +14,7 @@ namespace FastPoints.Reading
 
         WktNode(string keyword) => Keyword = keyword;
 
-        /// <summary>The outermost node, or null if the text has none. Text that breaks off gives what comes before.</summary>
+        // The outermost node, or null. Text that breaks off gives what comes before.
         public static WktNode Parse(string text)
         {
             var open = new Stack<WktNode>();
@@ -74,7 +73,6 @@ namespace FastPoints.Reading
             return root;
         }
 
-        /// <summary>The first child with one of these keywords, or null.</summary>
         public WktNode Child(params string[] keywords)
         {
             foreach (var child in Children)

@@ -20,7 +20,7 @@ namespace FastPoints.Laz
         int m_pointsDone;
         int m_isStopped;
 
-        /// <summary>Points by the chunk itself, 0 where it does not say.</summary>
+        // By the chunk itself, 0 where it does not say.
         uint m_pointsInChunk;
 
         int m_firstRecordOffset;
@@ -165,7 +165,6 @@ namespace FastPoints.Laz
                 first + layer->RecordOffset);
         }
 
-        /// <summary>Makes the context of the chunk's first point.</summary>
         internal static void StartContext(LazLayerKind kind, byte* place, byte* field)
         {
             switch (kind)

@@ -110,7 +110,7 @@ namespace FastPoints.Laz
                 records + layer.RecordOffset);
         }
 
-        /// <summary>Ends a layer at a byte of the output: where it begins if nothing changes in it.</summary>
+        // Where the layer begins, if nothing changes in it.
         static void End(LayeredWriter* writer, byte* output, long end)
         {
             *(uint*)(output + writer->m_recordBytes + 4 + 4 * writer->m_layer) = (uint)(end - writer->m_end);

@@ -5,7 +5,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>What one layer of a layered chunk holds.</summary>
     internal enum LazLayerKind
     {
         ReturnsAndXY,
@@ -27,7 +26,7 @@ namespace FastPoints.Laz
     /// All but the first hold some bytes of the record; the first also says what the others' contexts are.</summary>
     internal struct LazLayer
     {
-        /// <summary>Bytes that a stream takes before its first symbol.</summary>
+        // Before its first symbol.
         public const int StartBytes = 4;
 
         public LazLayerKind Kind;
@@ -109,7 +108,6 @@ namespace FastPoints.Laz
         public static int ChunkHeaderBytes(int recordBytes, int layerCount) => recordBytes + 4 + 4 * layerCount;
     }
 
-    /// <summary>Which layers of a chunk the wanted attributes lie in.</summary>
     static class LazLayerChoice
     {
         const int ReturnByte = 14;

@@ -3,18 +3,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>One entry of a hierarchy page: a node with points, a node without, or another page.</summary>
-    /// <remarks><code>
-    /// int level, x, y, z | ulong offset | int bytes | int points (-1: bytes at offset are a page that starts with this node)
-    /// </code></remarks>
+    // One entry of a hierarchy page: a node with points, a node without, or another page.
+    // int level, x, y, z | ulong offset | int bytes | int points (-1: bytes at offset are a page that starts with this node)
     internal struct CopcEntry
     {
         public const int Bytes = 32;
-
-        /// <summary>The point count that stands for "a page".</summary>
         public const int PageCount = -1;
 
-        /// <summary>The cells of deeper nodes do not fit into an int.</summary>
+        // The cells of deeper nodes do not fit into an int.
         public const int MaxLevel = 30;
 
         public int Level;
@@ -25,7 +21,6 @@ namespace FastPoints.Octrees
 
         public bool IsPage => PointCount == PageCount;
 
-        /// <summary>Whether the octree can have this level and cell.</summary>
         public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
 
         public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);

@@ -5,8 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The <c>copc</c> info VLR (COPC 1.0): the octree's cube and where its hierarchy starts.</summary>
-    /// <remarks>It is the first VLR of a file, so its data starts at byte 429; other places are tolerated.</remarks>
+    // The copc info VLR (COPC 1.0), the first of a file, so that its data starts at byte 429; other places are tolerated.
     internal sealed class CopcInfo
     {
         public const string UserId = "copc";
@@ -14,29 +13,26 @@ namespace FastPoints.Octrees
         public const ushort HierarchyRecord = 1000;
         public const int Bytes = 160;
 
-        /// <summary>Bytes of the fields that have a meaning; the others are reserved.</summary>
+        // The others are reserved.
         const int FieldBytes = 72;
 
-        /// <summary>In CRS units, like all lengths here.</summary>
+        // In CRS units, like all lengths here.
         public double3 Center;
 
-        /// <summary>Half of the root cube's edge.</summary>
         public double HalfSize;
 
-        /// <summary>Distance between points of the root; it halves from level to level.</summary>
+        // Of the root; it halves from level to level.
         public double Spacing;
 
         public ulong RootPageOffset;
         public ulong RootPageBytes;
         public double MinGpsTime;
         public double MaxGpsTime;
-
-        /// <summary>Its offset in the file, for messages.</summary>
         public long FileOffset;
 
         public BoundsGeo Cube => new BoundsGeo(Center - HalfSize, Center + HalfSize);
 
-        /// <returns>Null if the file has no such VLR: it is not a COPC file.</returns>
+        // Null if the file has no such VLR.
         public static CopcInfo Find(LasFile las)
         {
             var record = las.Vlrs.Find(UserId, InfoRecord);
@@ -57,7 +53,7 @@ namespace FastPoints.Octrees
             return info;
         }
 
-        /// <returns>Why it is useless, or null.</returns>
+        // Null if it is fit for use.
         public string Problem(long fileBytes)
         {
             if (!Cube.IsFinite || !(HalfSize > 0))

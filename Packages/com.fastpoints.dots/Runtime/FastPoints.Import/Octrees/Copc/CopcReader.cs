@@ -9,10 +9,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they
-    /// are known as far as pages of the hierarchy have been read.</summary>
-    /// <remarks>The hierarchy is a claim like any other. Chunks that are only in the LAZ chunk table are read too, behind the
-    /// tree's blocks. A file without a readable hierarchy is read as the LAZ file that it is.</remarks>
+    // COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree and so a block. The hierarchy is a claim like
+    // any other: chunks that are only in the LAZ chunk table are read too, behind the tree's blocks, and a file without a
+    // readable hierarchy is read as the LAZ file that it is.
     internal sealed class CopcReader : LazChunkReader
     {
         const int DefaultPointsAcross = 128;
@@ -36,9 +35,7 @@ namespace FastPoints.Octrees
             m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
         }
 
-        /// <returns>Null if the file is not COPC, or can only be read as LAZ (with a warning in <paramref
-        /// name="las"/>).</returns>
-        /// <param name="longChunkPoints">The most points of a node that is one block.</param>
+        // Null if the file is not COPC, or can only be read as LAZ, with a warning. longChunkPoints: of a node that is one block.
         public static PointReader TryOpen(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var copc = CopcInfo.Find(las);
@@ -86,7 +83,6 @@ namespace FastPoints.Octrees
             m_tree.IsWhole = true;
         }
 
-        /// <summary>Searches the chunk table for chunks that no node has, when nodes and header disagree.</summary>
         void Reconcile()
         {
             long ofNodes = PointCount;

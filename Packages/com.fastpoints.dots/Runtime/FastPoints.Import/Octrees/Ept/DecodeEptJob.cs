@@ -6,24 +6,21 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Copies a slice of records in the schema's layout to columns.</summary>
     [BurstCompile]
     unsafe struct DecodeEptJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
 
-        /// <summary>The outcome of making the records; if broken, there are none.</summary>
+        // Of making the records; if broken, there are none.
         [ReadOnly] public NativeReference<DecompressState> State;
 
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
         public int RecordBytes;
-
-        /// <summary>Index of the slice's first record.</summary>
         public int FirstRecord;
 
-        /// <summary>First point of the slice, counted from the range's start.</summary>
+        // Counted from the range's start.
         public int First;
         public int Count;
 
@@ -49,10 +46,8 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>What the decoding jobs of EPT report in <see cref="DecodeResult.Error"/>.</summary>
     static class EptError
     {
-        /// <summary>The stream broke off, or is invalid.</summary>
         public const int Broken = 1;
     }
 }

@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The nodes of an EPT octree as far as they are known, the blocks that they are read in, and their files.</summary>
     sealed class EptBlocks
     {
         public const string DataFolder = "ept-data";
@@ -20,7 +19,6 @@ namespace FastPoints.Octrees
         readonly Dictionary<(int, int3), long> m_endOfNode = new Dictionary<(int, int3), long>();
         readonly int m_blockPoints;
 
-        /// <param name="pointBytes">Bytes that a point takes in memory.</param>
         public EptBlocks(EptIndex index, int pointBytes)
         {
             m_index = index;
@@ -42,8 +40,7 @@ namespace FastPoints.Octrees
         public EptBlock this[int block] => (uint)block < (uint)m_blocks.Count ? m_blocks[block]
             : throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
 
-        /// <summary>Adds a node and its blocks.</summary>
-        /// <param name="points">Number of points that can be read.</param>
+        // points: how many can be read.
         public void Add(EptEntry entry, long points, long fileBytes)
         {
             var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
@@ -70,15 +67,14 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Records that a node gave its last point before <paramref name="point"/>: later blocks are not tried, since
-        /// each would decode the node from its start.</summary>
+        // Later blocks are not tried once a node has given its last point: each would decode the node from its start.
         public void EndNode(in EptBlock block, long point)
         {
             var node = (block.Level, block.Cell);
             m_endOfNode[node] = Math.Min(point, EndOfNode(block));
         }
 
-        /// <summary>The most points that a node can have, as far as is known.</summary>
+        // As far as is known.
         public long EndOfNode(in EptBlock block) =>
             m_endOfNode.TryGetValue((block.Level, block.Cell), out long end) ? end : block.NodePoints;
 
@@ -91,7 +87,7 @@ namespace FastPoints.Octrees
             return Path.Combine(m_index.Folder, DataFolder, EptEntry.NameOf(level, cell) + ending);
         }
 
-        /// <summary>Warns about a block that gave fewer points than it has, once for each block.</summary>
+        // Once for each block.
         public void WarnBroken(int block, string what, string detail, long byteOffset)
         {
             var of = this[block];
@@ -100,21 +96,14 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>A block of an EPT octree: a node's file, or some of the points in it.</summary>
     struct EptBlock
     {
         public int Level;
         public int3 Cell;
-
-        /// <summary>Index of the first point in the whole source.</summary>
         public long FirstPoint;
-
-        /// <summary>Index of the first point in the file.</summary>
         public long FirstInNode;
 
         public int Points;
-
-        /// <summary>Points of the node, as the hierarchy claims.</summary>
         public long NodePoints;
 
         public long FileBytes;

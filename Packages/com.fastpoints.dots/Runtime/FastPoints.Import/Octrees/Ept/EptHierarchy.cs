@@ -10,32 +10,29 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with the points that its
-    /// file can hold: missing pages and files are holes with warnings.</summary>
-    /// <remarks>It takes some 50 bytes for a node, up to 120 if its file exists, and 32 for an entry of the page being read.
-    /// Measured: 220 MB with the most nodes without files, all in one page.</remarks>
+    // Upper levels first; each node is handed on once, with the points that its file can hold: missing pages and files are holes
+    // with warnings. It takes some 50 bytes for a node, up to 120 if its file exists, and 32 for an entry of the page being read.
+    // Measured: 220 MB with the most nodes without files, all in one page.
     sealed class EptHierarchy
     {
         const string HierarchyFolder = "ept-hierarchy";
 
-        /// <summary>Larger pages are not read; this has room for 1.5 million nodes, and writers begin new pages long
-        /// before.</summary>
+        // Room for 1.5 million nodes; writers begin new pages long before.
         const int MaxPageBytes = 32 << 20;
 
-        /// <summary>Bytes of a page that a job parses: about a millisecond.</summary>
+        // About a millisecond of parsing.
         const int SliceBytes = 128 << 10;
 
-        /// <summary>More nodes and pages than the largest clouds have: it bounds the memory of a hierarchy.</summary>
+        // More nodes and pages than the largest clouds have: it bounds the memory of a hierarchy.
         const int MaxNodes = 1 << 21;
 
-        /// <summary>Limit of a compressed node, which is read whole.</summary>
+        // A compressed node is read whole.
         const long MaxCompressedBytes = 1L << 28;
 
-        /// <summary>The most bytes that a zstandard frame makes of one: a block of 128 KiB takes 4.</summary>
+        // Of one byte of a zstandard frame: a block of 128 KiB takes 4.
         const long MaxZstandardRatio = 1 << 15;
 
-        /// <summary>Nodes whose files are looked up together: adding them takes far less than a millisecond of the main
-        /// thread.</summary>
+        // Looked up together: adding them takes far less than a millisecond of the main thread.
         const int StepNodes = 256;
 
         readonly EptIndex m_index;
@@ -53,8 +50,7 @@ namespace FastPoints.Octrees
             m_pages.Add(default);
         }
 
-        /// <summary>Coroutine: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
-        /// as they concern <paramref name="node"/> and what is below it.</summary>
+        // Coroutine: the pages that may contain nodes of the first levels, as far as they concern the node and what is below it.
         public IEnumerator<JobStep> Read(int4 node, int levels)
         {
             while (m_waiting.TryPeek(node, levels, out var page))
@@ -72,11 +68,9 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Whether <see cref="Read"/> has nothing to do.</summary>
         public bool IsKnown(int4 node, int levels) => !m_waiting.TryPeek(node, levels, out _);
 
-        /// <summary>Parses a page's entries; a missing page has none.</summary>
-        /// <param name="name">Name of the node that it begins with.</param>
+        // A missing page has no entries. name: the node that it begins with.
         IEnumerator<JobStep> Parse(string path, string name, NativeList<EptEntry> entries)
         {
             long length = FileSource.NoSuchFile;
@@ -124,7 +118,7 @@ namespace FastPoints.Octrees
                     name, "the first " + NumberText.Of(state.Value.Entries) + " entries are read", state.Value.At, path);
         }
 
-        /// <summary>Adds the nodes of a page level by level: a parent comes before its children.</summary>
+        // Level by level: a parent comes before its children.
         IEnumerator<JobStep> Add(NativeList<EptEntry> entries, string path)
         {
             int first = int.MaxValue, last = -1;
@@ -154,7 +148,6 @@ namespace FastPoints.Octrees
                 }
         }
 
-        /// <summary>Adds some nodes with their files' lengths.</summary>
         IEnumerator<JobStep> Add(List<EptEntry> step, string path)
         {
             var files = new string[step.Count];
@@ -167,7 +160,6 @@ namespace FastPoints.Octrees
             });
         }
 
-        /// <param name="length">Length of its file.</param>
         void Add(EptEntry entry, long length, string path)
         {
             if (m_nodes.Count + m_pages.Count > MaxNodes)
@@ -222,7 +214,6 @@ namespace FastPoints.Octrees
             m_blocks.Add(entry, points, bytes);
         }
 
-        /// <summary>The most points that this many bytes of a node's file can hold.</summary>
         long MaxPoints(long bytes)
         {
             if (m_index.DataType == EptDataType.Binary)

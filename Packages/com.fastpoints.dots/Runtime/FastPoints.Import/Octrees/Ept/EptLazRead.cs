@@ -8,14 +8,11 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes that are LAZ files: the file is read whole, then a chain of slices decodes it as far as the
-    /// range goes.</summary>
     sealed class EptLazRead : EptRead
     {
         readonly LasFile m_like;
         readonly LazFileDecoding m_decoding;
 
-        /// <param name="like">A file like those of the nodes.</param>
         public EptLazRead(PointReader reader, EptBlocks blocks, (LasFile Las, LazFormat Laz) like, PointSchema wanted,
             int capacity, Allocator allocator)
             : base(reader, blocks, wanted, capacity, allocator)

@@ -5,8 +5,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The common base of the slots for EPT nodes: the batch, the read of a node's file, and how a range begins and
-    /// ends.</summary>
     abstract class EptRead : SlotRead
     {
         readonly NativeFileRead m_file;
@@ -20,13 +18,11 @@ namespace FastPoints.Octrees
 
         protected EptBlocks Blocks { get; }
 
-        /// <summary>The bytes of the last read, and the requested padding behind them.</summary>
+        // With the padding that was requested.
         protected NativeArray<byte> Input => m_file.Buffer;
 
-        /// <summary>Starts the read and the jobs behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range, in EptBlock block);
 
-        /// <summary>Reports what happened to a range that did not give all of its points.</summary>
         protected virtual void WarnBroken(DecodeResult result) { }
 
         protected sealed override JobHandle Schedule(BlockRange range)
@@ -36,8 +32,7 @@ namespace FastPoints.Octrees
             return isBehindEnd ? default : Schedule(range, block);
         }
 
-        /// <summary>Reads a segment of a block's file.</summary>
-        /// <param name="padding">Number of bytes behind it that jobs may touch.</param>
+        // padding: bytes behind it that jobs may touch.
         protected JobHandle BeginRead(in EptBlock block, long offset, int bytes, int padding)
         {
             // Nodes come to be known while slots are in use: room for the largest is made when it is met.

@@ -10,17 +10,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records,
-    /// zstandard or LAZ. Blocks are nodes, known as far as pages of the hierarchy have been read.</summary>
-    /// <remarks>A node's file is opened for its range and closed behind it. A node with more points than a slot should hold
-    /// becomes several blocks; if it is compressed, each block decodes its file from the start.</remarks>
+    // Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records, zstandard or
+    // LAZ. A node's file is opened for its range and closed behind it. A node with more points than a slot should hold becomes
+    // several blocks; if it is compressed, each block decodes its file from the start.
     internal sealed class EptReader : PointReader
     {
         readonly EptIndex m_index;
         readonly EptBlocks m_blocks;
         readonly EptHierarchy m_hierarchy;
 
-        /// <summary>A LAZ file like those of the nodes, if they are LAZ; otherwise null.</summary>
+        // A LAZ file like those of the nodes, if they are LAZ; otherwise null.
         readonly LasFile m_las;
         readonly LazFormat m_laz;
 
@@ -34,9 +33,6 @@ namespace FastPoints.Octrees
             m_hierarchy = new EptHierarchy(index, m_blocks);
         }
 
-        /// <summary>Reads ept.json and, if nodes are LAZ, the header of one.</summary>
-        /// <exception cref="PointCloudException">The index is invalid or names unknown data, or no node's LAZ file can be
-        /// read.</exception>
         internal static EptReader Open(JsonMembers json)
         {
             var index = EptIndex.Read(json);
@@ -61,7 +57,6 @@ namespace FastPoints.Octrees
             return new EptReader(index, las, format);
         }
 
-        /// <summary>The root's file, or another one if it is missing.</summary>
         static string AnyNode(EptIndex index)
         {
             string folder = Path.Combine(index.Folder, EptBlocks.DataFolder);

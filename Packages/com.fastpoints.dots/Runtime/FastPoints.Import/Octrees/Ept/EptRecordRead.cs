@@ -6,10 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes of plain records.</summary>
     sealed class EptRecordRead : EptRead
     {
-        /// <summary>A slice takes about a millisecond of copying.</summary>
+        // About a millisecond of copying.
         const int SlicePoints = 1 << 16;
 
         readonly int m_recordBytes;

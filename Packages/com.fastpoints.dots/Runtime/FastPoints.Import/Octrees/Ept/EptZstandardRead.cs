@@ -6,11 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes of records in a zstandard frame: it decompresses tile by tile, as far as the range goes, and
-    /// copies each tile to the columns.</summary>
     sealed class EptZstandardRead : EptRead
     {
-        /// <summary>A tile takes less than a millisecond of decompression.</summary>
+        // Less than a millisecond of decompression.
         const int TileBytes = 256 << 10;
 
         readonly int m_tilePoints;

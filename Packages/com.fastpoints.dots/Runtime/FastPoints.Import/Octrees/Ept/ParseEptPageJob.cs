@@ -5,17 +5,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Parses a slice of a hierarchy page: a flat JSON object of <c>"level-x-y-z": points</c>, up to a number of bytes.
-    /// It is a job without the JSON parser because pages of large clouds are megabytes: it makes no garbage.</summary>
+    // A flat JSON object of "level-x-y-z": points. A job without the JSON parser, since pages of large clouds are megabytes: it
+    // makes no garbage.
     [BurstCompile]
     internal struct ParseEptPageJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Text;
-
-        /// <summary>Bytes of the text that are present.</summary>
         public int TextBytes;
 
-        /// <summary>The slice ends after this many bytes, between two entries.</summary>
+        // The slice ends after this many bytes, between two entries.
         public int SliceBytes;
 
         public NativeReference<EptPageState> State;
@@ -39,7 +37,7 @@ namespace FastPoints.Octrees
             Expect(ref state, (byte)'{');
         }
 
-        /// <summary>Reads an entry and the comma behind it, or the end of the object.</summary>
+        // With the comma behind it, or the end of the object.
         void ReadEntry(ref EptPageState state)
         {
             SkipBlanks(ref state.At);
@@ -83,7 +81,7 @@ namespace FastPoints.Octrees
                 state.At++;
         }
 
-        /// <summary>Reads digits up to an end mark, of a number that fits into an int.</summary>
+        // Digits up to an end mark, of a number that fits into an int.
         bool ReadIndex(ref int at, int end, out int value)
         {
             long number = 0;
@@ -134,22 +132,20 @@ namespace FastPoints.Octrees
                 at++;
         }
 
-        /// <returns>-1 at the end.</returns>
+        // -1 at the end.
         int Peek(int at) => at < TextBytes ? Text[at] : -1;
     }
 
-    /// <summary>Progress of parsing a hierarchy page, from slice to slice.</summary>
     internal struct EptPageState
     {
-        /// <summary>The next byte.</summary>
         public int At;
 
-        /// <summary>Number of entries so far, including those without a valid key.</summary>
+        // Including those without a valid key.
         public int Entries;
 
         public bool IsDone;
 
-        /// <summary>Whether the text stops being such a page at <see cref="At"/>; earlier entries are valid.</summary>
+        // The text stops being such a page at At; earlier entries are valid.
         public bool IsBroken;
     }
 }

@@ -7,8 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Decodes a slice of a node's records to columns, and moves positions from the node's corner to the
-    /// cloud's.</summary>
+    // Positions are moved from the node's corner to the cloud's.
     [BurstCompile]
     unsafe struct DecodePotreeJob : IJob
     {
@@ -19,11 +18,11 @@ namespace FastPoints.Octrees
         public PotreeSpecialColumns Special;
         public int RecordBytes;
 
-        /// <summary>First point of the slice, counted from the range's start.</summary>
+        // Counted from the range's start.
         public int First;
         public int Count;
 
-        /// <summary>From the node's corner to the cloud's, in grid steps.</summary>
+        // From the node's corner to the cloud's, in grid steps.
         public int3 Shift;
 
         public void Execute()
@@ -42,7 +41,7 @@ namespace FastPoints.Octrees
             Result.Value = result;
         }
 
-        /// <returns>An error if a position left the grid and was moved to its edge.</returns>
+        // An error if a position left the grid and was moved to its edge.
         public static int Move(int* column, int count, int shift)
         {
             int error = PotreeError.None;
@@ -60,15 +59,15 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>Codes of <see cref="DecodeResult.Error"/>; bits, since several slices have one result.</summary>
+    // Bits, since several slices have one result.
     static class PotreeError
     {
         public const int None = 0;
 
-        /// <summary>Positions beyond the 32-bit grid were set to its edge.</summary>
+        // Positions beyond the 32-bit grid were set to its edge.
         public const int OffGrid = 1;
 
-        /// <summary>A compressed node broke off, or its decompressor failed.</summary>
+        // A compressed node broke off, or its decompressor failed.
         public const int Broken = 2;
     }
 }

@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The contents of cloud.js.</summary>
     sealed class Potree1Index
     {
         // Elements and type of the attributes that versions before 1.8 only name.
@@ -25,27 +24,25 @@ namespace FastPoints.Octrees
         public BoundsGeo Cube { get; private set; }
         public double Spacing { get; private set; }
 
-        /// <summary>Edge of a grid step.</summary>
+        // Edge of a grid step.
         public double Scale { get; private set; }
 
         public string OctreeFolder { get; private set; }
 
-        /// <summary>Levels of a page of the hierarchy.</summary>
+        // Of a page of the hierarchy.
         public int StepSize { get; private set; }
 
-        /// <summary>The hierarchy as names and counts, in versions up to 1.4; null if it is in files.</summary>
+        // Names and counts, in versions up to 1.4; null if it is in files.
         public List<object> Hierarchy { get; private set; }
 
-        /// <summary>The format of nodes in files of their own: "LAS" or "LAZ"; null for BIN.</summary>
+        // Of nodes in files of their own: "LAS" or "LAZ"; null for BIN.
         public string NodeFormat { get; private set; }
 
-        /// <summary>Attributes of BIN nodes in their order; null stands for one with an unknown name, and so unknown
-        /// length.</summary>
+        // Of BIN nodes in their order; null stands for one with an unknown name, and so unknown length.
         public List<PotreeAttribute> Attributes { get; } = new List<PotreeAttribute>();
 
         public string UnknownAttribute { get; private set; }
 
-        /// <exception cref="PointCloudException">Something that the points need is missing or of the wrong kind.</exception>
         public static Potree1Index Read(JsonMembers json)
         {
             string version = json.Text("version", "");

@@ -9,27 +9,25 @@ namespace FastPoints.Octrees
         public int Level;
         public int3 Cell;
 
-        /// <summary>Points according to the hierarchy.</summary>
+        // According to the hierarchy.
         public long Claimed;
         public string Path;
 
-        /// <summary>-1 if there is no such file.</summary>
+        // -1 if there is no such file.
         public long Bytes;
 
-        /// <summary>Points according to the header of a LAS or LAZ file.</summary>
         public long PointsOfLas;
 
-        /// <summary>Why such a file cannot be read, or null.</summary>
+        // Why such a file cannot be read, or null.
         public string Problem;
     }
 
-    /// <summary>An .hrc file that was read.</summary>
     struct Potree1Page
     {
         public ByteReader Records;
         public long FileBytes;
 
-        /// <summary>Why it cannot be used, or null.</summary>
+        // Why it cannot be used, or null.
         public PointCloudException Problem;
     }
 }

@@ -11,36 +11,31 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc
-    /// files.</summary>
-    /// <remarks>
-    /// An .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node: child
-    /// mask, points (u32). The first record repeats the node itself. What a node's file holds wins over that count: converters
-    /// have written other ones.
-    ///
-    /// Positions are integers from the corner of the node's cell, in steps of cloud.js' scale; the cloud's grid starts at the
-    /// corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN
-    /// corners are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step);
-    /// those of LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step). Such nodes are all of
-    /// one point format, as their converter writes them.
-    /// </remarks>
+    // Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc files.
+    // An .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node: child
+    // mask, points (u32). The first record repeats the node itself. What a node's file holds wins over that count: converters
+    // have written other ones.
+    // Positions are integers from the corner of the node's cell, in steps of cloud.js' scale; the cloud's grid starts at the
+    // corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN corners
+    // are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step); those of
+    // LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step).
     internal sealed class Potree1Reader : PotreeNodeReader
     {
         const int RecordBytes = 5;
 
-        /// <summary>Nodes that are looked up together.</summary>
+        // Looked up together.
         const int StepNodes = 32;
 
-        /// <summary>Limit of an .hrc file; 8^7 nodes take less.</summary>
+        // Of an .hrc file; 8^7 nodes take less.
         const int MaxHierarchyBytes = 16 << 20;
 
-        /// <summary>Limit of a LAS or LAZ node, which a slot reads whole.</summary>
+        // Of a LAS or LAZ node, which a slot reads whole.
         const long MaxLasBytes = 1 << 29;
 
-        /// <summary>How far rounding may move corners above a grid place, in steps.</summary>
+        // How far rounding may move corners above a grid place, in steps.
         const double CornerTolerance = 1e-5;
 
-        /// <summary>A node whose children come next in the page.</summary>
+        // A node whose children come next in the page.
         struct Parent
         {
             public int Level;
@@ -53,12 +48,12 @@ namespace FastPoints.Octrees
         readonly int m_stepSize;
         readonly PotreeLayout m_layout;
 
-        /// <summary>A file like those of the nodes, if they are LAS or LAZ, and the format if they are LAZ.</summary>
+        // A file like those of the nodes, if they are LAS or LAZ, and the format if they are LAZ.
         readonly (LasFile Las, LazFormat Laz) m_like;
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
 
-        /// <summary>Nodes of the hierarchy whose files have not been looked up.</summary>
+        // Their files have not been looked up.
         readonly List<Potree1Node> m_found = new List<Potree1Node>();
         int m_listedAt;
         UnreadPage m_page;
@@ -78,9 +73,6 @@ namespace FastPoints.Octrees
                 Pages.Add(default);
         }
 
-        /// <summary>Reads cloud.js, the first page of the hierarchy and, if nodes are LAS or LAZ, one node's header.</summary>
-        /// <exception cref="PointCloudException">The index is invalid, has an unsupported version, or there is no
-        /// node.</exception>
         internal static Potree1Reader Open(JsonMembers json)
         {
             var index = Potree1Index.Read(json);
@@ -186,7 +178,7 @@ namespace FastPoints.Octrees
             return Pages.TryPeek(node, Math.Max(1, levels - 1), out page);
         }
 
-        /// <returns>Whether some more nodes were found without reading a page.</returns>
+        // False if nothing is left without reading a page.
         bool FindNext()
         {
             if (m_listed != null && m_listedAt < m_listed.Count)
@@ -292,7 +284,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <param name="claimed">Points according to the hierarchy.</param>
         void Find(int level, int3 cell, long claimed) => m_found.Add(new Potree1Node
         {
             Level = level,
@@ -301,7 +292,7 @@ namespace FastPoints.Octrees
             Path = m_files.PathOf(level, cell),
         });
 
-        /// <summary>Returns a function that looks up the files of some nodes, on any thread.</summary>
+        // For any thread.
         Func<Potree1Node[]> FileLookup(Potree1Node[] nodes)
         {
             bool isLas = m_layout == null;
@@ -347,7 +338,7 @@ namespace FastPoints.Octrees
             AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
         }
 
-        /// <summary>Counts points by a node's own header, but no more than its bytes can hold.</summary>
+        // By a node's own header, but no more than its bytes can hold.
         static void CountLas(ref Potree1Node node)
         {
             try
@@ -367,7 +358,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Lists the nodes in cloud.js level by level, with the parents that it omitted.</summary>
+        // Level by level, with the parents that it omitted.
         static List<(string, long)> ReadList(List<object> hierarchy, SourceInfo info)
         {
             var points = new SortedDictionary<string, long>(Comparer<string>.Create((a, b) =>
@@ -401,8 +392,7 @@ namespace FastPoints.Octrees
             return list;
         }
 
-        /// <summary>Finds the length of an unknown attribute: what the root's records have besides the others.</summary>
-        /// <exception cref="PointCloudException">It cannot be determined.</exception>
+        // The length of an unknown attribute is what the root's records have besides the others.
         static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
         {
             long bytes = FileSource.LengthOf(files.PathOf(0, default)), points = 0;

@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The contents of metadata.json.</summary>
     sealed class Potree2Index
     {
         public SourceInfo Info { get; private set; }
@@ -15,7 +14,6 @@ namespace FastPoints.Octrees
         public long FirstChunkBytes { get; private set; }
         public bool IsBrotli { get; private set; }
 
-        /// <exception cref="PointCloudException">Something that the points need is missing or of the wrong kind.</exception>
         public static Potree2Index Read(JsonMembers json)
         {
             string encoding = json.Text("encoding");
@@ -68,8 +66,7 @@ namespace FastPoints.Octrees
             return attributes;
         }
 
-        /// <summary>Tightens the bounds: the position's range is that of the points, the bounding box is the cube around
-        /// them.</summary>
+        // The position's range is that of the points, the bounding box is the cube around them.
         static void TightenBounds(BoundsGeo range, SourceInfo info)
         {
             var step = info.Transform.Scale;

@@ -3,10 +3,9 @@ using FastPoints.Core;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>One attribute of a Potree cloud: its description in the index, and the columns that it becomes.</summary>
     sealed class PotreeAttribute
     {
-        /// <summary>More elements than any attribute has.</summary>
+        // More than any attribute has.
         public const int MaxElements = 256;
 
         static readonly Dictionary<string, AttributeType> s_types = new Dictionary<string, AttributeType>
@@ -33,18 +32,16 @@ namespace FastPoints.Octrees
             { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Alpha };
         static readonly string[] s_normals = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
-        /// <summary>The name in the index.</summary>
         public string Name;
 
         public PotreeAttributeKind Kind;
 
-        /// <summary>Type of an element; for a normal in two bytes, that of its column.</summary>
+        // For a normal in two bytes, that of its column.
         public AttributeType Type;
 
-        /// <summary>The columns that it becomes.</summary>
         public PointAttribute[] Columns;
 
-        /// <summary>Bytes of a point in a record.</summary>
+        // Of a point in a record.
         public int Bytes;
 
         public int RecordOffset;
@@ -54,9 +51,8 @@ namespace FastPoints.Octrees
         public bool IsPackedNormal =>
             Kind == PotreeAttributeKind.SphereMappedNormal || Kind == PotreeAttributeKind.OctahedralNormal;
 
-        /// <summary>Makes an attribute from the name, type and size in the index. If the size does not fit the type, or the type
-        /// is unknown, it is read as single bytes, and <paramref name="anomaly"/> says so.</summary>
-        /// <param name="scales">The scale of each element, in value = stored * scale + offset; null for 1.</param>
+        // If the size does not fit the type, or the type is unknown, it is read as single bytes, and "anomaly" says so. The scale
+        // of each element, in value = stored * scale + offset, is 1 for null.
         public static PotreeAttribute Make(string name, string typeName, int bytes, double[] scales, double[] offsets,
             out string anomaly)
         {
@@ -89,7 +85,6 @@ namespace FastPoints.Octrees
             return attribute;
         }
 
-        /// <summary>Drops the attribute's meaning: its bytes become columns.</summary>
         public void BecomeBytes()
         {
             Kind = PotreeAttributeKind.Plain;
@@ -99,7 +94,7 @@ namespace FastPoints.Octrees
                 Columns[i] = new PointAttribute(Name + "[" + NumberText.Of(i) + "]", Type);
         }
 
-        /// <summary>Recognises attributes that are more than a list of numbers, if they have their usual form.</summary>
+        // More than a list of numbers, if it has its usual form.
         bool MakeSpecial(string canonical)
         {
             switch (canonical)
@@ -154,22 +149,21 @@ namespace FastPoints.Octrees
             values != null && index < values.Length ? values[index] : otherwise;
     }
 
-    /// <summary>How a Potree attribute's bytes become columns.</summary>
     enum PotreeAttributeKind
     {
-        /// <summary>Each element is a column of the attribute's own type.</summary>
+        // Each element is a column of the attribute's own type.
         Plain,
 
-        /// <summary>Three int32, relative to the node's or the cloud's corner.</summary>
+        // Three int32, relative to the node's or the cloud's corner.
         Position,
 
-        /// <summary>Red, green, blue of one type, possibly followed by alpha.</summary>
+        // Red, green, blue of one type, possibly followed by alpha.
         Color,
 
-        /// <summary>A unit vector in two bytes, by the sphere map of the Lambert azimuthal equal-area projection.</summary>
+        // A unit vector in two bytes, by the sphere map of the Lambert azimuthal equal-area projection.
         SphereMappedNormal,
 
-        /// <summary>A unit vector in two bytes, folded over an octahedron.</summary>
+        // A unit vector in two bytes, folded over an octahedron.
         OctahedralNormal,
     }
 }

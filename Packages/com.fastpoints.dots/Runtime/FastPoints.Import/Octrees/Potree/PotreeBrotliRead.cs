@@ -8,21 +8,19 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes of Potree 2 in encoding BROTLI: one stream of all values of the first attribute, then all of the
-    /// second, and so on. It is decompressed and spread over the columns tile by tile, as far as the last wanted
-    /// attribute.</summary>
+    // Encoding BROTLI of Potree 2: one stream of all values of the first attribute, then all of the second, and so on. It is
+    // decompressed and spread over the columns tile by tile, as far as the last wanted attribute.
     sealed class PotreeBrotliRead : PotreeRead
     {
-        /// <summary>A tile takes about a millisecond of Brotli.</summary>
+        // About a millisecond of Brotli.
         const int TileBytes = 256 << 10;
 
-        /// <summary>One attribute of the stream.</summary>
         struct Part
         {
             public int BytesPerPoint;
             public PotreeAttributeKind Kind;
 
-            /// <summary>Index of its first copy in <see cref="m_copies"/>; a skipped attribute has none.</summary>
+            // In m_copies; a skipped attribute has none.
             public int FirstCopy;
             public int CopyCount;
             public bool IsWanted;
@@ -143,8 +141,7 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>Reports how decoding a compressed range ended: with all of its points or none, since the values of one point are
-    /// spread over the whole stream.</summary>
+    // With all of its points or none, since the values of one point are spread over the whole stream.
     [BurstCompile]
     struct EndPotreeJob : IJob
     {
@@ -152,7 +149,7 @@ namespace FastPoints.Octrees
         public NativeReference<DecodeResult> Result;
         public int Points;
 
-        /// <summary>Offset of the stream in the file.</summary>
+        // Of the stream in the file.
         public long Offset;
 
         public void Execute()

@@ -6,11 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads what cloud.js and metadata.json have in common.</summary>
+    // What cloud.js and metadata.json have in common.
     static class PotreeIndexes
     {
-        /// <summary>Reads one object of the list of attributes.</summary>
-        /// <param name="elementsName">The index's name for the number of elements.</param>
         public static PotreeAttribute ReadAttribute(JsonMembers item, string elementsName, SourceInfo info)
         {
             long bytes = item.Long("size");
@@ -33,25 +31,23 @@ namespace FastPoints.Octrees
             return attribute;
         }
 
-        /// <summary>Returns a scale that keeps points apart.</summary>
-        /// <exception cref="PointCloudException">It is zero or negative, which no writer produces.</exception>
+        // No writer produces zero or negative ones.
         public static double3 UsableScale(double3 scale, JsonMembers json) =>
             math.all(scale > 0) ? scale : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"scale\"",
                 "numbers above 0", NumberText.Of(scale));
 
-        /// <exception cref="PointCloudException">It has no volume to divide.</exception>
         public static BoundsGeo Cube(BoundsGeo box, JsonMembers json) =>
             !box.IsEmpty ? box : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"",
                 "a box", "a maximum below the minimum");
 
-        /// <summary>The spacing in the index; without one, 1/128 of the cube's edge, as converters use.</summary>
+        // Without one, 1/128 of the cube's edge, as converters use.
         public static double Spacing(JsonMembers json, BoundsGeo cube)
         {
             double spacing = json.Number("spacing", 0);
             return spacing > 0 ? spacing : math.cmax(cube.Size) / 128;
         }
 
-        /// <summary>Reads the CRS, which is any kind of text: well-known text, a PROJ string, a code.</summary>
+        // Any kind of text: well-known text, a PROJ string, a code.
         public static void ReadProjection(JsonMembers json, SourceInfo info)
         {
             string text = json.Text("projection", "").Trim();

@@ -8,8 +8,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes that are LAS or LAZ files: it reads the whole file, then decodes it to the cloud's grid in a
-    /// chain of slices as far as the range goes.</summary>
     sealed class PotreeLasRead : SlotRead
     {
         readonly PotreeReader m_reader;
@@ -17,7 +15,6 @@ namespace FastPoints.Octrees
         readonly LazFileDecoding m_decoding;
         readonly NativeFileRead m_file;
 
-        /// <param name="like">A file like those of the nodes.</param>
         public PotreeLasRead(PotreeReader reader, (LasFile Las, LazFormat Laz) like, PointSchema wanted, int capacity,
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)

@@ -5,10 +5,9 @@ using FastPoints.Reading;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The attributes of a Potree cloud, one behind the other: a record, and the columns that it becomes.</summary>
     sealed class PotreeLayout
     {
-        /// <summary>Longer records than any cloud has.</summary>
+        // Longer records than any cloud has.
         const int MaxRecordBytes = 1 << 14;
 
         readonly List<PotreeAttribute> m_attributes = new List<PotreeAttribute>();
@@ -16,7 +15,6 @@ namespace FastPoints.Octrees
 
         readonly List<int> m_attributeOfField = new List<int>();
 
-        /// <exception cref="PointCloudException">There is no position, or records are too long.</exception>
         public PotreeLayout(IEnumerable<PotreeAttribute> attributes, string path)
         {
             long bytes = 0;
@@ -50,11 +48,9 @@ namespace FastPoints.Octrees
 
         public PointSchema Schema { get; }
 
-        /// <summary>Index of the attribute that a column belongs to.</summary>
-        /// <exception cref="ArgumentException">The cloud has no such column, or has it in another type.</exception>
         public int AttributeOf(PointAttribute column) => m_attributeOfField[m_fields.IndexOf(column)];
 
-        /// <summary>The location of a column's value in a record; for a normal in two bytes, of these.</summary>
+        // For a normal in two bytes, of these.
         public PointField FieldOf(PointAttribute column) => m_fields[m_fields.IndexOf(column)];
 
         void AddField(PotreeAttribute attribute, int index)

@@ -2,11 +2,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Names of nodes: <c>r</c>, then a digit a level: <c>4 x + 2 y + z</c>, each 0 for the lower half of the
-    /// axis.</summary>
+    // r, then a digit a level: 4 x + 2 y + z, each 0 for the lower half of the axis.
     internal static class PotreeNames
     {
-        /// <summary>The name of a node.</summary>
         public static string NameOf(int level, int3 cell)
         {
             var name = new char[level + 1];
@@ -16,7 +14,6 @@ namespace FastPoints.Octrees
             return new string(name);
         }
 
-        /// <returns>Whether it is a name of at most so many levels below the root.</returns>
         public static bool TryParse(string name, int maxLevels, out int level, out int3 cell)
         {
             level = name.Length - 1;
@@ -33,7 +30,6 @@ namespace FastPoints.Octrees
             return true;
         }
 
-        /// <summary>The cell of a child, one level down.</summary>
         public static int3 Child(int3 cell, int child) => cell * 2 + new int3(child >> 2 & 1, child >> 1 & 1, child & 1);
 
         static int ChildOf(int3 cell) => (cell.x & 1) << 2 | (cell.y & 1) << 1 | cell.z & 1;

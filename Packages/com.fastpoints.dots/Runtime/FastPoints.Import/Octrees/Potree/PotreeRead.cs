@@ -8,8 +8,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The common base of the slots for Potree's own encodings: the batch, one read, and how a range begins and
-    /// ends.</summary>
     abstract class PotreeRead : SlotRead
     {
         protected PotreeRead(PotreeNodeReader reader, PointSchema wanted, int capacity, long inputBytes, Allocator allocator)
@@ -30,7 +28,6 @@ namespace FastPoints.Octrees
         protected PotreeNodeReader Reader { get; }
         protected NativeFileRead File { get; }
 
-        /// <summary>Starts the read and the jobs behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range, in PotreeBlock block);
 
         protected sealed override JobHandle Schedule(BlockRange range) => Schedule(range, Reader.Block(range.Block));
@@ -43,7 +40,6 @@ namespace FastPoints.Octrees
                 WarnBroken(result);
         }
 
-        /// <summary>Turns the error of a range into a warning, or into an exception.</summary>
         protected virtual void WarnBroken(DecodeResult result) => Reader.WarnBroken(Range.Block,
             "has positions beyond the 32-bit grid of the cloud: they are at its edge", null, -1);
 
@@ -57,9 +53,7 @@ namespace FastPoints.Octrees
             DisposeTables();
         }
 
-        /// <summary>Plans the passes that copy the wanted plain columns out of records.</summary>
-        /// <param name="isTaken">Whether a column's attribute is copied.</param>
-        /// <param name="recordStart">Offset in the cloud's record at which the records begin.</param>
+        // recordStart: offset in the cloud's record at which the records begin.
         protected FieldCopy[] PlanCopies(Func<PotreeAttribute, bool> isTaken, int recordStart)
         {
             var fields = new List<PointField>();
@@ -77,17 +71,15 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>A Potree cloud whose nodes have an encoding of Potree's own: the members that slots use.</summary>
     internal abstract class PotreeNodeReader : PotreeReader
     {
         private protected PotreeNodeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
 
         internal abstract PotreeLayout Layout { get; }
 
-        /// <summary>Starts to read bytes of the file that holds a block.</summary>
         internal abstract JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes);
 
-        /// <summary>Grid steps from a block's corner to the cloud's.</summary>
+        // Grid steps from a block's corner to the cloud's.
         internal abstract int3 ShiftOf(int block);
     }
 }

@@ -7,30 +7,28 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by
-    /// page as far as levels are requested.</summary>
-    /// <remarks>A node with more points than a slot should hold becomes several blocks if its records allow it; the tree then has
-    /// an entry for each, with the same cell. A hierarchy's claims are checked against the existing files: missing or short ones
-    /// are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.</remarks>
+    // The octrees of PotreeConverter, 1.4 to 1.8 and 2.x. A node with more points than a slot should hold becomes several blocks
+    // if its records allow it; the tree then has an entry for each, with the same cell. A hierarchy's claims are checked against
+    // the existing files: missing or short ones are holes with warnings. Each byte of a hierarchy is used only once, so that
+    // loops end.
     internal abstract class PotreeReader : PointReader
     {
-        /// <summary>Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.</summary>
+        // Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.
         internal const int MaxLevels = 30;
 
-        /// <summary>More nodes than the largest clouds have: it bounds the memory of a hierarchy.</summary>
+        // More than the largest clouds have: it bounds the memory of a hierarchy.
         internal const int MaxNodes = 1 << 21;
 
-        /// <summary>The most points of a block that can be cut.</summary>
+        // Of a block that can be cut.
         internal const int MaxBlockPoints = 1 << 20;
 
-        /// <summary>The most points of a node that cannot be cut.</summary>
+        // Of a node that cannot be cut.
         internal const int MaxNodePoints = 1 << 22;
 
-        /// <summary>The most bytes in the columns of a node that cannot be cut: it bounds a slot, whatever a file
-        /// claims.</summary>
+        // In the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.
         internal const int MaxNodeBytes = 1 << 27;
 
-        /// <summary>The most bytes in the records of a block that can be cut.</summary>
+        // In the records of a block that can be cut.
         const int MaxBlockBytes = 1 << 26;
 
         readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
@@ -56,7 +54,7 @@ namespace FastPoints.Octrees
 
         private protected PotreeWarnings Warnings { get; }
 
-        /// <summary>Points according to the hierarchy, as far as it has been read.</summary>
+        // According to the hierarchy, as far as it has been read.
         private protected long PointsClaimed { get; set; }
 
         public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
@@ -71,7 +69,6 @@ namespace FastPoints.Octrees
                 : (long)(block.Bytes * ((range.First + range.Count) / (double)Math.Max(1, block.Points)));
         }
 
-        /// <summary>Pages of the hierarchy that are not read.</summary>
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
         public override IEnumerator<JobStep> FindBlocks() => FindLevels(MaxLevels + 1);
@@ -87,13 +84,11 @@ namespace FastPoints.Octrees
                 Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
-        /// <summary>Coroutine, which can be abandoned and begun again for another node: reads the parts of the hierarchy
-        /// that the first levels need for a node and what is below it. Steps take some milliseconds at most.</summary>
+        // Coroutine, which can be abandoned and begun again for another node: reads the parts of the hierarchy that the first
+        // levels need for a node and what is below it. Steps take some milliseconds at most.
         private protected abstract IEnumerator<JobStep> ReadPages(int4 node, int levels);
 
-        /// <summary>Adds a node and its block.</summary>
-        /// <param name="bytes">Bytes of all its points in the file.</param>
-        /// <param name="bytesPerPoint">Bytes of a point if these are fixed, so that a long node can be cut; otherwise 0.</param>
+        // bytes: of all its points in the file; bytesPerPoint: if fixed, so that a long node can be cut; otherwise 0.
         private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint)
         {
             var node = new SourceNode { Level = level, Cell = cell, Block = -1 };
@@ -122,7 +117,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Whether the tree has reached its limit of nodes, which is reported once.</summary>
         private protected bool IsFull(long next)
         {
             if (m_tree.NodeCount < MaxNodes)
@@ -146,7 +140,6 @@ namespace FastPoints.Octrees
             return PotreeNames.NameOf(node.Level, node.Cell);
         }
 
-        /// <summary>Bytes of the longest block in the file, for a slot that takes any.</summary>
         internal long MaxBytesPerBlock()
         {
             long max = 0;
@@ -155,7 +148,7 @@ namespace FastPoints.Octrees
             return max;
         }
 
-        /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
+        // Once a block.
         internal void WarnBroken(int block, string kind, string detail, long byteOffset)
         {
             if (m_reportedBlocks.Add(block))
@@ -165,21 +158,16 @@ namespace FastPoints.Octrees
         public override void DisposeUnread() => m_tree.Dispose();
     }
 
-    /// <summary>A block of a Potree cloud: the points of a node, or a part of one that is too long.</summary>
     struct PotreeBlock
     {
-        /// <summary>Index in the tree.</summary>
         public int Node;
-
-        /// <summary>Index of its first point in the whole source.</summary>
         public long FirstPoint;
 
         public int Points;
 
-        /// <summary>Offset in the file that holds it.</summary>
+        // In the file that holds it.
         public long Offset;
 
-        /// <summary>Number of bytes that it takes.</summary>
         public long Bytes;
     }
 }

@@ -6,10 +6,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes of plain records: Potree 1 BIN and Potree 2 DEFAULT.</summary>
+    // Potree 1 BIN and Potree 2 DEFAULT.
     sealed class PotreeRecordRead : PotreeRead
     {
-        /// <summary>A slice takes about a millisecond of decoding.</summary>
+        // About a millisecond of decoding.
         const int SlicePoints = 1 << 17;
 
         readonly PotreeSpecialColumns m_special;

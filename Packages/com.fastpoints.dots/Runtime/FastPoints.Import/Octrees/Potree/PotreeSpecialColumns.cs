@@ -3,19 +3,18 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Offsets of a batch's columns that are more than a copy; -1 for unwanted ones. Blittable.</summary>
+    // Columns that are more than a copy; -1 for unwanted ones. Blittable.
     unsafe struct PotreeSpecialColumns
     {
-        /// <summary>First byte of X, Y, Z in the batch.</summary>
+        // First byte of X, Y, Z in the batch.
         public int3 Position;
 
-        /// <summary>First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.</summary>
+        // First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.
         public int3 Normal;
 
         public int NormalRecordByte;
         public bool IsOctahedral;
 
-        /// <summary>Finds the wanted columns of a batch.</summary>
         public static PotreeSpecialColumns Of(PotreeLayout layout, PointBatch batch)
         {
             var special = new PotreeSpecialColumns { Position = -1, Normal = -1 };
@@ -43,8 +42,6 @@ namespace FastPoints.Octrees
             IsOctahedral = attribute.Kind == PotreeAttributeKind.OctahedralNormal;
         }
 
-        /// <param name="from">The two bytes of the first point.</param>
-        /// <param name="first">Its index in the columns.</param>
         public void DecodeNormals(byte* from, int stride, int count, byte* columns, int first)
         {
             for (int i = 0; i < count; i++, from += stride)
@@ -58,11 +55,10 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>Decodes Potree's unit vectors from two bytes. HPC#.</summary>
     internal static class PotreeNormals
     {
-        /// <summary>Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of
-        /// what was packed, except for z near -1, where the map has its seam.</summary>
+        // Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of what was
+        // packed, except for z near -1, where the map has its seam.
         public static float3 FromSphereMap(byte bx, byte by)
         {
             float x = bx * (2f / 255f) - 1, y = by * (2f / 255f) - 1;
@@ -72,7 +68,7 @@ namespace FastPoints.Octrees
             return math.normalizesafe(new float3(2 * x * root, 2 * y * root, 2 * squared - 1), new float3(0, 0, -1));
         }
 
-        /// <summary>Meyer et al., "On floating-point normal vectors", 2010: octahedral normals.</summary>
+        // Meyer et al., "On floating-point normal vectors", 2010: octahedral normals.
         public static float3 FromOctahedron(byte bx, byte by)
         {
             float u = bx * (2f / 255f) - 1, v = by * (2f / 255f) - 1;

@@ -4,8 +4,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Anomalies that any of a tree's nodes may have: the first few of a kind are reported one by one, the others as a
-    /// count.</summary>
+    // The first few anomalies of a kind are reported one by one, the others as a count.
     sealed class PotreeWarnings
     {
         const int MaxReported = 3;
@@ -21,11 +20,7 @@ namespace FastPoints.Octrees
 
         public PotreeWarnings(SourceInfo info) => m_info = info;
 
-        /// <summary>Adds a warning about a node.</summary>
-        /// <param name="what">The anomaly, in the same words for all nodes.</param>
-        /// <param name="detail">A detail about this node, or null.</param>
-        /// <param name="byteOffset">Offset in the file that <paramref name="path"/> names, or -1.</param>
-        /// <param name="path">Null for the source's own path.</param>
+        // what: in the same words for all nodes; path: null for the source's own.
         public void Add(string what, string node, string detail = null, long byteOffset = -1, string path = null)
         {
             if (!m_kinds.TryGetValue(what, out var kind))

@@ -7,14 +7,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Copies values of one attribute from a BROTLI node's stream to columns.</summary>
     [BurstCompile]
     unsafe struct SpreadPotreeJob : IJob
     {
-        /// <summary>Bytes of a position: the upper 16 bits of x, y and z as a Morton code, then the lower 16.</summary>
+        // The upper 16 bits of x, y and z as a Morton code, then the lower 16.
         public const int PositionBytes = 16;
 
-        /// <summary>Bytes of a colour: 16 bits of red, green and blue as a Morton code.</summary>
+        // 16 bits of red, green and blue as a Morton code.
         public const int ColorBytes = 8;
 
         [ReadOnly] public NativeArray<byte> Tile;
@@ -26,11 +25,7 @@ namespace FastPoints.Octrees
         public int BytesPerPoint;
         public int FirstCopy;
         public int CopyCount;
-
-        /// <summary>First wanted point of the tile.</summary>
         public int FirstInTile;
-
-        /// <summary>Its index in the columns.</summary>
         public int First;
         public int Count;
 
@@ -51,8 +46,8 @@ namespace FastPoints.Octrees
                 Special.DecodeNormals(from, BytesPerPoint, Count, columns, First);
         }
 
-        /// <summary>Spreads positions. PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion
-        /// sets to -1 for good: all values are one step too high compared with encoding DEFAULT, so one is subtracted.</summary>
+        // PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion sets to -1 for good: all values
+        // are one step too high compared with encoding DEFAULT, so one is subtracted.
         void SpreadPositions(ulong* codes, byte* columns)
         {
             int* x = (int*)(columns + Special.Position.x) + First;
@@ -72,7 +67,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Spreads colours as tiles of records, which the plan's copies take apart.</summary>
+        // As tiles of records, which the plan's copies take apart.
         void SpreadColors(ulong* codes, FieldCopy* copies, byte* columns)
         {
             const int TilePoints = 256;

@@ -7,30 +7,27 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Makes a page of the hierarchy: a node of a source's own octree and what is below it, some levels deep.</summary>
+    // A page of the hierarchy: a node of a source's own octree and what is below it, some levels deep.
     [BurstCompile]
     internal unsafe struct BuildTreePageJob : IJob
     {
-        /// <summary>All known nodes of the source.</summary>
         [ReadOnly] public NativeArray<SourceNode> Nodes;
 
-        /// <summary>Index of the first node for each <see cref="SourceNode.Key"/>.</summary>
+        // The first node of each SourceNode.Key.
         [ReadOnly] public NativeParallelHashMap<int4, int> NodeOfKey;
 
-        /// <summary>Bits of a point in each streamed plane; the position's depend on the node.</summary>
+        // Of a point in each streamed plane; the position's depend on the node.
         [ReadOnly] public NativeArray<int> BitsOfPlane;
 
-        /// <summary>Indexed by streamed plane.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         public int4 Root;
 
-        /// <summary>Nodes below this level are attached to the page as pages of their own.</summary>
+        // Nodes below this level are attached to the page as pages of their own.
         public int LastLevel;
         public TreeGrid Grid;
 
-        /// <summary>The page, whose memory belongs to the code that takes it. <see cref="StreamNode.ChunkCount"/> of a node is
-        /// the number of pages attached to it; <see cref="PlaneRange.OffsetBytes"/> is the number of the source's node, in every
-        /// plane of a node.</summary>
+        // Its memory belongs to the code that takes it. ChunkCount of a node is the number of pages attached to it; OffsetBytes
+        // is the number of the source's node, in every plane of a node.
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
 
@@ -58,7 +55,7 @@ namespace FastPoints.Octrees
             order.Dispose();
         }
 
-        /// <summary>Adds more blocks of the same node, then its children.</summary>
+        // More blocks of the same node, then its children.
         void AddChildren(int index, NativeList<int> order)
         {
             int4 key = Nodes[index].Key;
@@ -71,7 +68,6 @@ namespace FastPoints.Octrees
                     order.Add(child);
         }
 
-        /// <summary>One of the eight nodes below.</summary>
         public static int4 ChildKey(int4 key, int octant) =>
             new int4(2 * key.x + (octant & 1), 2 * key.y + (octant >> 1 & 1), 2 * key.z + (octant >> 2), key.w + 1);
 
@@ -107,7 +103,7 @@ namespace FastPoints.Octrees
                 };
         }
 
-        /// <summary>The most bytes of a plane, if all points lie in their cube.</summary>
+        // If all points lie in their cube.
         long LongestOf(int plane, int level, int blocks, int points)
         {
             long bits = BitsOfPlane[plane];

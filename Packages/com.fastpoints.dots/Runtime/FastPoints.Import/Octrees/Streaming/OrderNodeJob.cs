@@ -9,19 +9,18 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Orders a slice of a node's decoded points: it moves their positions to the cloud's grid and sorts them along the
-    /// Morton curve, so that neighbours share a block. A node of several slices becomes several runs along the curve.</summary>
+    // Moves positions of a slice to the cloud's grid and sorts them along the Morton curve, so that neighbours share a block. A
+    // node of several slices becomes several runs along the curve.
     [BurstCompile]
     internal unsafe struct OrderNodeJob : IJob
     {
-        /// <summary>A slice takes about 3 ms.</summary>
+        // About 3 ms.
         public const int PointsOfSlice = 1 << 16;
 
-        /// <summary>Bits of a key along each axis: cells that are finer than those of a full block's points.</summary>
+        // Along each axis: cells that are finer than those of a full block's points.
         const int KeyBits = 10;
         const int RunLength = 128;
 
-        /// <summary>The batch that was decoded.</summary>
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         public PositionColumns Positions;
@@ -29,27 +28,26 @@ namespace FastPoints.Octrees
         public Grid3 Corner;
         public bool IsWide;
 
-        /// <summary>Position of the node's cube relative to <see cref="Corner"/>.</summary>
+        // Relative to Corner.
         public Grid3 CubePosition;
 
-        /// <summary>Bits of the cube's edges.</summary>
+        // Of the cube's edges.
         public int3 CubeBits;
 
-        /// <summary>Number of points in the node.</summary>
         public int Count;
         public int First;
 
-        /// <summary>Points of a column of <see cref="Offsets"/>.</summary>
+        // Of a column of Offsets.
         public int Capacity;
 
-        /// <summary>Out: X, Y, Z of each point from the corner, 32 or 64 bits each.</summary>
+        // Out: X, Y, Z of each point from the corner, 32 or 64 bits each.
         public NativeArray<byte> Offsets;
 
-        /// <summary>Out: the point at each place along the curve.</summary>
+        // Out: the point at each place along the curve.
         public NativeArray<uint> PointOfRank;
         public NativeReference<PackState> State;
 
-        /// <summary>Scratch for a slice.</summary>
+        // Scratch for a slice.
         public NativeArray<ulong> Keys;
         public NativeArray<ulong> KeyScratch;
         public NativeArray<uint> PointScratch;
@@ -95,8 +93,7 @@ namespace FastPoints.Octrees
             return isValid;
         }
 
-        /// <summary>Moves consecutive positions to the corner and stores them.</summary>
-        /// <returns>Whether every position has a packed number.</returns>
+        // False if a position has no packed number.
         bool Store(long* places, long corner, int axis, int first, int count)
         {
             long any = 0;
@@ -121,21 +118,20 @@ namespace FastPoints.Octrees
             return (ulong)any <= uint.MaxValue;
         }
 
-        /// <summary>The cell of a position; one outside its cube goes with those at its side.</summary>
+        // A position outside its cube goes with those at its side.
         static uint Cell(long place, long cube, int bits) =>
             (uint)(math.clamp(place - cube, 0, (1L << bits) - 1) >> math.max(0, bits - KeyBits));
     }
 
-    /// <summary>The progress of packing a node, from slice to slice.</summary>
     internal struct PackState
     {
-        /// <summary>Whether the source did not give the node's points, or one exceeds the range of packed numbers.</summary>
+        // The source did not give the node's points, or one exceeds the range of packed numbers.
         public bool IsDamaged;
 
-        /// <summary>Offset of the plane that is being written.</summary>
+        // Of the plane that is being written.
         public long PlaneStart;
 
-        /// <summary>Index in that plane of the next packed word.</summary>
+        // In that plane, of the next packed word.
         public long Word;
     }
 }

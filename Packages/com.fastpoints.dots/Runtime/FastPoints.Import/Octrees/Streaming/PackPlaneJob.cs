@@ -9,39 +9,35 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Packs a slice of a node's plane: some blocks, behind those of the previous slice. The planes of a node come one
-    /// behind the other.</summary>
+    // Some blocks of a plane, behind those of the previous slice. The planes of a node come one behind the other.
     [BurstCompile]
     internal unsafe struct PackPlaneJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
+        // About 2 ms.
         public const int BlocksOfSlice = 512;
 
-        /// <summary>The batch that was decoded.</summary>
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeArray<byte> Offsets;
         [ReadOnly] public NativeArray<uint> PointOfRank;
         public PlaneShape Shape;
 
-        /// <summary>The plane's columns in the batch; the position plane has none.</summary>
+        // In the batch; the position plane has none.
         public PointColumn Column0;
         public PointColumn Column1;
         public PointColumn Column2;
 
-        /// <summary>Index among the streamed planes: 0 is the position's.</summary>
+        // Among the streamed planes: 0 is the position's.
         public int Plane;
 
-        /// <summary>Number of points in the node.</summary>
         public int Count;
         public int FirstBlock;
 
-        /// <summary>Points of a column of <see cref="Offsets"/>.</summary>
+        // Of a column of Offsets.
         public int Capacity;
 
-        /// <summary>Has room for the longest that the planes can be.</summary>
+        // Room for the longest that the planes can be.
         public NativeArray<byte> Packed;
 
-        /// <summary>Indexed by plane.</summary>
         public NativeArray<long> LengthOfPlane;
         public NativeReference<PackState> State;
 

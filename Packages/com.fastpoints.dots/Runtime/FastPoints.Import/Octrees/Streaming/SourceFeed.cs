@@ -8,14 +8,14 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source
-    /// with an octree, the whole of it, streamed directly.</summary>
+    // The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source with an
+    // octree, the whole of it, streamed directly.
     internal sealed class SourceFeed : CloudFeed
     {
-        /// <summary>Points of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
+        // About what a screen shows, with the slots of its reads below 200 MB.
         public const int PreviewPoints = 1_000_000;
 
-        /// <summary>Points of an octree's upper levels that decide on colours.</summary>
+        // Of an octree's upper levels, which decide on colours.
         const int PointsOfTop = 50_000;
 
         readonly StageProgress m_progress = new StageProgress();
@@ -28,8 +28,7 @@ namespace FastPoints.Octrees
         CloudFacts m_newest;
         bool m_skipsFullPass;
 
-        /// <param name="reader">The reader, which this feed owns.</param>
-        /// <param name="previewPoints">The most points of a source without an octree; a smaller one is shown whole.</param>
+        // It owns the reader. previewPoints: of a source without an octree; a smaller one is shown whole.
         public SourceFeed(PointReader reader, int previewPoints = PreviewPoints)
         {
             m_reader = reader;
@@ -104,7 +103,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Whether the next step would decode all of the source, which a build does anyway.</summary>
+        // The next step would decode all of the source, which a build does anyway.
         bool IsPassSkipped => m_skipsFullPass &&
             (m_progress.Current == PreviewSampling.RefineStage || m_progress.Current == PreviewSampling.FindBlocksStage);
 
@@ -134,7 +133,7 @@ namespace FastPoints.Octrees
 
         DisplayRanges NewRanges() => new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
 
-        /// <param name="seen">Bounds to use if the source claims none.</param>
+        // seen: bounds to use if the source claims none.
         CloudFacts Describe(CloudStage stage, DisplayRanges ranges, BoundsGeo seen)
         {
             var info = m_reader.Info;

@@ -8,36 +8,35 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers
-    /// stay the same. Blittable, for jobs.</summary>
+    // The cloud's grid is the source's own: its whole numbers stay the same. Blittable, for jobs.
     internal struct TreeGrid
     {
         public CloudGrid Grid;
 
-        /// <summary>Converts stored numbers to the grid's.</summary>
+        // From stored numbers to the grid's.
         public SourceGrid Source;
 
-        /// <summary>The smallest cube with a power-of-two side that contains the source's.</summary>
+        // The smallest cube with a power-of-two side that contains the source's.
         public GridCube Root;
 
-        /// <summary>The corner that packed positions count from, in all nodes: no number that the source can hold lies below it.
-        /// A block has its own minimum, so this costs nothing.</summary>
+        // Packed positions count from it in all nodes: no number that the source can hold lies below it. A block has its own
+        // minimum, so this costs nothing.
         public Grid3 Corner;
 
-        /// <summary>Whether packed positions have 64 bits.</summary>
+        // Packed positions have 64 bits.
         public bool IsWide;
 
-        /// <summary>Corner of the octree, georeferenced.</summary>
+        // Georeferenced.
         public double3 CubeMin;
         public double3 CubeSize;
 
-        /// <summary>The bounds that the source claims, georeferenced; the cube if it claims none.</summary>
+        // As the source claims, georeferenced; the cube if it claims none.
         public BoundsGeo Bounds;
 
-        /// <summary>Distance between points of the root, in CRS units.</summary>
+        // Of the root, in CRS units.
         public double Spacing;
 
-        /// <exception cref="PointCloudException">No grid holds the source's numbers.</exception>
+        // Unsupported if no grid holds the source's numbers.
         public TreeGrid(SourceInfo info, SourceTree tree)
         {
             var cube = tree.Cube;
@@ -72,7 +71,7 @@ namespace FastPoints.Octrees
 
         public NodeCubes Cubes => new NodeCubes { Corner = CubeMin - Grid.ToGeo(Root.Corner), Size = CubeSize };
 
-        /// <summary>The box around a node's points and all below: from the corner of the root cube, in CRS units.</summary>
+        // Around a node's points and all below: from the corner of the root cube, in CRS units.
         public void BoxOf(int4 key, out double3 center, out float3 half)
         {
             double3 size = SizeOf(key.w), min = MinOf(key), max = min + size;
@@ -84,14 +83,14 @@ namespace FastPoints.Octrees
                 out half);
         }
 
-        /// <summary>Position of a node's cube relative to <see cref="Corner"/>.</summary>
+        // Relative to Corner.
         public Grid3 PositionOf(int4 key)
         {
             var steps = math.floor((MinOf(key) - Grid.Origin) / Grid.Step);
             return new Grid3((long)steps.x, (long)steps.y, (long)steps.z) - Corner;
         }
 
-        /// <summary>Bits that positions within a node's cube need along each axis.</summary>
+        // Along each axis, of positions within a node's cube.
         public int3 BitsOf(int level)
         {
             var steps = SizeOf(level) / Grid.Step + 2;

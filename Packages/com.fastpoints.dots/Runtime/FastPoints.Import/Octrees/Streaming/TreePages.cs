@@ -9,15 +9,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The hierarchy of a source with an octree, as pages of some levels each. It reads only the unknown parts that a
-    /// wanted page needs: looking into one corner costs what lies there. Main thread; never waits.</summary>
+    // The hierarchy as pages of some levels each. It reads only the unknown parts that a wanted page needs: looking into one
+    // corner costs what lies there. Main thread; never waits.
     sealed class TreePages : IDisposable
     {
-        /// <summary>Levels of a page: at most some hundred nodes if points lie on surfaces.</summary>
+        // At most some hundred nodes if points lie on surfaces.
         public const int LevelsPerPage = 4;
 
-        /// <summary>Levels to read before the first page is built: its own, and one more to know whether there are
-        /// others.</summary>
+        // Read before the first page is built: its own, and one more to know whether there are others.
         public const int FirstLevels = LevelsPerPage + 1;
 
         const int Unnumbered = -1;
@@ -34,15 +33,13 @@ namespace FastPoints.Octrees
         JobHandle m_building;
         int m_nodes;
 
-        /// <summary>Whether the hierarchy cannot be read: no more of it is tried.</summary>
+        // No more of the hierarchy is tried.
         bool m_isBroken;
 
-        /// <summary>The first page that was requested since the last update, and the one being read; or
-        /// <see cref="None"/>.</summary>
+        // The first page that was requested since the last update, and the one being read; or None.
         int m_wanted = None;
         int m_read = None;
 
-        /// <exception cref="PointCloudException">The octree has no root.</exception>
         public TreePages(PointReader reader, TreeGrid grid)
         {
             m_reader = reader;
@@ -57,14 +54,12 @@ namespace FastPoints.Octrees
 
         public int Count => m_rootOfPage.Count;
 
-        /// <summary>The handle that <see cref="Update"/> waits for before it continues.</summary>
+        // Update waits for it before it continues.
         public JobHandle Step => m_step;
 
-        /// <summary>Whether there is something to read.</summary>
         public bool IsReading => m_reading != null || m_wanted != None;
 
-        /// <summary>Whether a page's levels, and the one below, are known. The first requested page that is not is read
-        /// next.</summary>
+        // The page's levels, and the one below, are known. The first requested page that is not is read next.
         public bool IsKnown(int page)
         {
             if (!m_isPageKnown[page] && m_wanted == None)
@@ -72,8 +67,7 @@ namespace FastPoints.Octrees
             return m_isPageKnown[page];
         }
 
-        /// <summary>Continues reading, if there is something to read.</summary>
-        /// <returns>The failure, after which pages that are still wanted are made of what is known; or null.</returns>
+        // The failure, after which pages that are still wanted are made of what is known; or null.
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
@@ -111,7 +105,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>The job that builds a page.</summary>
         public BuildTreePageJob JobFor(int page) => new BuildTreePageJob
         {
             Nodes = m_reader.Tree.AsArray(),
@@ -128,8 +121,7 @@ namespace FastPoints.Octrees
             return building;
         }
 
-        /// <summary>Numbers the pages attached to one; the numbers are the same each time it is built.</summary>
-        /// <param name="planeCount">Number of streamed planes.</param>
+        // Of the pages attached to one; the numbers are the same each time it is built.
         public unsafe void Number(int page, in HierarchyPage built, int planeCount)
         {
             if (m_firstPendingOfPage[page] == Unnumbered)
@@ -148,7 +140,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>A page that is not built: only its box.</summary>
+        // Only its box.
         public HierarchyPage Empty(int page)
         {
             var empty = new HierarchyPage();
@@ -191,7 +183,7 @@ namespace FastPoints.Octrees
                 m_nodeOfKey.TryAdd(tree[m_nodes].Key, m_nodes);
         }
 
-        /// <summary>The levels that a page needs: its own, and one more to know whether there are others.</summary>
+        // Its own, and one more to know whether there are others.
         static int LevelsOf(int4 root) => root.w + FirstLevels;
     }
 }

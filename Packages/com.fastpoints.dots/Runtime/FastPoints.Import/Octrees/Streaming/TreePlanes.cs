@@ -6,7 +6,7 @@ using Unity.Collections;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Some planes of a source's layout, and what must be decoded to make them.</summary>
+    // Some planes of a source's layout, and what must be decoded to make them.
     sealed class TreePlanes : IDisposable
     {
         static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
@@ -16,9 +16,7 @@ namespace FastPoints.Octrees
         NativeArray<PlaneShape> m_shapes;
         NativeArray<int> m_bits;
 
-        /// <param name="schema">All attributes of the source.</param>
-        /// <param name="layout">The layout of these, without the position.</param>
-        /// <param name="names">Names of planes besides the position's; those that the source lacks are left out.</param>
+        // layout: without the position; names: besides the position's; those that the source lacks are left out.
         public TreePlanes(PointSchema schema, StoreLayout layout, IReadOnlyList<string> names)
         {
             m_layout = layout;
@@ -47,18 +45,17 @@ namespace FastPoints.Octrees
 
         public int Count => m_indices.Length;
 
-        /// <summary>Rising indices in the layout; position is the first.</summary>
+        // Rising; position is the first.
         public NativeArray<int> Indices => m_indices;
 
-        /// <summary>One for each plane; the position's is that of nodes that are not wide.</summary>
+        // The position's is that of nodes that are not wide.
         public NativeArray<PlaneShape> Shapes => m_shapes;
 
-        /// <summary>Bits of a point's values in each plane. The position's depend on the node.</summary>
+        // Of a point's values in each plane. The position's depend on the node.
         public NativeArray<int> Bits => m_bits;
 
         public PointSchema Decoded { get; }
 
-        /// <summary>The layout of all attributes except the position.</summary>
         public static StoreLayout LayoutOf(PointSchema schema)
         {
             var attributes = new List<PointAttribute>();
@@ -68,8 +65,7 @@ namespace FastPoints.Octrees
             return new StoreLayout(new PointSchema(attributes));
         }
 
-        /// <summary>The attribute in a column of a plane.</summary>
-        /// <param name="plane">Any plane except the position's.</param>
+        // Of any plane except the position's.
         public string AttributeOf(int plane, int column)
         {
             int of = m_layout.AttributeOfColumn[m_layout.Planes[m_indices[plane]].FirstColumn + column];

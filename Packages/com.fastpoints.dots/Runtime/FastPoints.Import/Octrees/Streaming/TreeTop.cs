@@ -6,16 +6,11 @@ using Unity.Collections;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
     internal static class TreeTop
     {
         const int MaxSlots = 8;
 
-        /// <summary>Coroutine, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they
-        /// have.</summary>
-        /// <param name="attributes">Attributes besides the position; those that the source lacks are left out.</param>
-        /// <param name="wanted">Number of points: whole nodes are read until there are this many.</param>
-        /// <param name="read">Receives the points and owns them.</param>
+        // Coroutine, after FindTop. Whole nodes until there are as many points as wanted; who gets the batch owns it.
         public static IEnumerator<JobStep> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
         {
             var blocks = new List<int>();

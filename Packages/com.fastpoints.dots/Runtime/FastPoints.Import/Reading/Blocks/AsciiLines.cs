@@ -3,23 +3,20 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The lines of a range of a text file, as jobs find them in a buffer. Blittable.</summary>
     struct AsciiRange
     {
-        /// <summary>Offset of the buffer in the file.</summary>
+        // In the file.
         public long Offset;
         public int Bytes;
 
-        /// <summary>Lines that start behind these bytes belong to the next block.</summary>
+        // Lines that start behind these bytes belong to the next block.
         public int BlockBytes;
         public bool ReachesFileEnd;
         public bool StartsInRow;
-
-        /// <summary>Lines to skip first.</summary>
         public int RowsBefore;
         public int Rows;
 
-        /// <param name="maxLineBytes">The last line may extend this far behind its block.</param>
+        // The last line may extend maxLineBytes behind its block.
         public static AsciiRange Of(in SegmentBlock block, BlockRange range, long fileBytes, int maxLineBytes)
         {
             long left = fileBytes - block.OffsetBytes;
@@ -37,12 +34,11 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Finds lines of a text file in memory, and stores their integers in columns. HPC#.</summary>
     static unsafe class AsciiLines
     {
         public static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
 
-        /// <summary>The end of the line; there must be one.</summary>
+        // There must be one.
         public static byte* LineEnd(byte* p)
         {
             while (!IsLineEnd(*p))
@@ -50,7 +46,7 @@ namespace FastPoints.Reading
             return p;
         }
 
-        /// <returns>Whether the value fits into the type; if not, the nearest one that fits is stored.</returns>
+        // False if the value does not fit into the type: the nearest one that fits is stored.
         public static bool StoreInteger(byte* column, int row, AttributeType type, int bytes, ulong magnitude, bool isNegative)
         {
             int bits = 8 * bytes;

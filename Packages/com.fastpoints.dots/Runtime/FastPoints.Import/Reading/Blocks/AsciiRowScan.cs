@@ -6,9 +6,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Counts the lines of a text file up to the last point's, several segments at a time, and records which segments
-    /// have points. A segment's count does not depend on earlier ones; whether it starts within a line does, and is settled here,
-    /// in order.</summary>
+    // Counts the lines of a text file up to the last point's, several segments at a time. A segment's count does not depend on
+    // earlier ones; whether it starts within a line does, and is settled here, in order.
     sealed class AsciiRowScan : IDisposable
     {
         sealed class Slot
@@ -30,11 +29,7 @@ namespace FastPoints.Reading
         ulong m_rows;
         bool m_isInText;
 
-        /// <param name="reader">Its <see cref="PointReader.MaxJobs"/> limits the jobs in flight.</param>
-        /// <param name="offset">Offset of the first line.</param>
-        /// <param name="blockBytes">Bytes of a segment.</param>
-        /// <param name="rowsBefore">Leading lines that are not points.</param>
-        /// <param name="rowsEnd">Lines up to the last point's; a number beyond the file's for all.</param>
+        // rowsBefore: leading lines that are not points; rowsEnd: lines up to the last point's, beyond the file's for all.
         public AsciiRowScan(PointReader reader, SourceHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
             long fileBytes = reader.Info.FileBytes;
@@ -57,13 +52,11 @@ namespace FastPoints.Reading
                 };
         }
 
-        /// <summary>Number of points found.</summary>
         public long Points { get; private set; }
 
         public SegmentBlock[] TakeBlocks() => m_blocks.ToArray();
 
-        /// <summary>Takes in the oldest segment, whose handle must be complete, and keeps all slots at work.</summary>
-        /// <returns>Whether there is a segment to wait for.</returns>
+        // Takes in the oldest segment, whose handle must be complete, and keeps all slots at work. False at the end.
         public bool Next(out JobHandle handle)
         {
             if (!m_ring.IsEmpty)

@@ -18,10 +18,10 @@ namespace FastPoints.Reading
         public const int Count = 2048;
         public const int SegmentBytes = 16 << 10;
 
-        /// <summary>In a smaller file, counting all lines is about as fast.</summary>
+        // In a smaller file, counting all lines is about as fast.
         public const long MinBytes = 2L * Count * SegmentBytes;
 
-        /// <summary>Reads in flight: if each takes long, together they take as long as one.</summary>
+        // If each takes long, together they take as long as one.
         const int Slots = 32;
 
         const uint OrderSeed = 1;
@@ -34,7 +34,6 @@ namespace FastPoints.Reading
         long m_points;
         int m_found;
 
-        /// <param name="offset">Offset of the first line; lines continue to the file's end.</param>
         public AsciiSegments(SourceHandle file, long fileBytes, long offset)
         {
             m_file = file;
@@ -44,11 +43,10 @@ namespace FastPoints.Reading
                 m_rowsOfPart[part] = -1;
         }
 
-        /// <summary>Segments with lines, and all that start in each, in the order in which they were found.</summary>
         public SegmentBlock[] Blocks => m_blocks.ToArray();
 
-        /// <summary>Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
-        /// segments, since each part has a single segment (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
+        // The standard error comes from the differences of neighbouring segments, since each part has a single segment (Wolter,
+        // "Introduction to variance estimation", 2007, 8.2).
         public PointEstimate Estimate
         {
             get
@@ -68,7 +66,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Coroutine: reads the next segments until there are this many in all.</summary>
+        // Coroutine: reads the next segments until there are this many in all.
         public IEnumerator<JobStep> Find(int count)
         {
             int first = m_found, wanted = Math.Min(Count, count) - first;
@@ -90,7 +88,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Hashes with the finaliser of SplitMix64.</summary>
+        // The finaliser of SplitMix64.
         long OffsetOf(int part)
         {
             long first = m_bytes / Count * part, places = m_bytes / Count - SegmentBytes + 1;

@@ -26,8 +26,7 @@ namespace FastPoints.Reading
         /// <summary>Completes when the columns are filled.</summary>
         public JobHandle Decoded { get; protected set; }
 
-        /// <summary>Jobs that the decoding of the next range comes behind, beside its read: slots that are ahead then keep no
-        /// more workers busy.</summary>
+        // Slots that are ahead then keep no more workers busy.
         internal JobHandle Dependency { get; set; }
 
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
@@ -37,13 +36,10 @@ namespace FastPoints.Reading
         /// or any range costs only what it holds.</summary>
         public virtual bool TryKeepStates() => false;
 
-        /// <summary>The decoding state after the last completed range, which must have been complete: for the next range of its
-        /// block.</summary>
-        /// <param name="reused">A state that is no longer needed, whose memory it may take; or null.</param>
+        // After the last completed range, which must have been complete. The memory of a state in "reused" may be taken.
         internal virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
 
-        /// <summary>Starts reading a range directly after the one whose state was kept: nothing is decoded twice.</summary>
-        /// <param name="from">The state, which the caller still owns; null if none was kept.</param>
+        // Directly after the range whose state was kept (null if none was): nothing is decoded twice. The caller owns the state.
         internal virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
 
         /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
@@ -87,12 +83,9 @@ namespace FastPoints.Reading
         public long ErrorOffset;
     }
 
-    /// <summary>The state of decoding a block, from which decoding can continue without the block's beginning: see
-    /// <see cref="BlockRead.KeepState"/>. Any slot with the same reader and attributes may continue from it. The code that
-    /// requested it disposes it.</summary>
+    // Decoding continues from it in any slot with the same reader and attributes. Who requested it disposes it.
     internal abstract class DecoderState : IDisposable
     {
-        /// <summary>Bytes of memory that it takes.</summary>
         public abstract long Bytes { get; }
 
         public abstract void Dispose();

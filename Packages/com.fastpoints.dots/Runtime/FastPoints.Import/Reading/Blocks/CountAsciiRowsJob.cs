@@ -5,7 +5,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Counts the lines of one segment of an ascii file.</summary>
     [BurstCompile]
     unsafe struct CountAsciiRowsJob : IJob
     {
@@ -60,20 +59,18 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>The lines of one segment of an ascii file, counted without knowing whether the segment starts within a line.
-    /// Blank lines do not count.</summary>
+    // Counted without knowing whether the segment starts within a line. Blank lines do not count.
     struct AsciiRowCount
     {
-        /// <summary>Lines whose first character lies in the segment, behind its first line end.</summary>
+        // Lines whose first character lies in the segment, behind its first line end.
         public int RowsBehindFirstEnd;
 
-        /// <summary>Whether there is a character before the first line end: a line of this segment unless it started
-        /// earlier.</summary>
+        // A line of this segment unless it started earlier.
         public bool HasTextBeforeFirstEnd;
 
         public bool HasLineEnd;
 
-        /// <summary>Whether there is a character behind the last line end: the next segment starts within a line.</summary>
+        // The next segment starts within a line.
         public bool EndsInText;
     }
 }

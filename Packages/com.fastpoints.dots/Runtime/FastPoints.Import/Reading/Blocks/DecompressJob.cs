@@ -6,24 +6,18 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Decompresses the next slice of a stream into a buffer. Burst does not compile it, since the decompressor is
-    /// managed code. It is still a job, so that later jobs can depend on it and the main thread never waits for it (a Task allows
-    /// neither).</summary>
+    // Burst does not compile it, since the decompressor is managed code. It is still a job, so that later jobs can depend on it
+    // and the main thread never waits for it (a Task allows neither).
     unsafe struct DecompressJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Input;
-
-        /// <summary>Bytes of the input that are present.</summary>
         public int InputBytes;
 
         [WriteOnly] public NativeArray<byte> Output;
-
-        /// <summary>Number of bytes that the slice must give.</summary>
         public int Wanted;
-
         public bool IsFirst;
 
-        /// <summary>A GCHandle of a <see cref="DecompressorHandle"/>: jobs hold no references.</summary>
+        // A GCHandle of a DecompressorHandle: jobs hold no references.
         public long Slot;
 
         public NativeReference<DecompressState> State;
@@ -59,13 +53,11 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Progress of decoding a stream, from slice to slice.</summary>
     struct DecompressState
     {
-        /// <summary>Bytes of the input that were consumed.</summary>
         public int Consumed;
 
-        /// <summary>Whether the stream broke off, or its decompressor failed: it gives no more bytes.</summary>
+        // The stream broke off, or its decompressor failed.
         public bool IsBroken;
     }
 }

@@ -4,13 +4,9 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Plans the passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
+    // The passes over records that fill a batch's columns; the same plan packs columns into records.
     internal static class FieldCopyPlan
     {
-        /// <param name="fields">What a record holds.</param>
-        /// <param name="batch">Its schema says what is wanted, its columns where it goes.</param>
-        /// <param name="isBigEndian">The byte order of the records.</param>
-        /// <exception cref="ArgumentException">The records lack an attribute, or have it in another type.</exception>
         public static FieldCopy[] Make(PointFields fields, PointBatch batch, bool isBigEndian = false)
         {
             var wanted = new PointField[batch.Schema.Count];
@@ -23,9 +19,6 @@ namespace FastPoints.Reading
             return Make(wanted, columns, isBigEndian);
         }
 
-        /// <summary>The same for chosen columns of a batch.</summary>
-        /// <param name="fields">Where the wanted values lie in a record.</param>
-        /// <param name="columns">Where each of them goes in the batch.</param>
         public static FieldCopy[] Make(PointField[] fields, PointColumn[] columns, bool isBigEndian = false)
         {
             var copies = new List<FieldCopy>(fields.Length);
@@ -67,7 +60,7 @@ namespace FastPoints.Reading
             copies.RemoveAt(colorAt);
         }
 
-        /// <summary>Whether two fields of one width lie side by side, as the axes and the colours do.</summary>
+        // Two fields of one width side by side, as the axes and the colours are.
         static bool Follows(PointField first, PointField second) => !first.IsBits && !second.IsBits
             && second.Type.SizeOf() == first.Type.SizeOf() && second.ByteOffset == first.ByteOffset + first.Type.SizeOf();
 
@@ -80,42 +73,37 @@ namespace FastPoints.Reading
         };
     }
 
-    /// <summary>How one <see cref="FieldCopy"/> moves values. Sizes in bytes.</summary>
     internal enum FieldCopyKind : byte
     {
-        /// <summary>Some bits of one byte.</summary>
         Bits,
         One,
         Two,
         Four,
         Eight,
-        /// <summary>Values whose bytes lie in the other order.</summary>
+        // Values whose bytes lie in the other order.
         TwoReversed,
         FourReversed,
         EightReversed,
-        /// <summary>Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.</summary>
+        // Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.
         ThreeOfOne,
         ThreeOfTwo,
         ThreeOfFour,
         ThreeOfEight,
-        /// <summary>X, Y, Z and R, G, B, six columns in one pass: what most scenes want, and faster than two passes.</summary>
+        // Six columns in one pass: what most scenes want, and faster than two passes.
         PositionAndColor,
     }
 
-    /// <summary>A copy from a place in each record to one or several columns. Blittable: jobs carry arrays of these.</summary>
+    // From a place in each record to one or several columns. Blittable: jobs carry arrays of these.
     internal struct FieldCopy
     {
-        /// <summary>Offset of the value in the record.</summary>
         public int RecordByte;
-
-        /// <summary>Offset of the column's first value in the batch.</summary>
         public int Column0;
 
-        /// <summary>The second and third column of the kinds that have them.</summary>
+        // Of the kinds that have a second and third column.
         public int Column1;
         public int Column2;
 
-        /// <summary>Like the first four, for the colour of <see cref="FieldCopyKind.PositionAndColor"/>.</summary>
+        // Of PositionAndColor.
         public int ColorByte;
         public int Red;
         public int Green;
@@ -123,8 +111,6 @@ namespace FastPoints.Reading
 
         public FieldCopyKind Kind;
         public byte BitShift;
-
-        /// <summary>Mask to apply after the shift.</summary>
         public byte BitMask;
     }
 }

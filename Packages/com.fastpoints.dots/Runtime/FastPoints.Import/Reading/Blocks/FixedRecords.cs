@@ -3,7 +3,6 @@ using Unity.Collections;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A file's records of one length: where they begin, and what they hold.</summary>
     sealed class FixedRecords
     {
         public readonly SourceHandle File;

@@ -2,22 +2,19 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Processes every block of a source: see <see cref="SourceScan"/>.</summary>
     internal interface IBlockConsumer
     {
-        /// <summary>Schedules jobs on the slot's columns. They must depend on <paramref name="decoded"/> and use the count in
-        /// <c>read.Result</c>; a consumer whose jobs share state chains them itself.</summary>
-        /// <param name="slot">A number from 0 to slots - 1: state for each slot needs no locks.</param>
+        // The jobs must depend on decoded and use the count in read.Result; a consumer whose jobs share state chains them itself.
+        // slot: from 0 to slots - 1, so that state for each slot needs no locks.
         JobHandle Schedule(BlockRead read, int slot, JobHandle decoded);
 
-        /// <summary>Called when the block's jobs are complete; blocks arrive in order. Main thread.</summary>
+        // The block's jobs are complete; blocks arrive in order. Main thread.
         void Completed(BlockRead read, int slot);
     }
 
-    /// <summary>A consumer that passes blocks on to something slower, such as a disk.</summary>
     internal interface IThrottledConsumer : IBlockConsumer
     {
-        /// <summary>Whether it can take another block now; it may wait for a millisecond. Main thread.</summary>
+        // It may wait for a millisecond. Main thread.
         bool IsReady { get; }
     }
 }

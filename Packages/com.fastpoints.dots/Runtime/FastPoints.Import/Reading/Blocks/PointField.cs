@@ -5,23 +5,20 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The location of one attribute in a point record.</summary>
     internal struct PointField
     {
         public string Name;
 
-        /// <summary>Type of the value in a column. Bit fields are UInt8.</summary>
+        // Bit fields are UInt8.
         public readonly AttributeType Type;
 
         public int ByteOffset;
-
-        /// <summary>Lowest bit of a bit field within its byte.</summary>
         public readonly int BitShift;
 
-        /// <summary>Bits of a bit field, or 0 for a value with bytes of its own.</summary>
+        // 0 for a value with bytes of its own.
         public readonly int BitWidth;
 
-        /// <summary>Value = stored * Scale + Offset; 1 and 0 unless the file says otherwise.</summary>
+        // Value = stored * Scale + Offset; 1 and 0 unless the file says otherwise.
         public readonly double Scale;
 
         public readonly double Offset;
@@ -48,7 +45,6 @@ namespace FastPoints.Reading
         public readonly PointAttribute ToAttribute() => new PointAttribute(Name, Type, Scale, Offset);
     }
 
-    /// <summary>The fields of a record, found by name.</summary>
     internal sealed class PointFields : IReadOnlyList<PointField>
     {
         readonly List<PointField> m_fields = new List<PointField>();
@@ -58,9 +54,8 @@ namespace FastPoints.Reading
 
         public PointField this[int index] => m_fields[index];
 
-        /// <summary>Adds a field. Files give one name twice, and extra bytes the names of standard fields: columns are found by
-        /// name, so a later one is numbered.</summary>
-        /// <returns>The field under its final name.</returns>
+        // Files give one name twice, and extra bytes the names of standard fields: columns are found by name, so a later one is
+        // numbered. Returns the field under its final name.
         public PointField Add(PointField field)
         {
             string name = field.Name;
@@ -71,8 +66,6 @@ namespace FastPoints.Reading
             return field;
         }
 
-        /// <summary>Index of the field that a column is filled from.</summary>
-        /// <exception cref="ArgumentException">The records lack the attribute, or have it in another type.</exception>
         public int IndexOf(PointAttribute column) =>
             m_indexOfName.TryGetValue(column.Name, out int index) && m_fields[index].Type == column.Type
                 ? index
@@ -85,7 +78,6 @@ namespace FastPoints.Reading
             return found;
         }
 
-        /// <summary>One attribute for each field, in the same order.</summary>
         public PointSchema ToSchema() => new PointSchema(m_fields.ConvertAll(field => field.ToAttribute()));
 
         public IEnumerator<PointField> GetEnumerator() => m_fields.GetEnumerator();

@@ -1,16 +1,12 @@
 namespace FastPoints.Reading
 {
-    /// <summary>Copies point records to columns and back: one tight strided loop for each copy of a plan. Called by jobs and
-    /// directly; HPC#.</summary>
-    /// <remarks>Values in a record are not aligned, so they are loaded through pointers, which the machines Unity runs on allow.
-    /// Several copies go over the same records: in tiles, so that a record comes from memory once and from the L1 cache
-    /// after.</remarks>
+    // One tight strided loop for each copy of a plan; called by jobs and directly. Values in a record are not aligned, so they
+    // are loaded through pointers, which the machines Unity runs on allow. Several copies go over the same records in tiles, so
+    // that a record comes from memory once and from the L1 cache after.
     internal static unsafe class PointRecords
     {
         const int TileBytes = 16 << 10;
 
-        /// <summary>Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points, from
-        /// <paramref name="firstPoint"/> of the columns on.</summary>
         public static void ToColumns(byte* records, int recordBytes, int count, FieldCopy* copies, int copyCount,
             byte* columns, int firstPoint = 0)
         {
@@ -24,8 +20,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Packs <paramref name="count"/> points of the columns, from <paramref name="firstPoint"/> on, into records,
-        /// whose other bytes (and bits) stay as they are.</summary>
+        // The other bytes (and bits) of the records stay as they are.
         public static void FromColumns(byte* columns, int firstPoint, int count, FieldCopy* copies, int copyCount,
             byte* records, int recordBytes)
         {

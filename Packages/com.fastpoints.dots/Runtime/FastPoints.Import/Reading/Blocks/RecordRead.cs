@@ -8,7 +8,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Reads one range of records as it lies in the file, then decodes it in one job.</summary>
     sealed class RecordRead : SlotRead
     {
         readonly FixedRecords m_records;
@@ -47,8 +46,8 @@ namespace FastPoints.Reading
             m_copies.Dispose();
         }
 
-        /// <summary>Closes the read. The header's claims were checked against the file's size at opening, so a short read means
-        /// that the file has changed since: an error, not a cloud with fewer points.</summary>
+        // The header's claims were checked against the file's size at opening: a short read means that the file has changed
+        // since, an error, not a cloud with fewer points.
         protected override void EndRead()
         {
             var status = m_file.Close(out long got);
@@ -63,8 +62,6 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Decodes records that a read has brought into memory into the columns of a batch. See
-    /// <see cref="PointRecords"/>.</summary>
     [BurstCompile]
     internal struct DecodeRecordsJob : IJob
     {

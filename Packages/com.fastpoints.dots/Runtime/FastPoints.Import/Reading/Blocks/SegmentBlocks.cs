@@ -2,8 +2,7 @@ using System;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A source whose points have no fixed length: a block is a segment of the file with the points that start in it,
-    /// and a range reads its whole block.</summary>
+    // Points have no fixed length: a block is a segment of the file with the points that start in it, read whole for any range.
     internal abstract class SegmentReader : PointReader
     {
         private protected SegmentBlocks Blocks { get; } = new SegmentBlocks();
@@ -21,7 +20,6 @@ namespace FastPoints.Reading
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
     }
 
-    /// <summary>The blocks of such a source, once they are found.</summary>
     sealed class SegmentBlocks
     {
         SegmentBlock[] m_blocks;
@@ -36,7 +34,6 @@ namespace FastPoints.Reading
 
         public SegmentBlock this[int block] => Found()[block];
 
-        /// <returns>The points of all blocks.</returns>
         public long Take(SegmentBlock[] blocks)
         {
             m_blocks = blocks;
@@ -54,20 +51,17 @@ namespace FastPoints.Reading
         SegmentBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
     }
 
-    /// <summary>A segment of a file with the points that start in it.</summary>
     struct SegmentBlock
     {
         public long OffsetBytes;
         public int Bytes;
-
-        /// <summary>Index of the first point in the whole file.</summary>
         public long FirstPoint;
         public int Points;
 
-        /// <summary>Of text: lines of the block that belong to what comes before the points.</summary>
+        // Of text: lines of the block that belong to what comes before the points.
         public int RowsBefore;
 
-        /// <summary>Of text: whether the block starts within a line that belongs to an earlier block.</summary>
+        // Of text: the block starts within a line that belongs to an earlier block.
         public bool StartsInRow;
     }
 }

@@ -5,7 +5,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>What the slots of all formats have in common: the batch, and how a range begins, ends and is given up.</summary>
     abstract class SlotRead : BlockRead
     {
         readonly PointReader m_reader;
@@ -13,7 +12,6 @@ namespace FastPoints.Reading
         bool m_isBusy;
         bool m_isDisposed;
 
-        /// <exception cref="ArgumentException">The source lacks a wanted attribute, or has it in another type.</exception>
         protected SlotRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {
             foreach (var attribute in wanted)
@@ -30,23 +28,19 @@ namespace FastPoints.Reading
 
         protected bool IsBusy => m_isBusy;
 
-        /// <summary>Starts the read of a range that is not empty, and the jobs behind it.</summary>
+        // The range is not empty.
         protected abstract JobHandle Schedule(BlockRange range);
 
-        /// <summary>What the decoding depends on: the read, and <see cref="BlockRead.Dependency"/>.</summary>
         protected JobHandle DependencyOf(JobHandle read) =>
             Dependency.Equals(default) ? read : JobHandle.CombineDependencies(read, Dependency);
 
-        /// <summary>Closes the read of the range, whose jobs are finished.</summary>
         protected abstract void EndRead();
 
-        /// <summary>Says what was odd about the range, or missing.</summary>
         protected virtual void Warn(DecodeResult result) { }
 
-        /// <summary>Asks the read in flight to stop early.</summary>
         protected virtual void Cancel() { }
 
-        /// <summary>Also runs where the constructor failed half-way.</summary>
+        // Also runs where the constructor failed half-way.
         protected abstract void DisposeMemory();
 
         public sealed override void Begin(BlockRange range)

@@ -2,8 +2,7 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A file that is opened when something is first read from it. Threads of the pool open readers, but handles belong
-    /// to the main thread.</summary>
+    // Opened at the first read: threads of the pool open readers, but handles belong to the main thread.
     sealed class SourceHandle
     {
         FileHandle m_handle;
@@ -11,7 +10,6 @@ namespace FastPoints.Reading
 
         public SourceHandle(string path) => Path = path;
 
-        /// <summary>As the caller gave it, for messages.</summary>
         public string Path { get; }
 
         public ref readonly FileHandle Open()
@@ -22,7 +20,6 @@ namespace FastPoints.Reading
             return ref m_handle;
         }
 
-        /// <summary>Closes the file until the next read.</summary>
         public void Close()
         {
             if (m_isOpen)

@@ -7,12 +7,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Turns a tile's columns into those of the whole cloud; index i is its i-th piece of <see cref="PointsPerPiece"/>
-    /// points.</summary>
     [BurstCompile]
     unsafe struct FillTileColumnsJob : IJobFor
     {
-        /// <summary>A piece takes less than a millisecond of managed code.</summary>
+        // A piece takes less than a millisecond of managed code.
         public const int PointsPerPiece = 1 << 14;
 
         const int RunLength = ColumnValues.RunLength;
@@ -21,10 +19,10 @@ namespace FastPoints.Reading
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         [ReadOnly] public NativeArray<TileColumn> Columns;
 
-        /// <summary>Number of points that both sides have room for.</summary>
+        // Points that both sides have room for.
         public int Capacity;
 
-        /// <summary>The number of pieces, which write to disjoint places.</summary>
+        // Pieces write to disjoint places.
         [NativeDisableParallelForRestriction] public NativeArray<byte> Output;
 
         public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;

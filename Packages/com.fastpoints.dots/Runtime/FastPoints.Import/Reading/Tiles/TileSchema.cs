@@ -4,8 +4,7 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The common attributes and positions of several files: all attributes of all of them, with types that hold every
-    /// file's values, and one transform for all positions.</summary>
+    // All attributes of all files, with types that hold every file's values, and one transform for all positions.
     sealed class TileSchema
     {
         readonly List<Tile> m_tiles;
@@ -14,8 +13,7 @@ namespace FastPoints.Reading
         readonly List<string> m_missing = new List<string>();
         readonly Dictionary<PointSchema, List<Tile>> m_tilesOfSchema = new Dictionary<PointSchema, List<Tile>>();
 
-        /// <param name="tiles">At least one tile; equal schemas must be one object.</param>
-        /// <param name="info">Receives schema, transform, and a warning for each change.</param>
+        // Equal schemas of tiles must be one object. The info receives schema, transform, and a warning for each change.
         public TileSchema(List<Tile> tiles, SourceInfo info)
         {
             m_tiles = tiles;
@@ -52,10 +50,7 @@ namespace FastPoints.Reading
             m_info.Transform = transform;
         }
 
-        /// <summary>Plans how a tile's column becomes that of the cloud.</summary>
-        /// <param name="from">The tile's attribute, or null if it has none.</param>
-        /// <param name="to">The cloud's.</param>
-        /// <returns>The plan without the columns' offsets.</returns>
+        // The plan without the columns' offsets. The tile's attribute is null if it has none.
         public static TileColumn Convert(Tile tile, PointAttribute from, PointAttribute to, in PositionTransform cloud)
         {
             var column = new TileColumn { Kind = TileColumnKind.Copy, Factor = 1, Scale = 1 };
@@ -212,19 +207,16 @@ namespace FastPoints.Reading
 
     enum TileColumnKind : byte
     {
-        /// <summary>Copies values unchanged.</summary>
         Copy,
-        /// <summary>The tile has no such attribute.</summary>
         Zero,
-        /// <summary>Converts integers to wider ones: stored * Factor.</summary>
+        // Integers to wider ones: stored * Factor.
         Integer,
-        /// <summary>Converts positions to places on the common grid: stored * Factor + Shift, as int64.</summary>
+        // Places on the common grid: stored * Factor + Shift, as int64.
         Place,
-        /// <summary>Converts any numbers to floats: stored * Scale + Offset.</summary>
+        // Any numbers to floats: stored * Scale + Offset.
         Real,
     }
 
-    /// <summary>How one column of a tile becomes that of the whole cloud. Blittable: jobs carry arrays of these.</summary>
     struct TileColumn
     {
         public TileColumnKind Kind;

@@ -5,7 +5,6 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Summarises several headers: counts, bounds, the coordinate system.</summary>
     sealed class TileSummary
     {
         readonly SourceInfo m_info;
@@ -75,7 +74,6 @@ namespace FastPoints.Reading
             (tile.PointsReadable >= 0 ? tile.PointsReadable.ToString("N0", CultureInfo.InvariantCulture) + " points" :
                 tile.FileBytes.ToString("N0", CultureInfo.InvariantCulture) + " bytes");
 
-        /// <summary>Ends the summary after the last file.</summary>
         public void End(int tiles)
         {
             var formats = new List<string>();

@@ -6,8 +6,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A slot of <see cref="TiledReader"/>: a slot of the tile that contains its range, and a job that converts the
-    /// tile's columns to the cloud's.</summary>
     sealed class TiledRead : SlotRead
     {
         readonly TiledReader m_reader;
@@ -76,8 +74,7 @@ namespace FastPoints.Reading
             m_columns = new NativeArray<TileColumn>(columns.ToArray(), m_allocator);
         }
 
-        /// <summary>The wanted attributes that the tile has; if it has none, an attribute that suffices to count its
-        /// points.</summary>
+        // If the tile has none of the wanted, an attribute that suffices to count its points.
         PointSchema WantedOf(Tile tile)
         {
             var names = new string[Points.Schema.Count];

@@ -8,13 +8,12 @@ using FastPoints.Reading;
 
 namespace FastPoints.Text
 {
-    /// <summary>The header of a PCD file (Point Cloud Library, version 0.7): lines of a keyword and its words, up to
-    /// DATA.</summary>
+    // The header (Point Cloud Library, version 0.7): lines of a keyword and its words, up to DATA.
     sealed class PcdHeader
     {
         public const int MaxBytes = 64 << 10;
 
-        /// <summary>The most values of a point: files with more are refused.</summary>
+        // Files with more values a point are refused.
         const int MaxValues = 4096;
 
         readonly string m_path;
@@ -25,14 +24,12 @@ namespace FastPoints.Text
 
         public readonly List<PcdField> Fields = new List<PcdField>();
 
-        /// <summary>Lines that begin with no known keyword: the first one, and how many.</summary>
+        // The first line that begins with no known keyword.
         public string UnknownLine;
         public int UnknownLines;
         public int UnknownOffset;
 
         public ulong Points;
-
-        /// <summary>WIDTH times HEIGHT, if the file says both.</summary>
         public ulong? Places;
 
         public string Data;
@@ -40,7 +37,6 @@ namespace FastPoints.Text
 
         public string this[string keyword] => m_words.TryGetValue(keyword, out var words) ? string.Join(" ", words) : null;
 
-        /// <exception cref="PointCloudException">It is incomplete, or contradicts itself.</exception>
         public static PcdHeader Read(FileSource source)
         {
             byte[] bytes = source.ReadUpTo(0, MaxBytes).Bytes;
@@ -140,7 +136,7 @@ namespace FastPoints.Text
             PointCloudException.Wanted(FailureCode.BadInput, m_path, m_offsets[keyword], keyword, wanted, got);
     }
 
-    /// <summary>A field of each point: one value, or several.</summary>
+    // One value, or several.
     sealed class PcdField
     {
         public string Name;
@@ -149,7 +145,7 @@ namespace FastPoints.Text
 
         public int Bytes => Count * Type.SizeOf();
 
-        /// <summary>Whether a value is a colour of three or four bytes.</summary>
+        // A colour of three or four bytes.
         public bool IsColor => Count == 1 && Type.SizeOf() == 4 && (Name == "rgb" || Name == "rgba");
     }
 }

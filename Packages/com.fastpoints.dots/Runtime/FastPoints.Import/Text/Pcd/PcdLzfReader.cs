@@ -10,16 +10,15 @@ using Unity.Jobs;
 
 namespace FastPoints.Text
 {
-    /// <summary>A binary_compressed PCD file: one LZF stream in which each field has the values of all points, field after
-    /// field.</summary>
-    /// <remarks>One pass decodes it and keeps a checkpoint where each block of points begins in each field, so that ranges are
-    /// read alone and in any order. The checkpoints take at most about 3 % of the decoded bytes, and 32 MB.</remarks>
+    // A binary_compressed file: one LZF stream in which each field has the values of all points, field after field. One pass
+    // decodes it and keeps a checkpoint where each block of points begins in each field, so that ranges are read alone and in any
+    // order. The checkpoints take at most about 3 % of the decoded bytes, and 32 MB.
     sealed class PcdLzfReader : PointReader
     {
         const int DefaultBlockPoints = 65536, MaxBlockPoints = 1 << 20, MaxFieldBytes = 4 << 20, MaxCheckpoints = 4096;
         const int SizesBytes = 8;
 
-        /// <summary>A copy of 264 bytes takes 3: a small file cannot claim a large cloud.</summary>
+        // A copy of 264 bytes takes 3: a small file cannot claim a large cloud.
         const int MaxInflation = 88;
 
         readonly PlyFile m_file;
@@ -32,7 +31,6 @@ namespace FastPoints.Text
         NativeArray<byte> m_windows;
         long m_points = -1;
 
-        /// <exception cref="PointCloudException">The sizes of the stream are not those of the points.</exception>
         public PcdLzfReader(FileSource source, PcdHeader header, PlyFile file)
         {
             Info = file.Info;
@@ -67,7 +65,7 @@ namespace FastPoints.Text
         public SourceHandle File => m_file.Handle;
         public NativeArray<byte> Windows => m_windows;
 
-        /// <summary>Bytes of a block's widest field, decoded.</summary>
+        // Of a block's widest field, decoded.
         public int MaxDecodedBytes => m_widestBytes * m_blockPoints;
 
         public override bool BlocksAreKnown => m_points >= 0;
@@ -90,7 +88,7 @@ namespace FastPoints.Text
             return bytes;
         }
 
-        /// <summary>The segment of a field's values of a block; its offset is one in the file.</summary>
+        // Its offset is one in the file.
         public LzfSegment SegmentOf(int field, int block, out long offset)
         {
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
@@ -164,7 +162,7 @@ namespace FastPoints.Text
             return places;
         }
 
-        /// <summary>A stream that breaks off leaves those points whose last field is there.</summary>
+        // A stream that breaks off leaves those points whose last field is there.
         void CountPoints(LzfWalk end)
         {
             int last = m_fields.Length - 1;
@@ -182,7 +180,7 @@ namespace FastPoints.Text
             return new PcdLzfRead(this, wanted, capacity, allocator);
         }
 
-        /// <summary>The fields of the file that fill a batch, each with its copies.</summary>
+        // Each field with its copies.
         public List<(int Field, FieldCopy[] Copies)> PlanFor(PointBatch batch)
         {
             var plan = new List<(int, FieldCopy[])>();
@@ -215,10 +213,8 @@ namespace FastPoints.Text
             if (m_checkpoints.IsCreated)
                 m_checkpoints.Dispose();
         }
-
     }
 
-    /// <summary>A slot of <see cref="PcdLzfReader"/>.</summary>
     sealed unsafe class PcdLzfRead : SlotRead
     {
         readonly PcdLzfReader m_reader;

@@ -5,14 +5,13 @@ using FastPoints.Reading;
 
 namespace FastPoints.Text
 {
-    /// <summary>Reads PCD files of the Point Cloud Library: ascii and binary ones as PLY files with another header,
-    /// binary_compressed ones by <see cref="PcdLzfReader"/>. Packed colours become Red, Green and Blue.</summary>
+    // The Point Cloud Library's files: ascii and binary ones as PLY files with another header, binary_compressed ones by
+    // PcdLzfReader. Packed colours become Red, Green and Blue.
     static class PcdReader
     {
         const int PageBytes = 4096;
 
-        /// <summary>Opens a PCD file. Only its header is read.</summary>
-        /// <exception cref="PointCloudException">The header is invalid, or has no x, y and z.</exception>
+        // Only the header is read.
         public static PointReader Open(FileSource source)
         {
             var pcd = PcdHeader.Read(source);
@@ -70,8 +69,7 @@ namespace FastPoints.Text
             };
         }
 
-        /// <summary>Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is
-        /// there.</summary>
+        // Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is there.
         static int PaddingOf(FileSource source, long offset)
         {
             if (offset >= source.Length || source.Length - offset >= PageBytes)

@@ -8,13 +8,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Decodes lines of a scan into columns, in the world's coordinates. Places without a return (0 0 0) are left out,
-    /// and so are lines that are no points.</summary>
+    // Places without a return (0 0 0) are left out, and so are lines that are no points.
     [BurstCompile]
     unsafe struct DecodePtxJob : IJob
     {
-        /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's
-        /// end.</summary>
+        // Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's end.
         public NativeArray<byte> Input;
         public AsciiRange Range;
         public PtxScanHeader Scan;
@@ -108,10 +106,10 @@ namespace FastPoints.Text
         }
     }
 
-    /// <summary>Offsets of the batch's columns; -1 for those that are not wanted. Blittable.</summary>
+    // Offsets of the batch's columns; -1 for those that are not wanted. Blittable.
     struct PtxColumns
     {
-        /// <summary>Values in a line: position; intensity; colour.</summary>
+        // In a line: position; intensity; colour.
         public int Values;
         public int3 Position;
         public int3 Color;
@@ -119,7 +117,6 @@ namespace FastPoints.Text
         public int ScanNumber;
     }
 
-    /// <summary>Lines of a range that are no points, and the byte of the first one.</summary>
     struct PtxAnomalies
     {
         public int BadRows;

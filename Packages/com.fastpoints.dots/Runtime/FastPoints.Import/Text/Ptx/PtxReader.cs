@@ -11,16 +11,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Reads PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by
-    /// row of its grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1.</summary>
-    /// <remarks>As with other text, a block is a segment with the lines that start in it. Places where the scanner had no return
-    /// count among a block's points, and are left out when it is decoded.</remarks>
+    // PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by row of its
+    // grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1. Places where the
+    // scanner had no return count among a block's points, and are left out when it is decoded.
     internal sealed class PtxReader : SegmentReader
     {
         const int MaxBlockBytes = 256 << 10;
         const int MaxLineBytes = 16 << 10;
 
-        /// <summary>PointSourceId holds no more.</summary>
+        // PointSourceId holds no more.
         const int MaxScans = ushort.MaxValue;
 
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
@@ -60,8 +59,7 @@ namespace FastPoints.Text
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <returns>Null if the file does not begin with the header of a scan.</returns>
-        /// <exception cref="PointCloudException">Its lines have another number of values than 3, 4 or 7.</exception>
+        // Null if the file does not begin with the header of a scan; Unsupported if its lines have not 3, 4 or 7 values.
         public static PtxReader Open(FileSource source)
         {
             byte[] head = source.ReadUpTo(0, 2 * PtxScanHeader.MaxBytes).Bytes;
@@ -132,7 +130,7 @@ namespace FastPoints.Text
             m_areAllFound = true;
         }
 
-        /// <returns>Whether there is another scan: blank lines may end the file.</returns>
+        // False if there is no other scan: blank lines may end the file.
         bool ReadHeader(NativeFileRead read, int bytes, long offset)
         {
             byte[] text = read.Buffer.GetSubArray(0, bytes).ToArray();
@@ -150,7 +148,7 @@ namespace FastPoints.Text
             return isHeader;
         }
 
-        /// <summary>The byte behind the last row of a block, from the block's start.</summary>
+        // The byte behind the last row of a block, from the block's start.
         static unsafe int EndOfRows(NativeArray<byte> text, int bytes, in SegmentBlock block)
         {
             byte* start = (byte*)text.GetUnsafeReadOnlyPtr(), p = start, end = start + bytes;
@@ -195,7 +193,7 @@ namespace FastPoints.Text
 
         internal long SlotBytes => Math.Min(MaxBlockBytes + MaxLineBytes, Info.FileBytes);
 
-        /// <summary>Counts the bad lines of a block, once for each.</summary>
+        // Once for each block.
         internal void Warn(BlockRange range, in PtxAnomalies found)
         {
             if (m_isReported[range.Block])
@@ -215,7 +213,6 @@ namespace FastPoints.Text
         }
     }
 
-    /// <summary>A slot of <see cref="PtxReader"/>.</summary>
     sealed class PtxRead : SlotRead
     {
         readonly PtxReader m_reader;

@@ -6,8 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>The ten lines before the points of each scan: columns, rows, the scanner's place and axes, and the matrix that
-    /// takes its points to the world, row by row, the shift last.</summary>
+    // The ten lines before the points of each scan: columns, rows, the scanner's place and axes, and the matrix that takes its
+    // points to the world, row by row, the shift last.
     struct PtxScanHeader
     {
         public const int MaxBytes = 4096;
@@ -17,16 +17,14 @@ namespace FastPoints.Text
         public ulong Columns;
         public ulong Rows;
 
-        /// <summary>World = x * X + y * Y + z * Z + Shift.</summary>
+        // World = x * X + y * Y + z * Z + Shift.
         public double3 X, Y, Z, Shift;
 
-        /// <summary>Bytes of the header.</summary>
         public int Bytes;
 
-        /// <summary>Lines of points, those without a return included.</summary>
+        // Lines of points, those without a return included.
         public ulong Places => Rows != 0 && Columns > ulong.MaxValue / Rows ? ulong.MaxValue : Columns * Rows;
 
-        /// <returns>False if these bytes do not begin with such a header.</returns>
         public static bool TryParse(ReadOnlySpan<byte> bytes, out PtxScanHeader header)
         {
             header = default;

@@ -4,23 +4,23 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>What some rows show about one column of a text file.</summary>
+    // What some rows show about one column.
     struct XyzColumn
     {
         public double Min;
         public double Max;
 
-        /// <summary>Whether all values are whole numbers, without an exponent or a point.</summary>
+        // Without an exponent or a point.
         public bool IsInteger;
 
-        /// <summary>Whether all values are whole numbers, however they are printed: some write colours as 117.0.</summary>
+        // Whole numbers, however they are printed: some write colours as 117.0.
         public bool IsWhole => Decimals == 0;
 
-        /// <summary>The most digits behind the point: as printed, and without zeros at the end.</summary>
+        // The most digits behind the point: as printed, and without zeros at the end.
         public int DecimalsPrinted;
         public int Decimals;
 
-        /// <summary>The most digits of a value, from the first that is not zero to the last.</summary>
+        // The most of a value, from the first that is not zero to the last.
         public int Digits;
 
         public static XyzColumn Empty => new XyzColumn
@@ -51,7 +51,7 @@ namespace FastPoints.Text
             Digits = Math.Max(Digits, digits);
         }
 
-        /// <summary>The narrowest usual type for the values: wider than these rows need if a few more may need it.</summary>
+        // The narrowest usual type for the values: wider than these rows need if a few more may need it.
         public AttributeType TypeOf(string attribute)
         {
             bool isColor = attribute == AttributeNames.Red || attribute == AttributeNames.Green ||

@@ -1,27 +1,25 @@
 using FastPoints.Core;
 
-
 namespace FastPoints.Text
 {
-    /// <summary>How the values in a text file's lines are separated. Blittable; HPC#.</summary>
+    // How values are separated. Blittable; HPC#.
     struct XyzDialect
     {
-        /// <summary>Replaces the separator while a line is read: a number ends at it as at a blank.</summary>
+        // Replaces the separator while a line is read: a number ends at it as at a blank.
         public const byte Mark = 1;
 
-        /// <summary>A comma or a semicolon; 0 if values are separated by blanks (spaces, tabs).</summary>
+        // A comma or a semicolon; 0 if values are separated by blanks (spaces, tabs).
         public byte Separator;
 
-        /// <summary>Whether 1,5 means one and a half.</summary>
+        // 1,5 means one and a half.
         public bool HasDecimalComma;
 
-        /// <summary>Whether values stand in double quotes.</summary>
         public bool HasQuotes;
 
         public string Name => (Separator == ',' ? "comma" : Separator == ';' ? "semicolon" : "blanks") +
             (HasDecimalComma ? ", decimal comma" : "") + (HasQuotes ? ", in quotes" : "");
 
-        /// <summary>Rewrites text so that <see cref="AsciiNumber"/> can read it.</summary>
+        // Rewrites text so that AsciiNumber can read it.
         public unsafe void Apply(byte* text, int count)
         {
             if (Separator == 0 && !HasDecimalComma && !HasQuotes)
@@ -38,7 +36,6 @@ namespace FastPoints.Text
             }
         }
 
-        /// <summary>Whether a line with this first byte is a comment.</summary>
         public bool IsComment(byte first) =>
             first == '#' || first == '/' || first == '%' || first == '!' || first == ';' && Separator != ';';
     }

@@ -5,7 +5,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.Text
 {
-    /// <summary>Names the columns of a text file: by names that it or the caller gives, or by guessing from the values.</summary>
+    // By names that the file or the caller gives, or by guessing from the values.
     static class XyzNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase)
@@ -29,7 +29,7 @@ namespace FastPoints.Text
         static readonly string[] s_rgb = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
         static readonly string[] s_normal = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
-        /// <summary>Attribute names of named columns; null for "-". Names that repeat get a number.</summary>
+        // Null for "-". Names that repeat get a number.
         public static string[] Of(IReadOnlyList<string> given, int columns)
         {
             var result = new string[columns];
@@ -54,13 +54,11 @@ namespace FastPoints.Text
             return result;
         }
 
-        /// <summary>Whether x, y and z are among the names.</summary>
         public static bool HavePosition(string[] names) => Array.IndexOf(names, AttributeNames.X) >= 0 &&
             Array.IndexOf(names, AttributeNames.Y) >= 0 && Array.IndexOf(names, AttributeNames.Z) >= 0;
 
-        /// <summary>Guesses x y z, and then by count and values: intensity, colour, normals, or columns without a name.</summary>
-        /// <param name="unitLength">For each column, the share of sampled rows that have a vector of length 1 from there
-        /// on.</param>
+        // x y z, and then by count and values: intensity, colour, normals, or columns without a name. unitLength: for each
+        // column, the share of sampled rows that have a vector of length 1 from there on.
         public static string[] Guess(XyzColumn[] columns, double[] unitLength)
         {
             int count = columns.Length;
@@ -106,7 +104,7 @@ namespace FastPoints.Text
         static bool IsNormal(XyzColumn[] columns, double[] unitLength, int at) => at + 3 <= columns.Length &&
             unitLength[at] > 0.9 && !(columns[at].IsInteger && columns[at + 1].IsInteger && columns[at + 2].IsInteger);
 
-        /// <summary>Whether the values are whole numbers of 8 or 16 bits, or shares of 1.</summary>
+        // Whole numbers of 8 or 16 bits, or shares of 1.
         static bool IsColor(XyzColumn[] columns, int at)
         {
             if (at + 3 > columns.Length)

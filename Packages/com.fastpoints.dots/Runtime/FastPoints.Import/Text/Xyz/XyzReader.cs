@@ -10,19 +10,17 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is
-    /// stated in <see cref="SourceInfo.Facts"/>; names that a caller gives override it.</summary>
-    /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
-    /// digits in a sample of the file. A block is a segment of <see cref="MaxBlockBytes"/> with the lines that start in it, found
-    /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
+    // Text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed; names that a caller gives override
+    // the guess. Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
+    // digits in a sample of the file. A block's count includes comments and bad lines, which decoding leaves out and counts.
     internal sealed class XyzReader : SegmentReader
     {
         public const int MaxBlockBytes = 256 << 10;
 
-        /// <summary>The last line may extend this many bytes behind its block: longer ones are not points.</summary>
+        // The last line may extend this many bytes behind its block: longer ones are not points.
         public const int MaxLineBytes = 16 << 10;
 
-        /// <summary>Printed digits that are kept even if the sample has zeros there.</summary>
+        // Printed digits that are kept even if the sample has zeros there.
         const int DefaultDecimals = 4;
 
         readonly XyzSniff m_sniff;
@@ -47,7 +45,7 @@ namespace FastPoints.Text
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <summary>Whether lines all over the file can be found by jumping.</summary>
+        // Lines all over the file can be found by jumping.
         public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiSegments.MinBytes;
 
         public override bool PrefixesAreSpread => true;
@@ -58,9 +56,7 @@ namespace FastPoints.Text
 
         internal SourceHandle File { get; }
 
-        /// <summary>Opens a text file, of which it reads little.</summary>
-        /// <returns>Null if the file is not lines of numbers.</returns>
-        /// <exception cref="PointCloudException">The columns are not points: they have no x, y and z.</exception>
+        // Null if the file is not lines of numbers.
         public static XyzReader Open(FileSource source, string[] textColumns)
         {
             var sniff = XyzSniff.Find(source, textColumns);
@@ -110,7 +106,7 @@ namespace FastPoints.Text
                 info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
         }
 
-        /// <summary>The digits that the sample has, limited to what a coordinate on the grid has room for.</summary>
+        // The digits that the sample has, limited to what a coordinate on the grid has room for.
         static int DecimalsOf(XyzColumn column)
         {
             int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, DefaultDecimals));
@@ -201,7 +197,7 @@ namespace FastPoints.Text
             return steps;
         }
 
-        /// <summary>Collects the anomalies of a block, once for each block: warnings have running counts.</summary>
+        // Once for each block: warnings have running counts.
         internal void Warn(BlockRange range, in XyzAnomalies found)
         {
             if (m_isReported[range.Block])
