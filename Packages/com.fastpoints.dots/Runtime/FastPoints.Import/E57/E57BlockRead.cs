@@ -16,13 +16,13 @@ namespace FastPoints.E57
         readonly bool[] m_isWanted = new bool[E57Scan.MaxFields];
         readonly long[] m_firstPages = new long[E57Scan.MaxFields];
         readonly long[] m_endPages = new long[E57Scan.MaxFields];
+        readonly NativeArray<PointColumn> m_columns;
+        readonly NativeArray<double> m_vectors;
+        readonly NativeArray<byte> m_drops;
+        readonly NativeArray<byte> m_scratch;
+        readonly NativeReference<E57Anomalies> m_anomalies;
         NativeArray<E57FieldRead> m_reads;
         NativeArray<E57StreamRange> m_ranges;
-        NativeArray<PointColumn> m_columns;
-        NativeArray<double> m_vectors;
-        NativeArray<byte> m_drops;
-        NativeArray<byte> m_scratch;
-        NativeReference<E57Anomalies> m_anomalies;
         int m_readCount;
         E57Section m_section;
         PlaceE57PointsJob m_place;
@@ -31,20 +31,19 @@ namespace FastPoints.E57
             : base(reader, wanted, capacity, allocator)
         {
             m_blocks = blocks;
-            m_pages = new E57PagesRead(blocks.File, blocks.MaxPages, E57Scan.MaxFields, allocator);
+            m_pages = Own(new E57PagesRead(blocks.File, blocks.MaxPages, E57Scan.MaxFields, allocator));
             // Wanted columns, invalid states, and rows that no column is made of.
             int reads = wanted.Count + VectorRows + 1;
-            m_reads = new NativeArray<E57FieldRead>(reads, allocator);
-            m_ranges = new NativeArray<E57StreamRange>(reads, allocator);
+            m_reads = OwnArray<E57FieldRead>(reads, allocator, NativeArrayOptions.ClearMemory);
+            m_ranges = OwnArray<E57StreamRange>(reads, allocator, NativeArrayOptions.ClearMemory);
             var columns = new PointColumn[wanted.Count];
             for (int i = 0; i < columns.Length; i++)
                 columns[i] = Points.Column(i);
-            m_columns = new NativeArray<PointColumn>(columns, allocator);
-            m_vectors = new NativeArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator,
-                NativeArrayOptions.UninitializedMemory);
-            m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
-            m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
-            m_anomalies = new NativeReference<E57Anomalies>(allocator);
+            m_columns = Own(new NativeArray<PointColumn>(columns, allocator));
+            m_vectors = OwnArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator);
+            m_drops = OwnArray<byte>(Math.Max(1, capacity), allocator);
+            m_scratch = OwnArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator, NativeArrayOptions.ClearMemory);
+            m_anomalies = Own(new NativeReference<E57Anomalies>(allocator));
         }
 
         protected override JobHandle Schedule(BlockRange range)
@@ -145,17 +144,5 @@ namespace FastPoints.E57
         protected override void EndRead() => m_pages.End();
 
         protected override void Warn(DecodeResult result) => m_blocks.Warn(Range, result, m_anomalies.Value);
-
-        protected override void DisposeMemory()
-        {
-            m_pages.Dispose();
-            m_reads.Dispose();
-            m_ranges.Dispose();
-            m_columns.Dispose();
-            m_vectors.Dispose();
-            m_drops.Dispose();
-            m_scratch.Dispose();
-            m_anomalies.Dispose();
-        }
     }
 }

@@ -25,7 +25,6 @@ namespace FastPoints.Laz
         readonly LazFormat m_format;
         readonly int m_tilePoints;
         readonly bool m_needsAllLayers;
-        readonly NativeFileRead m_file;
         NativeArray<byte> m_state;
         NativeArray<byte> m_tile;
         NativeArray<FieldCopy> m_copies;
@@ -52,32 +51,29 @@ namespace FastPoints.Laz
             m_blocks = blocks;
             m_format = blocks.Format;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
-            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator);
+            m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator));
             m_needsAllLayers = ConfigureState(wanted, allocator);
             long inputBytes = Math.Max(blocks.MaxInputBytes(), SmallChunkBytes);
-            m_file = new NativeFileRead(inputBytes + ExtraPadding, allocator);
-            m_tile = new NativeArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator,
-                NativeArrayOptions.UninitializedMemory);
-            m_inputBytes = new NativeArray<long>(1, allocator);
-            m_plannedCommands = new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator);
-            m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
+            OwnFile(inputBytes + ExtraPadding, allocator);
+            m_tile = OwnArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator);
+            m_inputBytes = OwnArray<long>(1, allocator, NativeArrayOptions.ClearMemory);
+            m_plannedCommands = Own(new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator));
+            m_plannedArray = Own(new NativeArray<ReadCommandArray>(1, allocator));
         }
 
         // True if all layers are wanted.
         bool ConfigureState(PointSchema wanted, Allocator allocator)
         {
             var layers = m_format.Layers;
-            m_bytesPerPoint = new NativeArray<int>(Math.Max(1, layers.Length), allocator);
+            m_bytesPerPoint = OwnArray<int>(Math.Max(1, layers.Length), allocator, NativeArrayOptions.ClearMemory);
             if (!m_format.IsLayered)
             {
-                m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
-                    NativeArrayOptions.UninitializedMemory);
+                m_state = OwnArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator);
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
                 return true;
             }
             var isWanted = LazLayerChoice.Choose(layers, m_blocks.Las.Layout.Fields, wanted);
-            m_state = new NativeArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator,
-                NativeArrayOptions.UninitializedMemory);
+            m_state = OwnArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator);
             LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
             bool needsAll = true;
             for (int i = 0; i < layers.Length; i++)
@@ -136,10 +132,10 @@ namespace FastPoints.Laz
             // Streams of layers are offsets in the input, which is the same for every range that continues another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
             // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
-            m_file.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
+            File.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
             var decode = new DecodeLazJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 InputBytes = m_inputBytes,
                 State = m_state,
                 Tile = m_tile,
@@ -183,13 +179,13 @@ namespace FastPoints.Laz
             var commands = (ReadCommandArray*)m_plannedArray.GetUnsafePtr();
             var planned = new PlanLazReadsJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 BytesPerPoint = m_bytesPerPoint,
                 Commands = m_plannedCommands,
                 CommandArray = m_plannedArray,
                 InputBytes = m_inputBytes,
-                Buffer = (byte*)m_file.Buffer.GetUnsafePtr(),
-                BufferBytes = m_file.Buffer.Length - RangeCode.PaddingBytes,
+                Buffer = (byte*)File.Buffer.GetUnsafePtr(),
+                BufferBytes = File.Buffer.Length - RangeCode.PaddingBytes,
                 RecordBytes = m_format.RecordBytes,
                 ChunkOffset = start,
                 ChunkEnd = block.EndOffset,
@@ -205,7 +201,7 @@ namespace FastPoints.Laz
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            return DependencyOf(m_file.Begin(m_blocks.File, offset, (int)bytes));
+            return DependencyOf(File.Begin(m_blocks.File, offset, (int)bytes));
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
@@ -222,7 +218,7 @@ namespace FastPoints.Laz
 
         protected override void EndRead()
         {
-            bool isRead = m_file.Close(out _) == ReadStatus.Complete;
+            bool isRead = File.Close(out _) == ReadStatus.Complete;
             if (m_isPlanned)
                 isRead &= ClosePlanned() == ReadStatus.Complete;
             if (isRead)
@@ -255,24 +251,16 @@ namespace FastPoints.Laz
 
         protected override void Cancel()
         {
-            m_file.Cancel();
+            File.Cancel();
             if (m_isPlanned)
                 m_plannedRead.Cancel();
         }
 
-        protected override void DisposeMemory()
+        protected override void DisposeMore()
         {
             m_copied.Complete();
-            m_file.Dispose();
             if (m_isPlanned)
                 ClosePlanned();
-            m_state.Dispose();
-            m_tile.Dispose();
-            m_copies.Dispose();
-            m_bytesPerPoint.Dispose();
-            m_inputBytes.Dispose();
-            m_plannedCommands.Dispose();
-            m_plannedArray.Dispose();
         }
     }
 }

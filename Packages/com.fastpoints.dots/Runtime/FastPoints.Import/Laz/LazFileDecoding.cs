@@ -8,6 +8,25 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
+    // One of several files that are all like it.
+    sealed class LasTemplate
+    {
+        public readonly LasFile Las;
+
+        // Null for LAS.
+        public readonly LazFormat Laz;
+
+        public LasTemplate(string path)
+        {
+            using var source = FileSource.Open(path);
+            Las = LasFile.Read(source);
+            Laz = Las.Header.IsCompressed ? LazFormat.Read(Las) : null;
+            if (Laz != null && Laz.Compressor == LazCompressor.None)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, path, LasHeader.At.PointFormat, "LASzip compressor",
+                    "1 to 3", 0);
+        }
+    }
+
     // Whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range goes.
     sealed unsafe class LazFileDecoding : IDisposable
     {
@@ -18,6 +37,8 @@ namespace FastPoints.Laz
 
         readonly LasFile m_las;
         readonly LazFormat m_format;
+        readonly PointBatch m_batch;
+        readonly bool m_roundsOffset;
         readonly int m_tilePoints;
         NativeArray<byte> m_items;
         NativeArray<byte> m_decoder;
@@ -25,16 +46,17 @@ namespace FastPoints.Laz
         NativeArray<FieldCopy> m_copies;
         NativeReference<LazFileState> m_state;
 
-        // las: one of the files, the others are like it; format: null for LAS.
-        public LazFileDecoding(LasFile las, LazFormat format, PointBatch batch, Allocator allocator)
+        public LazFileDecoding(LasTemplate like, PointBatch batch, bool roundsOffset, Allocator allocator)
         {
-            m_las = las;
-            m_format = format;
-            int recordBytes = las.Header.RecordBytes;
+            m_las = like.Las;
+            m_format = like.Laz;
+            m_batch = batch;
+            m_roundsOffset = roundsOffset;
+            int recordBytes = m_las.Header.RecordBytes;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / recordBytes));
-            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(las.Layout.Fields, batch), allocator);
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(m_las.Layout.Fields, batch), allocator);
             ConfigureDecoder(batch.Schema, allocator);
-            m_items = new NativeArray<byte>(format?.ItemBytesOfVlr() ?? new byte[0], allocator);
+            m_items = new NativeArray<byte>(m_format?.ItemBytesOfVlr() ?? new byte[0], allocator);
             m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<LazFileState>(allocator);
         }
@@ -43,8 +65,8 @@ namespace FastPoints.Laz
         public long PointsInFile => m_state.Value.PointsInFile;
 
         // input: the file with PaddingBytes of RangeCode behind it, after inputDeps; first: counted from the file's start.
-        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset,
-            PointBatch to, NativeReference<DecodeResult> result, JobHandle inputDeps)
+        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count,
+            NativeReference<DecodeResult> result, JobHandle inputDeps)
         {
             var header = m_las.Header;
             var decode = new DecodeLazFileJob
@@ -52,12 +74,12 @@ namespace FastPoints.Laz
                 Input = input,
                 InputBytes = inputBytes,
                 Transform = new PositionTransform { Scale = header.Scale, Offset = header.Offset },
-                RoundsOffset = roundsOffset,
+                RoundsOffset = m_roundsOffset,
                 Items = m_items,
                 Decoder = m_decoder,
                 Tile = m_tile,
                 Copies = m_copies,
-                Columns = to.Bytes,
+                Columns = m_batch.Bytes,
                 State = m_state,
                 Result = result,
                 Compressor = m_format?.Compressor ?? LazCompressor.None,

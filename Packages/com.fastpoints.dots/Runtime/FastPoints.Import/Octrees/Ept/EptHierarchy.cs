@@ -36,16 +36,16 @@ namespace FastPoints.Octrees
         const int StepNodes = 256;
 
         readonly EptIndex m_index;
-        readonly EptBlocks m_blocks;
+        readonly EptReader m_reader;
         readonly UnreadPages m_waiting = new UnreadPages(EptEntry.MaxLevel + 1);
         readonly HashSet<int4> m_pages = new HashSet<int4>();
         readonly HashSet<int4> m_nodes = new HashSet<int4>();
         bool m_isFull;
 
-        public EptHierarchy(EptIndex index, EptBlocks blocks)
+        public EptHierarchy(EptReader reader)
         {
-            m_index = index;
-            m_blocks = blocks;
+            m_index = reader.Index;
+            m_reader = reader;
             m_waiting.Add(default);
             m_pages.Add(default);
         }
@@ -64,7 +64,7 @@ namespace FastPoints.Octrees
                     yield return JobStep.Of(Add(entries, path));
                 }
                 m_waiting.Remove(page);
-                m_blocks.Tree.PageCount++;
+                m_reader.Tree.PageCount++;
             }
         }
 
@@ -82,7 +82,7 @@ namespace FastPoints.Octrees
                 problem = "it has " + NumberText.Of(length) + " bytes, wanted at most " + NumberText.Of(MaxPageBytes);
             if (problem != null)
             {
-                m_blocks.Warnings.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
+                m_reader.Warnings.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
                 yield break;
             }
             m_index.Info.FileBytes += length;
@@ -114,7 +114,7 @@ namespace FastPoints.Octrees
                 parsed.Complete();
             }
             if (state.Value.IsBroken)
-                m_blocks.Warnings.Add("the page of the hierarchy that begins with it is broken",
+                m_reader.Warnings.Add("the page of the hierarchy that begins with it is broken",
                     name, "the first " + NumberText.Of(state.Value.Entries) + " entries are read", state.Value.At, path);
         }
 
@@ -127,7 +127,7 @@ namespace FastPoints.Octrees
                 int level = entries[i].Level;
                 if (!entries[i].HasKey)
                 {
-                    m_blocks.Warnings.Add("an entry of the hierarchy is none", "?", null, entries[i].At, path);
+                    m_reader.Warnings.Add("an entry of the hierarchy is none", "?", null, entries[i].At, path);
                     continue;
                 }
                 first = Math.Min(first, level);
@@ -152,7 +152,7 @@ namespace FastPoints.Octrees
         {
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)
-                files[i] = step[i].Points > 0 ? m_blocks.PathOf(step[i].Level, step[i].Cell) : null;
+                files[i] = step[i].Points > 0 ? m_reader.PathOf(step[i].Level, step[i].Cell) : null;
             return PoolTask.Run(path, () => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
             {
                 for (int i = 0; i < lengths.Length; i++)
@@ -175,13 +175,13 @@ namespace FastPoints.Octrees
                 if (m_pages.Add(entry.Key))
                     m_waiting.Add(entry.Key);
                 else
-                    m_blocks.Warnings.Add("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
+                    m_reader.Warnings.Add("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
                 return;
             }
             if (!m_nodes.Add(entry.Key))
-                m_blocks.Warnings.Add("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
+                m_reader.Warnings.Add("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
             else if (entry.Points < 0)
-                m_blocks.Warnings.Add("has a number of points that is none", entry.Name, NumberText.Of(entry.Points), entry.At,
+                m_reader.Warnings.Add("has a number of points that is none", entry.Name, NumberText.Of(entry.Points), entry.At,
                     path);
             else
                 AddNode(entry, length);
@@ -191,27 +191,27 @@ namespace FastPoints.Octrees
         {
             if (entry.Points == 0)
             {
-                m_blocks.Add(entry, 0, 0);
+                m_reader.Add(entry, 0, 0);
                 return;
             }
-            string path = m_blocks.PathOf(entry.Level, entry.Cell);
+            string path = m_reader.PathOf(entry.Level, entry.Cell);
             if (bytes <= 0)
             {
-                m_blocks.Warnings.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
+                m_reader.Warnings.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
                     entry.Name, NumberText.Of(entry.Points) + " points", -1, path);
-                m_blocks.Add(entry, 0, 0);
+                m_reader.Add(entry, 0, 0);
                 return;
             }
             m_index.Info.FileBytes += bytes;
             long points = Math.Min(entry.Points, MaxPoints(bytes));
             if (points < entry.Points)
-                m_blocks.Warnings.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
+                m_reader.Warnings.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
                     + NumberText.Of(entry.Points) + ", got room for " + NumberText.Of(points) + " in " + NumberText.Of(bytes)
                     + " bytes", -1, path);
             else if (m_index.DataType == EptDataType.Binary && bytes > points * m_index.RecordBytes)
-                m_blocks.Warnings.Add("its file holds more than the points that the hierarchy claims", entry.Name,
+                m_reader.Warnings.Add("its file holds more than the points that the hierarchy claims", entry.Name,
                     "wanted " + NumberText.Of(points * m_index.RecordBytes) + " bytes, got " + NumberText.Of(bytes), -1, path);
-            m_blocks.Add(entry, points, bytes);
+            m_reader.Add(entry, points, bytes);
         }
 
         long MaxPoints(long bytes)

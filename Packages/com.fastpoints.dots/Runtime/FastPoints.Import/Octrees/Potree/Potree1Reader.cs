@@ -19,7 +19,7 @@ namespace FastPoints.Octrees
     // corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN corners
     // are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step); those of
     // LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step).
-    internal sealed class Potree1Reader : PotreeNodeReader
+    internal sealed class Potree1Reader : PotreeReader
     {
         const int RecordBytes = 5;
 
@@ -49,7 +49,7 @@ namespace FastPoints.Octrees
         readonly PotreeLayout m_layout;
 
         // A file like those of the nodes, if they are LAS or LAZ, and the format if they are LAZ.
-        readonly (LasFile Las, LazFormat Laz) m_like;
+        readonly LasTemplate m_like;
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
 
@@ -60,10 +60,10 @@ namespace FastPoints.Octrees
         ByteReader m_records;
         int m_recordAt;
 
-        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasFile las,
-            LazFormat laz, List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
+        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasTemplate like,
+            List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
         {
-            m_like = (las, laz);
+            m_like = like;
             m_files = files;
             m_scale = index.Scale;
             m_stepSize = index.StepSize;
@@ -80,21 +80,13 @@ namespace FastPoints.Octrees
             var info = index.Info;
             var listed = index.Hierarchy != null ? ReadList(index.Hierarchy, info) : null;
             PotreeLayout layout = null;
-            LasFile las = null;
-            LazFormat laz = null;
+            LasTemplate like = null;
             if (index.NodeFormat != null)
             {
-                using (var source = FileSource.Open(files.AnyNode()))
-                {
-                    las = LasFile.Read(source);
-                    laz = las.Header.IsCompressed ? LazFormat.Read(las) : null;
-                    if (laz != null && laz.Compressor == LazCompressor.None)
-                        throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
-                            "LASzip compressor", "1 to 3", 0);
-                }
-                info.Schema = las.Info.Schema;
-                info.Transform = las.Info.Transform;
-                info.PointFormat = las.Header.PointFormat;
+                like = new LasTemplate(files.AnyNode());
+                info.Schema = like.Las.Info.Schema;
+                info.Transform = like.Las.Info.Transform;
+                info.PointFormat = like.Las.Header.PointFormat;
             }
             else
             {
@@ -107,19 +99,7 @@ namespace FastPoints.Octrees
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "steps of the bounding box",
                         "less than 2^31", math.cmax(index.Cube.Size / index.Scale));
             }
-            var reader = new Potree1Reader(index, files, layout, las, laz, listed);
-            try
-            {
-                using (var steps = new CoroutineStack(reader.FindLevels(1)))
-                    while (steps.MoveNext())
-                        Thread.Yield();
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
+            return Opened(new Potree1Reader(index, files, layout, like, listed));
         }
 
         public override bool HasFixedStride => m_layout != null;
@@ -128,19 +108,11 @@ namespace FastPoints.Octrees
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
-            : new PotreeLasRead(this, m_like, wanted, capacity, allocator);
+            : new LasNodeRead(this, m_like, true, wanted, capacity, allocator);
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
             byteOffset = Block(block).Offset;
-            return PathOf(block);
-        }
-
-        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
-            read.Begin(PathOf(block), offset, bytes);
-
-        internal string PathOf(int block)
-        {
             var node = NodeOf(block);
             return m_files.PathOf(node.Level, node.Cell);
         }

@@ -20,7 +20,7 @@ namespace FastPoints.Octrees
     // Offset and count are of octree.bin, or of the page in hierarchy.bin for a proxy (type 2), whose page repeats it as its
     // first record. Type 0 and 1 (leaf) are not told apart by converters. A node that claims points and has no bytes is empty:
     // PotreeConverter writes such (potree issue 1125).
-    internal sealed class Potree2Reader : PotreeNodeReader
+    internal sealed class Potree2Reader : PotreeReader
     {
         const string HierarchyName = "hierarchy.bin", OctreeName = "octree.bin";
         const int RecordBytes = 22;
@@ -78,19 +78,7 @@ namespace FastPoints.Octrees
             if (octreeBytes < 0)
                 index.Info.Warn(-1, "there is no " + OctreeName
                     + " beside it: the hierarchy can be shown, but there are no points to read");
-            var reader = new Potree2Reader(index, path, bytes, octreeBytes);
-            try
-            {
-                using (var steps = new CoroutineStack(reader.FindLevels(1)))
-                    while (steps.MoveNext())
-                        Thread.Yield();
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
+            return Opened(new Potree2Reader(index, path, bytes, octreeBytes));
         }
 
         public override bool HasFixedStride => !IsBrotli;

@@ -10,7 +10,7 @@ namespace FastPoints.Octrees
 {
     // Encoding BROTLI of Potree 2: one stream of all values of the first attribute, then all of the second, and so on. It is
     // decompressed and spread over the columns tile by tile, as far as the last wanted attribute.
-    sealed class PotreeBrotliRead : PotreeRead
+    sealed class PotreeBrotliRead : NodeRead
     {
         // About a millisecond of Brotli.
         const int TileBytes = 256 << 10;
@@ -29,30 +29,30 @@ namespace FastPoints.Octrees
         readonly List<Part> m_parts = new List<Part>();
         readonly PotreeSpecialColumns m_special;
         readonly DecompressorHandle m_decompressor;
-        NativeArray<FieldCopy> m_copies;
-        NativeArray<byte> m_tile;
-        NativeReference<DecompressState> m_state;
+        readonly NativeArray<FieldCopy> m_copies;
+        readonly NativeArray<byte> m_tile;
+        readonly NativeReference<DecompressState> m_state;
 
-        public PotreeBrotliRead(PotreeNodeReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            : base(reader, wanted, capacity, reader.MaxBytesPerBlock(), allocator)
+        public PotreeBrotliRead(PotreeReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
             m_special = PotreeSpecialColumns.Of(reader.Layout, Points);
-            m_copies = new NativeArray<FieldCopy>(PlanParts().ToArray(), allocator);
-            m_tile = new NativeArray<byte>(TileBytes, allocator, NativeArrayOptions.UninitializedMemory);
-            m_state = new NativeReference<DecompressState>(allocator);
-            m_decompressor = new DecompressorHandle(Decompressors.Brotli());
+            m_copies = Own(new NativeArray<FieldCopy>(PlanParts(reader.Layout).ToArray(), allocator));
+            m_tile = OwnArray<byte>(TileBytes, allocator);
+            m_state = Own(new NativeReference<DecompressState>(allocator));
+            m_decompressor = Own(new DecompressorHandle(Decompressors.Brotli()));
         }
 
-        List<FieldCopy> PlanParts()
+        List<FieldCopy> PlanParts(PotreeLayout layout)
         {
             var copies = new List<FieldCopy>();
-            var attributes = Reader.Layout.Attributes;
+            var attributes = layout.Attributes;
             for (int i = 0; i < attributes.Count; i++)
             {
                 var attribute = attributes[i];
                 var part = new Part { BytesPerPoint = attribute.Bytes, Kind = attribute.Kind, FirstCopy = copies.Count };
                 foreach (var column in Points.Schema)
-                    part.IsWanted |= Reader.Layout.AttributeOf(column) == i;
+                    part.IsWanted |= layout.AttributeOf(column) == i;
                 // Only these two names stand for Morton codes.
                 if (attribute.Name == "position")
                     part.BytesPerPoint = SpreadPotreeJob.PositionBytes;
@@ -61,7 +61,7 @@ namespace FastPoints.Octrees
                 else if (attribute.Kind == PotreeAttributeKind.Position || attribute.Kind == PotreeAttributeKind.Color)
                     part.Kind = PotreeAttributeKind.Plain;
                 if (part.Kind != PotreeAttributeKind.Position && !attribute.IsPackedNormal)
-                    copies.AddRange(PlanCopies(other => other == attribute, attribute.RecordOffset));
+                    copies.AddRange(layout.PlanCopies(Points, other => other == attribute, attribute.RecordOffset));
                 part.CopyCount = copies.Count - part.FirstCopy;
                 m_parts.Add(part);
             }
@@ -70,9 +70,9 @@ namespace FastPoints.Octrees
             return copies;
         }
 
-        protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)
+        protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
-            var decoded = DependencyOf(Reader.BeginRead(File, range.Block, block.Offset, (int)block.Bytes));
+            var decoded = BeginRead(range.Block, block.Offset, (int)block.Bytes);
             bool isFirst = true;
             foreach (var part in m_parts)
             {
@@ -121,8 +121,10 @@ namespace FastPoints.Octrees
             Count = count,
         };
 
-        protected override void WarnBroken(DecodeResult result)
+        protected override void Report(DecodeResult result)
         {
+            if (result.Error == PotreeError.None)
+                return;
             var failure = m_decompressor.Failure;
             m_decompressor.Failure = null;
             if (failure != null)
@@ -130,14 +132,6 @@ namespace FastPoints.Octrees
                     "Brotli cannot be decompressed here (Decompressors.Brotli takes another decompressor): " + failure.Message,
                     failure);
             Reader.WarnBroken(Range.Block, "its Brotli stream is broken: its points are left out", null, result.ErrorOffset);
-        }
-
-        protected override void DisposeTables()
-        {
-            m_decompressor.Dispose();
-            m_copies.Dispose();
-            m_tile.Dispose();
-            m_state.Dispose();
         }
     }
 

@@ -53,6 +53,23 @@ namespace FastPoints.Octrees
         // For a normal in two bytes, of these.
         public PointField FieldOf(PointAttribute column) => m_fields[m_fields.IndexOf(column)];
 
+        // recordStart: offset in the cloud's record at which the records begin.
+        public FieldCopy[] PlanCopies(PointBatch batch, Func<PotreeAttribute, bool> isTaken, int recordStart)
+        {
+            var fields = new List<PointField>();
+            var columns = new List<PointColumn>();
+            for (int i = 0; i < batch.Schema.Count; i++)
+            {
+                if (!isTaken(m_attributes[AttributeOf(batch.Schema[i])]))
+                    continue;
+                var field = FieldOf(batch.Schema[i]);
+                field.ByteOffset -= recordStart;
+                fields.Add(field);
+                columns.Add(batch.Column(i));
+            }
+            return FieldCopyPlan.Make(fields.ToArray(), columns.ToArray());
+        }
+
         void AddField(PotreeAttribute attribute, int index)
         {
             var column = attribute.Columns[index];

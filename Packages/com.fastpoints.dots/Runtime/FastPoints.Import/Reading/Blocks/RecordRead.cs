@@ -11,15 +11,14 @@ namespace FastPoints.Reading
     sealed class RecordRead : SlotRead
     {
         readonly FixedRecords m_records;
-        readonly NativeFileRead m_file;
-        NativeArray<FieldCopy> m_copies;
+        readonly NativeArray<FieldCopy> m_copies;
 
         public RecordRead(PointReader reader, FixedRecords records, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, CheckCapacity(records, capacity), allocator)
         {
             m_records = records;
-            m_copies = records.CopiesTo(Points, allocator);
-            m_file = new NativeFileRead((long)capacity * records.RecordBytes, allocator);
+            m_copies = Own(records.CopiesTo(Points, allocator));
+            OwnFile((long)capacity * records.RecordBytes, allocator);
         }
 
         static int CheckCapacity(FixedRecords records, int capacity) =>
@@ -29,35 +28,29 @@ namespace FastPoints.Reading
 
         protected override JobHandle Schedule(BlockRange range) => new DecodeRecordsJob
         {
-            Records = m_file.Buffer,
+            Records = File.Buffer,
             Copies = m_copies,
             Columns = Points.Bytes,
             Result = Result,
             RecordBytes = m_records.RecordBytes,
             Count = range.Count,
-        }.Schedule(DependencyOf(m_file.Begin(m_records.File, m_records.OffsetOf(FirstPoint),
+        }.Schedule(DependencyOf(File.Begin(m_records.File, m_records.OffsetOf(FirstPoint),
             range.Count * m_records.RecordBytes)));
 
-        protected override void Cancel() => m_file.Cancel();
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_copies.Dispose();
-        }
+        protected override void Cancel() => File.Cancel();
 
         // The header's claims were checked against the file's size at opening: a short read means that the file has changed
         // since, an error, not a cloud with fewer points.
         protected override void EndRead()
         {
-            var status = m_file.Close(out long got);
+            var status = File.Close(out long got);
             if (status == ReadStatus.Complete)
                 return;
             var result = Result;
             result.Value = default;
             bool isShort = status == ReadStatus.Truncated;
             throw PointCloudException.Wanted(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_records.File.Path,
-                m_file.Offset, isShort ? "the file became shorter" : "the read failed", NumberText.Of(Range.Count) +
+                File.Offset, isShort ? "the file became shorter" : "the read failed", NumberText.Of(Range.Count) +
                 " points of " + NumberText.Of(m_records.RecordBytes) + " bytes", NumberText.Of(got / m_records.RecordBytes));
         }
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Core;
 using Unity.Collections;
 using Unity.Jobs;
@@ -8,6 +9,7 @@ namespace FastPoints.Reading
     abstract class SlotRead : BlockRead
     {
         readonly PointReader m_reader;
+        readonly List<IDisposable> m_owned = new List<IDisposable>();
         NativeReference<DecodeResult> m_result;
         bool m_isBusy;
         bool m_isDisposed;
@@ -21,9 +23,8 @@ namespace FastPoints.Reading
                     throw new ArgumentException("the source has no attribute " + attribute, nameof(wanted));
             }
             m_reader = reader;
-            Points = new PointBatch(wanted, capacity, allocator);
-            m_result = new NativeReference<DecodeResult>(allocator);
-            Result = m_result;
+            Points = Own(new PointBatch(wanted, capacity, allocator));
+            Result = m_result = Own(new NativeReference<DecodeResult>(allocator));
         }
 
         protected bool IsBusy => m_isBusy;
@@ -34,14 +35,31 @@ namespace FastPoints.Reading
         protected JobHandle DependencyOf(JobHandle read) =>
             Dependency.Equals(default) ? read : JobHandle.CombineDependencies(read, Dependency);
 
-        protected abstract void EndRead();
+        protected virtual void EndRead() => File.End();
 
         protected virtual void Warn(DecodeResult result) { }
 
         protected virtual void Cancel() { }
 
-        // Also runs where the constructor failed half-way.
-        protected abstract void DisposeMemory();
+        // What ends or frees besides what is owned. Also runs where the constructor failed half-way.
+        protected virtual void DisposeMore() { }
+
+        // The slot's read, if there is only one.
+        protected NativeFileRead File { get; private set; }
+
+        protected NativeFileRead OwnFile(long capacityBytes, Allocator allocator, int segments = 1) =>
+            File = Own(new NativeFileRead(capacityBytes, allocator, segments));
+
+        // Freed with the slot, what came last first.
+        protected T Own<T>(T memory) where T : IDisposable
+        {
+            m_owned.Add(memory);
+            return memory;
+        }
+
+        protected NativeArray<T> OwnArray<T>(int length, Allocator allocator,
+            NativeArrayOptions options = NativeArrayOptions.UninitializedMemory) where T : unmanaged =>
+            Own(new NativeArray<T>(length, allocator, options));
 
         public sealed override void Begin(BlockRange range)
         {
@@ -84,9 +102,9 @@ namespace FastPoints.Reading
                 Cancel();
             m_isBusy = false;
             Decoded.Complete();
-            DisposeMemory();
-            Points.Dispose();
-            m_result.Dispose();
+            DisposeMore();
+            for (int i = m_owned.Count - 1; i >= 0; i--)
+                m_owned[i].Dispose();
         }
     }
 }

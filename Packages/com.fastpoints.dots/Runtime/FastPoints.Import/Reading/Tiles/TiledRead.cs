@@ -53,7 +53,7 @@ namespace FastPoints.Reading
             }
         }
 
-        protected override void DisposeMemory() => Release();
+        protected override void DisposeMore() => Release();
 
         void Change(Tile tile)
         {

@@ -219,10 +219,9 @@ namespace FastPoints.Text
     {
         readonly PcdLzfReader m_reader;
         readonly List<(int Field, FieldCopy[] Copies)> m_plan;
-        readonly NativeFileRead m_file;
+        readonly NativeArray<FieldCopy> m_copies;
+        readonly NativeArray<byte> m_buffer;
         NativeArray<LzfSegment> m_segments;
-        NativeArray<FieldCopy> m_copies;
-        NativeArray<byte> m_buffer;
 
         public PcdLzfRead(PcdLzfReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
@@ -240,16 +239,17 @@ namespace FastPoints.Text
             var copies = new List<FieldCopy>();
             foreach (var (_, ofField) in m_plan)
                 copies.AddRange(ofField);
-            m_file = new NativeFileRead(max, allocator, m_plan.Count);
-            m_segments = new NativeArray<LzfSegment>(m_plan.Count, allocator);
-            m_copies = new NativeArray<FieldCopy>(copies.ToArray(), allocator);
-            m_buffer = new NativeArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MaxWritten, allocator);
+            OwnFile(max, allocator, m_plan.Count);
+            m_segments = OwnArray<LzfSegment>(m_plan.Count, allocator, NativeArrayOptions.ClearMemory);
+            m_copies = Own(new NativeArray<FieldCopy>(copies.ToArray(), allocator));
+            m_buffer = OwnArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MaxWritten, allocator,
+                NativeArrayOptions.ClearMemory);
         }
 
         protected override JobHandle Schedule(BlockRange range)
         {
-            var commands = m_file.Commands;
-            byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();
+            var commands = File.Commands;
+            byte* buffer = (byte*)File.Buffer.GetUnsafePtr();
             int used = 0, copies = 0;
             for (int i = 0; i < m_plan.Count; i++)
             {
@@ -264,7 +264,7 @@ namespace FastPoints.Text
             }
             return new DecodeLzfJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 Segments = m_segments,
                 Copies = m_copies,
                 Windows = m_reader.Windows,
@@ -273,24 +273,14 @@ namespace FastPoints.Text
                 Count = range.Count,
                 Columns = Points.Bytes,
                 Result = Result,
-            }.Schedule(DependencyOf(m_file.Begin(m_reader.File, m_plan.Count)));
+            }.Schedule(DependencyOf(File.Begin(m_reader.File, m_plan.Count)));
         }
-
-        protected override void EndRead() => m_file.End();
 
         protected override void Warn(DecodeResult result)
         {
             if (result.Error != 0)
                 throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, m_reader.StreamOffset,
                     "the compressed points are not those that were found: the file has changed");
-        }
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_segments.Dispose();
-            m_copies.Dispose();
-            m_buffer.Dispose();
         }
     }
 }

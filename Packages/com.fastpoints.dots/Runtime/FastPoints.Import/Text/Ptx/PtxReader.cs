@@ -216,35 +216,26 @@ namespace FastPoints.Text
     sealed class PtxRead : SlotRead
     {
         readonly PtxReader m_reader;
-        readonly NativeFileRead m_file;
-        NativeReference<PtxAnomalies> m_anomalies;
+        readonly NativeReference<PtxAnomalies> m_anomalies;
 
         public PtxRead(PtxReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
             m_reader = reader;
-            m_file = new NativeFileRead(reader.SlotBytes, allocator);
-            m_anomalies = new NativeReference<PtxAnomalies>(allocator);
+            OwnFile(reader.SlotBytes, allocator);
+            m_anomalies = Own(new NativeReference<PtxAnomalies>(allocator));
         }
 
         protected override JobHandle Schedule(BlockRange range)
         {
             var job = m_reader.JobFor(range, Points);
-            job.Input = m_file.Buffer;
+            job.Input = File.Buffer;
             job.Output = Points.Bytes;
             job.Result = Result;
             job.Anomalies = m_anomalies;
-            return job.Schedule(DependencyOf(m_file.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
+            return job.Schedule(DependencyOf(File.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
         }
-
-        protected override void EndRead() => m_file.End();
 
         protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_anomalies.Dispose();
-        }
     }
 }

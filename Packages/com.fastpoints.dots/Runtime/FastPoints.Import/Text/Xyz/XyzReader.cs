@@ -243,18 +243,16 @@ namespace FastPoints.Text
     sealed class XyzRead : SlotRead
     {
         readonly XyzReader m_reader;
-        readonly NativeFileRead m_file;
-        NativeArray<XyzStep> m_steps;
-        NativeReference<XyzAnomalies> m_anomalies;
+        readonly NativeArray<XyzStep> m_steps;
+        readonly NativeReference<XyzAnomalies> m_anomalies;
 
         public XyzRead(XyzReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
             m_reader = reader;
-            m_file = new NativeFileRead(
-                Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
-            m_steps = new NativeArray<XyzStep>(reader.StepsFor(Points), allocator);
-            m_anomalies = new NativeReference<XyzAnomalies>(allocator);
+            OwnFile(Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
+            m_steps = Own(new NativeArray<XyzStep>(reader.StepsFor(Points), allocator));
+            m_anomalies = Own(new NativeReference<XyzAnomalies>(allocator));
         }
 
         protected override JobHandle Schedule(BlockRange range)
@@ -262,25 +260,16 @@ namespace FastPoints.Text
             var lines = AsciiRange.Of(m_reader.Block(range.Block), range, m_reader.Info.FileBytes, XyzReader.MaxLineBytes);
             return new DecodeXyzJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 Range = lines,
                 Dialect = m_reader.Dialect,
                 Steps = m_steps,
                 Output = Points.Bytes,
                 Result = Result,
                 Anomalies = m_anomalies,
-            }.Schedule(DependencyOf(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes)));
+            }.Schedule(DependencyOf(File.Begin(m_reader.File, lines.Offset, lines.Bytes)));
         }
-
-        protected override void EndRead() => m_file.End();
 
         protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_steps.Dispose();
-            m_anomalies.Dispose();
-        }
     }
 }
