@@ -92,9 +92,9 @@ namespace FastPoints.Build
             foreach (var attribute in m_build.Attributes)
                 names.Add(attribute.Name);
             var wanted = reader.Info.Schema.Select(names.ToArray());
-            if (reader.HasRunReads)
+            if (reader is RecordReader records)
             {
-                yield return JobStep.Of(ReadRuns(reader, grid, runs, wanted));
+                yield return JobStep.Of(ReadRuns(records, grid, runs, wanted));
                 yield break;
             }
             int longest = SourceSample.LongestOf(runs);
@@ -106,7 +106,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(PointReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
+        IEnumerator<JobStep> ReadRuns(RecordReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
         {
             var batch = new PointBatch(wanted, RunPoints * RunsPerSlice, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);

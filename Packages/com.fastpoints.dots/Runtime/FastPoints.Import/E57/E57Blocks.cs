@@ -15,8 +15,8 @@ namespace FastPoints.E57
 
         readonly List<E57Section> m_sections;
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
-        readonly Dictionary<string, int> m_warnings = new Dictionary<string, int>();
-        readonly Dictionary<string, long> m_counts = new Dictionary<string, long>();
+        readonly Dictionary<string, (string Text, RunningWarning Warning)> m_warnings =
+            new Dictionary<string, (string, RunningWarning)>();
         int m_blockCount;
         int m_maxPoints;
         int m_maxPages = 1;
@@ -161,22 +161,9 @@ namespace FastPoints.E57
         void Warn(string text, long offset, long count)
         {
             string key = text.Length > 24 ? text.Substring(0, 24) : text;
-            if (!m_warnings.TryGetValue(key, out int index))
-            {
-                index = Info.Warnings.Count;
-                m_warnings.Add(key, index);
-                m_counts.Add(key, 0);
-                Info.Warn(offset, text);
-            }
-            if (count == 0)
-                return;
-            m_counts[key] += count;
-            var first = Info.Warnings[index];
-            int mark = first.Text.LastIndexOf(" (", StringComparison.Ordinal);
-            string start = mark >= 0 && first.Text.EndsWith(" so far)", StringComparison.Ordinal)
-                ? first.Text.Substring(0, mark) : first.Text;
-            Info.Warnings[index] = new CloudWarning(first.Path, first.ByteOffset, start + " (" + NumberText.Of(m_counts[key]) +
-                " so far)");
+            if (!m_warnings.TryGetValue(key, out var known))
+                m_warnings.Add(key, known = (text, new RunningWarning()));
+            known.Warning.Add(Info, count, offset, sum => sum == "0" ? known.Text : known.Text + " (" + sum + " so far)");
         }
 
         T Known<T>(T value) => AreKnown ? value : throw new InvalidOperationException("FindBlocks comes first");

@@ -10,7 +10,7 @@ namespace FastPoints.Laz
     // becomes several blocks. In a pointwise chunk each block starts from a checkpoint, a copy of the decoder's state there,
     // which FindBlocks takes by decoding the chunk once. In a layered chunk each block decodes from the chunk's start (no writer
     // makes such long chunks by default).
-    internal sealed class LazReader : LazChunkReader
+    internal sealed class LazReader : LazChunkReader, IPrefixSource
     {
         LazChunkList Chunks => Blocks.Chunks;
 
@@ -40,9 +40,12 @@ namespace FastPoints.Laz
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
         // False for layered files, whose chunks say how long they are: all are found quickly.
-        public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
+        public bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
-        public override IEnumerator<JobStep> FindPrefixes()
+        public PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
+
+        // The beginning, however many places are wanted.
+        public IEnumerator<JobStep> FindPrefixes(int places)
         {
             if (!HasPrefixes)
                 yield break;

@@ -10,7 +10,7 @@ namespace FastPoints.Octrees
 {
     // Blocks are nodes of an octree, in files of their own or parts of one. A node with more points than a slot should hold
     // becomes several blocks; the tree then has an entry for each, with the same cell.
-    internal abstract class NodeReader : PointReader
+    internal abstract class NodeReader : PointReader, IOctreeSource
     {
         readonly List<NodeBlock> m_blocks = new List<NodeBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
@@ -69,6 +69,10 @@ namespace FastPoints.Octrees
             : throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
 
         internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
+
+        public abstract IEnumerator<JobStep> FindBelow(int4 node, int levels);
+
+        public abstract bool IsKnownBelow(int4 node, int levels);
 
         internal abstract string NameOf(int level, int3 cell);
 

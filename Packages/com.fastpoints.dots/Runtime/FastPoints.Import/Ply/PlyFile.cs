@@ -12,9 +12,8 @@ namespace FastPoints.Ply
         // Its header describes a PCD file, whose points are no vertices.
         readonly bool m_isPcd;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
-        int m_brokenWarning = -1;
+        readonly RunningWarning m_pointsLost = new RunningWarning();
         string m_firstBreak;
-        long m_pointsLost;
         bool m_hasReportedMisfits;
         bool m_hasReportedExtraValues;
 
@@ -153,26 +152,19 @@ namespace FastPoints.Ply
                     "in the first " + (m_isPcd ? "point: " : "vertex: ") + text);
             if (!m_brokenBlocks.Add(range.Block))
                 return;
-            m_pointsLost += range.Count - result.Points;
-            if (m_brokenWarning < 0)
-            {
-                m_brokenWarning = Info.Warnings.Count;
-                Info.Warn(result.ErrorOffset, "");
-            }
-            var first = Info.Warnings[m_brokenWarning];
             if (m_brokenBlocks.Count == 1)
                 m_firstBreak = text;
-            Info.Warnings[m_brokenWarning] = new CloudWarning(first.Path, first.ByteOffset, m_firstBreak +
-                ": the " + (m_isPcd ? "points" : "vertices") + " from here to the end of the block are left out (" +
-                m_pointsLost + (m_isPcd ? " points in " : " vertices in ") +
-                m_brokenBlocks.Count + " blocks so far)");
+            string points = m_isPcd ? "points" : "vertices";
+            m_pointsLost.Add(Info, range.Count - result.Points, result.ErrorOffset, lost => m_firstBreak + ": the " + points +
+                " from here to the end of the block are left out (" + lost + " " + points + " in " + m_brokenBlocks.Count +
+                " blocks so far)");
         }
 
         // Other blocks replace the known ones.
         public void ForgetBroken()
         {
             m_brokenBlocks.Clear();
-            m_pointsLost = 0;
+            m_pointsLost.Reset();
         }
 
         // Once for each file: values that were changed or skipped.

@@ -7,26 +7,14 @@ using Unity.Collections;
 namespace FastPoints.Ply
 {
     // Vertices without lists. If an element before them has lists, finding their first byte takes a walk through that element.
-    sealed class PlyFixedReader : PointReader
+    sealed class PlyFixedReader : RecordReader
     {
-        const int MaxBlockPoints = 32768;
-
-        // Records of many properties come in shorter blocks, so that a slot's memory stays small.
-        const int MaxBlockBytes = 4 << 20;
-
         readonly PlyFile m_ply;
-        readonly int m_recordBytes;
-        readonly int m_blockPoints;
-        FixedRecords m_records;
-        long m_points = -1;
 
-        public PlyFixedReader(PlyFile ply)
+        public PlyFixedReader(PlyFile ply) : base(ply.Info, ply.Handle, ply.Vertex.FixedBytes)
         {
-            Info = ply.Info;
             m_ply = ply;
-            m_recordBytes = ply.Vertex.FixedBytes;
             var header = ply.Header;
-            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / m_recordBytes));
             long offset = header.DataOffset;
             for (int i = 0; i < header.VertexIndex; i++)
             {
@@ -37,18 +25,6 @@ namespace FastPoints.Ply
             StartAt(offset, null);
         }
 
-        public override bool BlocksAreKnown => m_points >= 0;
-        public override bool HasFixedStride => true;
-        public override bool HasRunReads => true;
-        public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Found());
-        public override int BlockCount => (int)((Found() + m_blockPoints - 1) / m_blockPoints);
-
-        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
-
-        public override int PointsInBlock(int block) => (int)Math.Min(m_blockPoints, Found() - FirstPointOfBlock(block));
-
-        public override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
-
         public override IEnumerator<JobStep> FindBlocks()
         {
             if (BlocksAreKnown)
@@ -57,33 +33,20 @@ namespace FastPoints.Ply
             while (walk.Next(out var handle))
                 yield return handle;
             var end = walk.State;
-            StartAt(end.Error != PlyError.None ? Info.FileBytes + 1 : end.Position,
-                end.Error != PlyError.None ? "an element before them: " + PlyError.Text(end.Error) : null);
+            if (end.Error != PlyError.None)
+                StartAt(Info.FileBytes + 1, "an element before them: " + PlyError.Text(end.Error));
+            else
+                StartAt(end.Position, null);
         }
-
-        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
-        {
-            Found();
-            return new RecordRead(this, m_records, wanted, capacity, allocator);
-        }
-
-        internal override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
-        {
-            Found();
-            return new RunRead(m_records, target, maxRuns, maxBytes, allocator);
-        }
-
-        public override void CloseFile() => m_ply.Handle.Close();
 
         void StartAt(long offset, string reason)
         {
-            long room = Math.Max(0, Info.FileBytes - offset) / m_recordBytes;
+            int recordBytes = m_ply.Vertex.FixedBytes;
+            long room = Math.Max(0, Info.FileBytes - offset) / recordBytes;
             long points = m_ply.Vertex.Count < (ulong)room ? (long)m_ply.Vertex.Count : room;
             m_ply.SetPointCount(points, Info.FileBytes,
-                reason ?? "the file ends before (" + m_recordBytes + " bytes each, from " +
-                "byte " + offset + ")");
-            m_records = new FixedRecords(m_ply.Handle, m_ply.RecordFields(), offset, m_recordBytes, m_ply.IsBigEndian);
-            m_points = points;
+                reason ?? "the file ends before (" + recordBytes + " bytes each, from byte " + offset + ")");
+            SetRecords(m_ply.RecordFields(), offset, m_ply.IsBigEndian, points);
             WarnTrailingBytes(offset);
         }
 
@@ -98,7 +61,5 @@ namespace FastPoints.Ply
             if (offset < Info.FileBytes)
                 Info.Warn(offset, (Info.FileBytes - offset) + " bytes behind the last element: they are left out");
         }
-
-        long Found() => m_points >= 0 ? m_points : throw new InvalidOperationException("FindBlocks comes first");
     }
 }

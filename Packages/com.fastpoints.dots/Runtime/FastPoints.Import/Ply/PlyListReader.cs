@@ -11,9 +11,8 @@ namespace FastPoints.Ply
     {
         readonly PlyFile m_ply;
 
-        public PlyListReader(PlyFile ply)
+        public PlyListReader(PlyFile ply) : base(ply.Info, ply.Handle)
         {
-            Info = ply.Info;
             m_ply = ply;
             if (ply.Vertex.Count == 0)
                 Info.PointsReadable = Blocks.Take(Array.Empty<SegmentBlock>());
@@ -37,7 +36,5 @@ namespace FastPoints.Ply
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new PlyRead(this, m_ply, Blocks, wanted, capacity, allocator);
-
-        public override void CloseFile() => m_ply.Handle.Close();
     }
 }

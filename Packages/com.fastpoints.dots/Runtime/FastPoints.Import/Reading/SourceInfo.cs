@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Core;
 
@@ -44,7 +45,7 @@ namespace FastPoints.Reading
         public PointSchema Schema;
 
         /// <summary>Attributes that samples keep beside those that a picture can be coloured by.</summary>
-        internal string[] SampledToo = System.Array.Empty<string>();
+        internal string[] SampledToo = Array.Empty<string>();
 
         public CoordinateSystem Crs = new CoordinateSystem();
 
@@ -56,5 +57,26 @@ namespace FastPoints.Reading
         public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
 
         public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
+    }
+
+    // One warning, at the byte that was first to be reported, whose count grows while blocks are read.
+    internal sealed class RunningWarning
+    {
+        int m_index = -1;
+        long m_count;
+
+        public void Add(SourceInfo info, long count, long byteOffset, Func<string, string> text)
+        {
+            if (m_index < 0)
+            {
+                m_index = info.Warnings.Count;
+                info.Warn(byteOffset, "");
+            }
+            m_count += count;
+            var first = info.Warnings[m_index];
+            info.Warnings[m_index] = new CloudWarning(first.Path, first.ByteOffset, text(NumberText.Of(m_count)));
+        }
+
+        public void Reset() => m_count = 0;
     }
 }

@@ -41,7 +41,7 @@ namespace FastPoints.Reading
                 return new InFlightLimit(1, 1, ms);
             int min = chains > 0 ? Math.Min(DefaultSlots, 2 * chains) : DefaultSlots;
             int first = InFlightLimit.ValueFor(min, ms(), (min + 1) / 2,
-                reader.MaxPointsPerBlock / (reader.HasRunReads ? RecordsPerMs : OthersPerMs));
+                reader.MaxPointsPerBlock / (reader is RecordReader ? RecordsPerMs : OthersPerMs));
             return new InFlightLimit(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
         }
 

@@ -57,9 +57,9 @@ namespace FastPoints.Sampling
             var measured = default(JobHandle);
             try
             {
-                if (reader.HasRunReads)
+                if (reader is RecordReader records)
                 {
-                    yield return JobStep.Of(sample.ReadRuns(reader, runs, positions, measure));
+                    yield return JobStep.Of(sample.ReadRuns(records, runs, positions, measure));
                 }
                 else
                 {
@@ -91,7 +91,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions,
+        IEnumerator<JobStep> ReadRuns(RecordReader reader, List<BlockRange> runs, PointSchema positions,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
             int points = 0;

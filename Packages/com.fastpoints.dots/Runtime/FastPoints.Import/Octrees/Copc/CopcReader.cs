@@ -12,7 +12,7 @@ namespace FastPoints.Octrees
     // COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree and so a block. The hierarchy is a claim like
     // any other: chunks that are only in the LAZ chunk table are read too, behind the tree's blocks, and a file without a
     // readable hierarchy is read as the LAZ file that it is.
-    internal sealed class CopcReader : LazChunkReader
+    internal sealed class CopcReader : LazChunkReader, IOctreeSource
     {
         const int DefaultPointsAcross = 128;
 
@@ -65,9 +65,9 @@ namespace FastPoints.Octrees
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 
-        public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+        public bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobStep> FindBlocks()
         {

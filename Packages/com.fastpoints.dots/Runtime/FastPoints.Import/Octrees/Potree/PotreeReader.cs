@@ -56,7 +56,7 @@ namespace FastPoints.Octrees
         {
             try
             {
-                using (var steps = new CoroutineStack(reader.FindLevels(1)))
+                using (var steps = new CoroutineStack(reader.FindBelow(default, 1)))
                     while (steps.MoveNext())
                         Thread.Yield();
                 return reader;
@@ -68,7 +68,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        public override IEnumerator<JobStep> FindBlocks() => FindLevels(MaxLevels + 1);
+        public override IEnumerator<JobStep> FindBlocks() => FindBelow(default, MaxLevels + 1);
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels)
         {

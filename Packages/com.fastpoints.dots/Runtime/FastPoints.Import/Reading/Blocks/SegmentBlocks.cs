@@ -1,10 +1,20 @@
 using System;
+using System.Collections.Generic;
+using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
     // Points have no fixed length: a block is a segment of the file with the points that start in it, read whole for any range.
     internal abstract class SegmentReader : PointReader
     {
+        private protected SegmentReader(SourceInfo info, SourceHandle file)
+        {
+            Info = info;
+            File = file;
+        }
+
+        internal SourceHandle File { get; }
+
         private protected SegmentBlocks Blocks { get; } = new SegmentBlocks();
 
         public override int BlockCount => Blocks.Count;
@@ -18,6 +28,42 @@ namespace FastPoints.Reading
         public override long PlaceOfBlock(int block) => Blocks[block].OffsetBytes;
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
+
+        public override void CloseFile() => File.Close();
+    }
+
+    // Text of a point a line: lines all over it can be found by jumping, each as likely as any other.
+    internal abstract class LineReader : SegmentReader, IPrefixSource
+    {
+        public const int MaxPrefixes = AsciiSegments.Count;
+
+        readonly long m_dataOffset;
+        AsciiSegments m_segments;
+
+        private protected LineReader(SourceInfo info, SourceHandle file, long dataOffset) : base(info, file)
+        {
+            m_dataOffset = dataOffset;
+        }
+
+        private protected bool AreAllFound { get; set; }
+
+        public sealed override bool BlocksAreKnown => AreAllFound;
+
+        public virtual bool HasPrefixes => !AreAllFound && Info.FileBytes - m_dataOffset >= AsciiSegments.MinBytes;
+
+        public PointEstimate EstimatedPoints =>
+            Info.HasPointsClaimed ? new PointEstimate(Info.PointsClaimed, 0) : m_segments.Estimate;
+
+        public IEnumerator<JobStep> FindPrefixes(int places)
+        {
+            m_segments ??= new AsciiSegments(File, Info.FileBytes, m_dataOffset);
+            yield return JobStep.Of(m_segments.Find(places));
+            Blocks.Take(m_segments.Blocks);
+            BlocksFound();
+        }
+
+        // Earlier blocks have kept their numbers.
+        private protected virtual void BlocksFound() { }
     }
 
     sealed class SegmentBlocks

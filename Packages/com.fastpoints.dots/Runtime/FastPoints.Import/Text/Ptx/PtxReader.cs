@@ -25,17 +25,15 @@ namespace FastPoints.Text
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
         readonly List<ushort> m_scanOfBlock = new List<ushort>();
         readonly int m_values;
+        readonly RunningWarning m_badRows = new RunningWarning();
         BitArray m_isReported;
-        long m_badRows;
-        long m_firstBadRow;
-        int m_warning = -1;
         bool m_areAllFound;
 
         PtxReader(FileSource source, PtxScanHeader first, int values)
+            : base(new SourceInfo { Path = source.Path, FileBytes = source.Length }, new SourceHandle(source.Path))
         {
             m_values = values;
             m_scans.Add(first);
-            File = new SourceHandle(source.Path);
             var attributes = new List<PointAttribute>();
             foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
                 attributes.Add(new PointAttribute(axis, AttributeType.Float64));
@@ -44,18 +42,11 @@ namespace FastPoints.Text
             for (int i = 0; i < values - 4; i++)
                 attributes.Add(new PointAttribute(PlyPlan.ColorNames[i], AttributeType.UInt8));
             attributes.Add(new PointAttribute(AttributeNames.PointSourceId, AttributeType.UInt16));
-            Info = new SourceInfo
-            {
-                Path = source.Path,
-                FileBytes = source.Length,
-                Format = "PTX",
-                HasPointsClaimed = false,
-                Schema = new PointSchema(attributes),
-            };
+            Info.Format = "PTX";
+            Info.HasPointsClaimed = false;
+            Info.Schema = new PointSchema(attributes);
             Info.Fact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
         }
-
-        internal SourceHandle File { get; }
 
         public override bool BlocksAreKnown => m_areAllFound;
 
@@ -165,8 +156,6 @@ namespace FastPoints.Text
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new PtxRead(this, wanted, capacity, allocator);
 
-        public override void CloseFile() => File.Close();
-
         internal DecodePtxJob JobFor(BlockRange range, PointBatch batch)
         {
             int Offset(string name)
@@ -199,17 +188,9 @@ namespace FastPoints.Text
             if (m_isReported[range.Block])
                 return;
             m_isReported[range.Block] = true;
-            if (found.BadRows == 0)
-                return;
-            if (m_warning < 0)
-            {
-                m_warning = Info.Warnings.Count;
-                m_firstBadRow = found.FirstBadRow;
-                Info.Warn(m_firstBadRow, "");
-            }
-            m_badRows += found.BadRows;
-            Info.Warnings[m_warning] = new CloudWarning(Info.Path, m_firstBadRow, NumberText.Of(m_badRows) +
-                " lines are no points of " + NumberText.Of(m_values) + " values and left out");
+            if (found.BadRows > 0)
+                m_badRows.Add(Info, found.BadRows, found.FirstBadRow,
+                    sum => sum + " lines are no points of " + NumberText.Of(m_values) + " values and left out");
         }
     }
 

@@ -13,7 +13,7 @@ namespace FastPoints.Text
     // Text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed; names that a caller gives override
     // the guess. Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
     // digits in a sample of the file. A block's count includes comments and bad lines, which decoding leaves out and counts.
-    internal sealed class XyzReader : SegmentReader
+    internal sealed class XyzReader : LineReader
     {
         public const int MaxBlockBytes = 256 << 10;
 
@@ -26,35 +26,18 @@ namespace FastPoints.Text
         readonly XyzSniff m_sniff;
         readonly string[] m_names;
         readonly int[] m_decimals = new int[3];
-        readonly int[] m_warningOf = { -1, -1, -1, -1, -1 };
-        readonly long[] m_countOf = new long[5];
-        readonly long[] m_firstOf = new long[5];
-        BitArray m_isReported;
+        readonly RunningWarning[] m_warnings = Array.ConvertAll(new int[5], _ => new RunningWarning());
+        readonly BitArray m_isReported = new BitArray(0);
         string m_firstError;
-        bool m_areAllFound;
-        PointEstimate m_estimate;
-        AsciiSegments m_segments;
 
         XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
+            : base(info, new SourceHandle(info.Path), sniff.DataOffset)
         {
             m_sniff = sniff;
             m_names = names;
-            Info = info;
-            File = new SourceHandle(info.Path);
         }
 
-        public override bool BlocksAreKnown => m_areAllFound;
-
-        // Lines all over the file can be found by jumping.
-        public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiSegments.MinBytes;
-
-        public override bool PrefixesAreSpread => true;
-        public override int MaxPrefixes => AsciiSegments.Count;
-        internal override PointEstimate EstimatedPoints => m_estimate;
-
         internal XyzDialect Dialect => m_sniff.Dialect;
-
-        internal SourceHandle File { get; }
 
         // Null if the file is not lines of numbers.
         public static XyzReader Open(FileSource source, string[] textColumns)
@@ -127,18 +110,7 @@ namespace FastPoints.Text
         static int AxisOf(string name) =>
             name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
 
-        public override IEnumerator<JobStep> FindPrefixes() => FindPrefixes(AsciiSegments.Count);
-
-        public override IEnumerator<JobStep> FindPrefixes(int places)
-        {
-            m_segments ??= new AsciiSegments(File, Info.FileBytes, m_sniff.DataOffset);
-            yield return JobStep.Of(m_segments.Find(places));
-            var reported = m_isReported;
-            Take(m_segments.Blocks);
-            for (int block = 0; reported != null && block < reported.Length; block++)
-                m_isReported[block] = reported[block];
-            m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_segments.Estimate;
-        }
+        private protected override void BlocksFound() => m_isReported.Length = Blocks.Count;
 
         public override IEnumerator<JobStep> FindBlocks()
         {
@@ -147,25 +119,20 @@ namespace FastPoints.Text
             using var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue);
             while (scan.Next(out var handle))
                 yield return handle;
-            Take(scan.TakeBlocks());
-            Array.Clear(m_countOf, 0, m_countOf.Length);
-            m_areAllFound = true;
+            Blocks.Take(scan.TakeBlocks());
+            m_isReported.Length = Blocks.Count;
+            m_isReported.SetAll(false);
+            foreach (var warning in m_warnings)
+                warning.Reset();
+            AreAllFound = true;
             Info.PointsReadable = scan.Points;
             if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
                 Info.Warn(0, "points: wanted " + NumberText.Of(m_sniff.CountClaimed) + ", got " +
                     NumberText.Of(scan.Points) + " lines");
         }
 
-        void Take(SegmentBlock[] blocks)
-        {
-            Blocks.Take(blocks);
-            m_isReported = new BitArray(blocks.Length);
-        }
-
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new XyzRead(this, wanted, capacity, allocator);
-
-        public override void CloseFile() => File.Close();
 
         internal SegmentBlock Block(int block) => Blocks[block];
 
@@ -218,17 +185,8 @@ namespace FastPoints.Text
 
         void Warn(int kind, int count, long firstOffset, string text)
         {
-            if (count == 0)
-                return;
-            if (m_warningOf[kind] < 0)
-            {
-                m_warningOf[kind] = Info.Warnings.Count;
-                m_firstOf[kind] = firstOffset;
-                Info.Warn(firstOffset, "");
-            }
-            m_countOf[kind] += count;
-            Info.Warnings[m_warningOf[kind]] = new CloudWarning(Info.Path, m_firstOf[kind],
-                NumberText.Of(m_countOf[kind]) + text);
+            if (count > 0)
+                m_warnings[kind].Add(Info, count, firstOffset, sum => sum + text);
         }
 
         static string TextOf(XyzError error) => error switch
