@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Reading;
 using Unity.Mathematics;
 
 namespace FastPoints.E57
@@ -145,5 +147,95 @@ namespace FastPoints.E57
 
         static double2 Limits(E57Node node, string min, string max) =>
             node == null ? new double2(double.NaN, double.NaN) : new double2(node.NumberOf(min), node.NumberOf(max));
+    }
+
+    // What ASTM E2807 and its extension for normals name.
+    static class E57Names
+    {
+        public const string CartesianInvalid = "cartesianInvalidState";
+        public const string SphericalInvalid = "sphericalInvalidState";
+        public const string ReturnIndex = "returnIndex";
+        public const string Intensity = "intensity";
+
+        public static readonly string[] Cartesian = { "cartesianX", "cartesianY", "cartesianZ" };
+        public static readonly string[] Spherical = { "sphericalRange", "sphericalAzimuth", "sphericalElevation" };
+        public static readonly string[] Colors = { "colorRed", "colorGreen", "colorBlue" };
+        public static readonly string[] Normals = { "nor:normalX", "nor:normalY", "nor:normalZ" };
+
+        static readonly Dictionary<string, string> s_attributes = new Dictionary<string, string>
+        {
+            { Intensity, AttributeNames.Intensity },
+            { "colorRed", AttributeNames.Red },
+            { "colorGreen", AttributeNames.Green },
+            { "colorBlue", AttributeNames.Blue },
+            { ReturnIndex, AttributeNames.ReturnNumber },
+            { "returnCount", AttributeNames.NumberOfReturns },
+            { "nor:normalX", AttributeNames.NormalX },
+            { "nor:normalY", AttributeNames.NormalY },
+            { "nor:normalZ", AttributeNames.NormalZ },
+        };
+
+        public static string AttributeOf(string field) =>
+            s_attributes.TryGetValue(field, out string name) ? name : CommonNames.Of(field) ?? field;
+    }
+
+    // From the scanner's coordinates to the file's (ASTM E2807, 8.4.4).
+    struct E57Pose
+    {
+        // The scanner's axes in the file's coordinates.
+        public double3 AxisX;
+        public double3 AxisY;
+        public double3 AxisZ;
+        public double3 Translation;
+
+        // There is no rotation.
+        public bool IsShift;
+
+        public static E57Pose Identity => new E57Pose
+        {
+            AxisX = new double3(1, 0, 0),
+            AxisY = new double3(0, 1, 0),
+            AxisZ = new double3(0, 0, 1),
+            IsShift = true,
+        };
+
+        public bool IsIdentity => IsShift && math.all(Translation == new double3(0, 0, 0));
+
+        // problem: what was assumed instead, if the numbers are not a valid pose.
+        public static E57Pose Read(E57Node node, out string problem)
+        {
+            var pose = Identity;
+            problem = null;
+            var shift = node?.Child("translation");
+            if (shift != null)
+            {
+                pose.Translation = new double3(shift.NumberOf("x"), shift.NumberOf("y"), shift.NumberOf("z"));
+                if (!math.all(math.isfinite(pose.Translation)))
+                {
+                    pose.Translation = new double3(0, 0, 0);
+                    problem = "the pose's translation is no three numbers: 0, 0, 0 is assumed";
+                }
+            }
+            var turn = node?.Child("rotation");
+            if (turn == null)
+                return pose;
+            double w = turn.NumberOf("w"), x = turn.NumberOf("x"), y = turn.NumberOf("y"), z = turn.NumberOf("z");
+            double lengthSq = w * w + x * x + y * y + z * z;
+            if (!(lengthSq > 1e-6) || double.IsInfinity(lengthSq))
+            {
+                problem = "the pose's rotation is no quaternion: no rotation is assumed";
+                return pose;
+            }
+            if (Math.Abs(lengthSq - 1) > 1e-3)
+                problem = "the pose's quaternion has a length of " + NumberText.Of(Math.Sqrt(lengthSq)) + ": it is scaled to 1";
+            if (x == 0 && y == 0 && z == 0)
+                return pose;
+            double s = 2 / lengthSq;
+            pose.IsShift = false;
+            pose.AxisX = new double3(1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y));
+            pose.AxisY = new double3(s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x));
+            pose.AxisZ = new double3(s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y));
+            return pose;
+        }
     }
 }

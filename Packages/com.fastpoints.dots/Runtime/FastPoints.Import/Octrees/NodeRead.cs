@@ -1,6 +1,5 @@
 using System;
 using FastPoints.Core;
-using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using Unity.Collections;

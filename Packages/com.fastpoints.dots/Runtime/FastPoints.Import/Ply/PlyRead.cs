@@ -1,11 +1,94 @@
 using System;
 using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
+    [BurstCompile]
+    unsafe struct DecodePlyListsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Input;
+        public long InputOffset;
+        public int InputBytes;
+        [ReadOnly] public NativeArray<PlyStep> Steps;
+        public int FirstPoint;
+        public int Points;
+        public bool IsBigEndian;
+        [WriteOnly] public NativeArray<byte> Output;
+        [WriteOnly] public NativeReference<DecodeResult> Result;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* output = (byte*)Output.GetUnsafePtr();
+            var result = default(DecodeResult);
+            long position = 0;
+            for (int i = -FirstPoint; i < Points; i++)
+            {
+                long start = position;
+                int error = Pass(input, output, i, ref position);
+                if (error != PlyError.None)
+                {
+                    result.Error = error;
+                    result.ErrorOffset = InputOffset + start;
+                    break;
+                }
+                if (i >= 0)
+                    result.Points = i + 1;
+            }
+            Result.Value = result;
+        }
+
+        int Pass(byte* input, byte* output, int point, ref long position)
+        {
+            for (int i = 0; i < Steps.Length; i++)
+            {
+                var step = Steps[i];
+                if (step.Bytes > InputBytes - position)
+                    return PlyError.Truncated;
+                byte* p = input + position;
+                position += step.Bytes;
+                if (step.Kind == PlyStepKind.List)
+                {
+                    ulong count = PlyBytes.Load(p, step.Bytes, IsBigEndian);
+                    if (PlyBytes.IsNegative(count, step.Type))
+                        return PlyError.BadListLength;
+                    if (count > (ulong)((InputBytes - position) / step.Count))
+                        return PlyError.Truncated;
+                    position += (long)count * step.Count;
+                }
+                else if (step.Kind == PlyStepKind.Value && point >= 0)
+                {
+                    Store(p, output + step.ColumnOffsetBytes, point, step.Bytes);
+                }
+            }
+            return PlyError.None;
+        }
+
+        void Store(byte* p, byte* column, int point, int bytes)
+        {
+            switch (bytes)
+            {
+                case 1:
+                    column[point] = *p;
+                    break;
+                case 2:
+                    ((ushort*)column)[point] = (ushort)PlyBytes.Load(p, 2, IsBigEndian);
+                    break;
+                case 4:
+                    ((uint*)column)[point] = IsBigEndian ? PointRecords.Reverse(*(uint*)p) : *(uint*)p;
+                    break;
+                default:
+                    ((ulong*)column)[point] = IsBigEndian ? PointRecords.Reverse(*(ulong*)p) : *(ulong*)p;
+                    break;
+            }
+        }
+    }
+
     // Vertices without a fixed length: lines, or records with lists.
     sealed class PlyRead : SlotRead
     {

@@ -1,6 +1,5 @@
 using System;
 using System.Threading;
-using FastPoints.Core;
 
 namespace FastPoints.Build
 {

@@ -1,5 +1,11 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Core;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
@@ -77,6 +83,186 @@ namespace FastPoints.Reading
                     break;
             }
             return fits;
+        }
+    }
+
+    [BurstCompile]
+    unsafe struct CountAsciiRowsJob : IJob
+    {
+        const ulong Ones = 0x0101010101010101;
+        const ulong Highs = 0x8080808080808080;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        public int Bytes;
+        [WriteOnly] public NativeReference<AsciiRowCount> Result;
+
+        public void Execute()
+        {
+            byte* p = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* end = p + Bytes;
+            var count = default(AsciiRowCount);
+            bool isInText = false;
+
+            while (p < end && !AsciiLines.IsLineEnd(*p))
+                isInText |= *p++ > ' ';
+            count.HasTextBeforeFirstEnd = isInText;
+            count.HasLineEnd = p < end;
+            int rows = 0;
+            if (count.HasLineEnd)
+                isInText = false;
+            while (p < end)
+            {
+                // Within a line only its end matters, so eight bytes are tested at a time. The test for "any byte equal" is
+                // exact.
+                if (isInText)
+                {
+                    while (end - p >= 8)
+                    {
+                        ulong word = *(ulong*)p;
+                        ulong lf = word ^ Ones * '\n', cr = word ^ Ones * '\r';
+                        if (((((lf - Ones) & ~lf) | ((cr - Ones) & ~cr)) & Highs) != 0)
+                            break;
+                        p += 8;
+                    }
+                    while (p < end && !AsciiLines.IsLineEnd(*p))
+                        p++;
+                    isInText = p == end;
+                }
+                else if (*p++ > ' ')
+                {
+                    rows++;
+                    isInText = true;
+                }
+            }
+            count.RowsBehindFirstEnd = rows;
+            count.EndsInText = isInText;
+            Result.Value = count;
+        }
+    }
+
+    // Counted without knowing whether the segment starts within a line. Blank lines do not count.
+    struct AsciiRowCount
+    {
+        // Lines whose first character lies in the segment, behind its first line end.
+        public int RowsBehindFirstEnd;
+
+        // A line of this segment unless it started earlier.
+        public bool HasTextBeforeFirstEnd;
+
+        public bool HasLineEnd;
+
+        // The next segment starts within a line.
+        public bool EndsInText;
+    }
+
+    // Counts the lines of a text file up to the last point's, several segments at a time. A segment's count does not depend on
+    // earlier ones; whether it starts within a line does, and is settled here, in order.
+    sealed class AsciiRowScan : IDisposable
+    {
+        sealed class Slot
+        {
+            public NativeFileRead Read;
+            public NativeReference<AsciiRowCount> Count;
+            public JobHandle Counted;
+        }
+
+        readonly SourceHandle m_file;
+        readonly long m_fileBytes;
+        readonly int m_blockBytes;
+        readonly ulong m_rowsBefore;
+        readonly ulong m_rowsEnd;
+        readonly Slot[] m_slots;
+        readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
+        long m_offset;
+        SlotRing m_ring;
+        ulong m_rows;
+        bool m_isInText;
+
+        // rowsBefore: leading lines that are not points; rowsEnd: lines up to the last point's, beyond the file's for all.
+        public AsciiRowScan(PointReader reader, SourceHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
+        {
+            long fileBytes = reader.Info.FileBytes;
+            int maxJobs = reader.MaxJobs;
+            m_file = file;
+            m_fileBytes = fileBytes;
+            m_blockBytes = blockBytes;
+            m_rowsBefore = rowsBefore;
+            m_rowsEnd = rowsEnd;
+            m_offset = offset;
+            long segments = (fileBytes - offset) / blockBytes + 1;
+            m_slots = new Slot[(int)Math.Min(segments, maxJobs > 0 ? maxJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
+            long bytes = Math.Min(blockBytes, fileBytes);
+            m_ring = new SlotRing(m_slots.Length);
+            for (int i = 0; i < m_slots.Length; i++)
+                m_slots[i] = new Slot
+                {
+                    Read = new NativeFileRead(bytes, Allocator.Persistent),
+                    Count = new NativeReference<AsciiRowCount>(Allocator.Persistent),
+                };
+        }
+
+        public long Points { get; private set; }
+
+        public SegmentBlock[] TakeBlocks() => m_blocks.ToArray();
+
+        // Takes in the oldest segment, whose handle must be complete, and keeps all slots at work. False at the end.
+        public bool Next(out JobHandle handle)
+        {
+            if (!m_ring.IsEmpty)
+                Finish(m_slots[m_ring.End()]);
+            handle = default;
+            if (m_rows >= m_rowsEnd)
+                return false;
+            while (!m_ring.IsFull && m_offset < m_fileBytes)
+                Start(m_slots[m_ring.Begin()]);
+            if (m_ring.IsEmpty)
+                return false;
+            handle = m_slots[m_ring.Oldest].Counted;
+            return true;
+        }
+
+        void Start(Slot slot)
+        {
+            int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
+            var read = slot.Read.Begin(m_file, m_offset, bytes);
+            slot.Counted = new CountAsciiRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
+            m_offset += bytes;
+        }
+
+        void Finish(Slot slot)
+        {
+            slot.Counted.Complete();
+            slot.Read.End();
+            var count = slot.Count.Value;
+            ulong rows = (ulong)count.RowsBehindFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
+            ulong before = m_rowsBefore > m_rows ? Math.Min(m_rowsBefore - m_rows, rows) : 0;
+            ulong left = m_rowsEnd > m_rows + before ? m_rowsEnd - m_rows - before : 0;
+            int points = (int)Math.Min(rows - before, left);
+            if (points > 0)
+            {
+                m_blocks.Add(new SegmentBlock
+                {
+                    OffsetBytes = slot.Read.Offset,
+                    Bytes = slot.Read.Bytes,
+                    FirstPoint = Points,
+                    Points = points,
+                    RowsBefore = (int)before,
+                    StartsInRow = m_isInText,
+                });
+                Points += points;
+            }
+            m_rows += rows;
+            m_isInText = count.HasLineEnd ? count.EndsInText : m_isInText || count.HasTextBeforeFirstEnd;
+        }
+
+        public void Dispose()
+        {
+            foreach (var slot in m_slots)
+            {
+                slot.Counted.Complete();
+                slot.Read.Dispose();
+                slot.Count.Dispose();
+            }
         }
     }
 }
