@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Core;
 using FastPoints.Nodes;
 
 namespace FastPoints.Build

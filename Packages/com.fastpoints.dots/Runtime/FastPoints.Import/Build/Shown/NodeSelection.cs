@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using FastPoints.Core;
 
 namespace FastPoints.Build
 {

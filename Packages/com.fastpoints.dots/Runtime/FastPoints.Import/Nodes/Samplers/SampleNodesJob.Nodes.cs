@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using FastPoints.Core;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 using Stage = FastPoints.Nodes.SampleScratch.Stage;
