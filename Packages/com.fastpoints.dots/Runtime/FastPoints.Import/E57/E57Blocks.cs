@@ -33,18 +33,14 @@ namespace FastPoints.E57
         }
 
         public E57File File { get; }
-
         public SourceInfo Info { get; }
-
         public E57Schema Schema { get; }
 
         // Some scan's positions or normals pass through rows of doubles.
         public bool HasVectors { get; }
 
         public bool AreKnown { get; private set; }
-
         public int Count => Known(m_blockCount);
-
         public int MaxPoints => Known(m_maxPoints);
 
         // Of a range within one block.

@@ -27,9 +27,7 @@ namespace FastPoints.E57
         public int Bits;
 
         public bool IsInteger => Kind == E57FieldKind.Integer;
-
         public double MinReal => IsInteger ? math.min(Minimum * Scale, Maximum * Scale) + Offset : FloatMinimum;
-
         public double MaxReal => IsInteger ? math.max(Minimum * Scale, Maximum * Scale) + Offset : FloatMaximum;
 
         // Null if it cannot be read, for which "problem" gives the reason.

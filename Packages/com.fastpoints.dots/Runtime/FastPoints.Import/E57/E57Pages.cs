@@ -180,16 +180,13 @@ namespace FastPoints.E57
         }
 
         public int PageCapacity { get; }
-
         public NativeArray<byte> Buffer => m_read.Buffer;
-
         public NativeArray<byte> IsDamaged => m_isDamaged;
 
         // In the file's order.
         public NativeArray<E57Extent> Extents => m_extents;
 
         public int ExtentCount { get; private set; }
-
         public int Pages { get; private set; }
 
         public void Clear()
@@ -260,7 +257,6 @@ namespace FastPoints.E57
         public int BufferPage;
 
         public long LogicalStart => FirstPage * E57Pages.DataBytes;
-
         public long LogicalEnd => (FirstPage + Pages) * E57Pages.DataBytes;
 
         // Added to a logical offset it gives the offset in the buffer's content.

@@ -69,7 +69,6 @@ namespace FastPoints.E57
         public override bool HasFixedStride => true;
 
         public override int BlockCount => m_blocks.Count;
-
         public override int MaxPointsPerBlock => m_blocks.MaxPoints;
 
         public override long FirstPointOfBlock(int block)

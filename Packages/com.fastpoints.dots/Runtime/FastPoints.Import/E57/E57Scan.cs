@@ -51,7 +51,6 @@ namespace FastPoints.E57
         }
 
         public bool IsCartesian => Three(E57Names.Cartesian) != null;
-
         public string Label => "scan " + NumberText.Of(Index + 1L);
 
         // In all bytestreams that are read.

@@ -53,7 +53,6 @@ namespace FastPoints.E57
         }
 
         public PointSchema Schema { get; }
-
         public PositionTransform Transform { get; private set; } = PositionTransform.Identity;
         public string PositionSummary { get; private set; }
 

@@ -54,7 +54,6 @@ namespace FastPoints.E57
         public int MarkRecords { get; }
         public int BlockPoints => MarkRecords * MarksPerBlock;
         public int BlockCount => (int)((Records + BlockPoints - 1) / BlockPoints);
-
         public long RecordsPossible => (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 
         // problem: why the section cannot be read, at byte "offset" of the file.

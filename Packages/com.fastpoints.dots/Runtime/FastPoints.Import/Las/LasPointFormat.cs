@@ -123,7 +123,6 @@ namespace FastPoints.Las
         public int RecordBytes { get; }
 
         public IReadOnlyList<PointField> Fields { get; }
-
         public bool IsExtended => Id >= FirstExtended;
 
         public static LasPointFormat Of(int id) => s_formats[id];

@@ -125,7 +125,6 @@ namespace FastPoints.Las
         internal override LasFile Las => m_las;
 
         public LasHeader Header => m_las.Header;
-
         public LasVlrTable Vlrs => m_las.Vlrs;
     }
 }

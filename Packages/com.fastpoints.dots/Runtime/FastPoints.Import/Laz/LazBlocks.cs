@@ -36,7 +36,6 @@ namespace FastPoints.Laz
         }
 
         public LasFile Las { get; }
-
         public LazFormat Format { get; }
 
         // For what lies between the points.
@@ -56,9 +55,7 @@ namespace FastPoints.Laz
         public List<LazCheckpoint> Checkpoints { get; } = new List<LazCheckpoint>();
 
         public int Count => m_areChunksBlocks ? Chunks.Count : m_blocks.Count;
-
         public int MaxPoints { get; private set; }
-
         public long PointCount => Count == 0 ? 0 : FirstPointOf(Count - 1) + PointsOf(Count - 1);
 
         public LazBlock this[int block]

@@ -25,7 +25,6 @@ namespace FastPoints.Laz
         long m_end;
 
         public int Count => m_scattered?.Count ?? m_bytes.Count;
-
         public long PointCount { get; private set; }
 
         // Of any chunk, now or before.

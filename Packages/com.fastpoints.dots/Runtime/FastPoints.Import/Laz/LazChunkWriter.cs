@@ -87,7 +87,6 @@ namespace FastPoints.Laz
         }
 
         public bool IsLayered { get; }
-
         public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
 
         // Of one chunk, and what encoders write behind it.

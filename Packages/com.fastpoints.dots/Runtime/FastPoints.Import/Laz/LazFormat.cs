@@ -55,7 +55,6 @@ namespace FastPoints.Laz
         public LazLayer[] Layers;
 
         public bool IsLayered => Compressor == LazCompressor.LayeredChunked;
-
         public bool HasVariableChunks => ChunkPoints == VariableChunkPoints;
 
         public static LazFormat Read(LasFile las)

@@ -179,11 +179,9 @@ namespace FastPoints.Laz
         internal sealed override LasFile Las => Blocks.Las;
 
         public LasHeader Header => Blocks.Las.Header;
-
         public LazFormat Format => Blocks.Format;
 
         public override int BlockCount => Blocks.Count;
-
         public override int MaxPointsPerBlock => Blocks.MaxPoints;
 
         public override long FirstPointOfBlock(int block) => Blocks.FirstPointOf(block);

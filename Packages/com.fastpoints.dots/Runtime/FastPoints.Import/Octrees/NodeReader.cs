@@ -28,9 +28,7 @@ namespace FastPoints.Octrees
         internal sealed override SourceTree Tree => m_tree;
 
         public sealed override bool BlocksAreKnown => m_tree.IsWhole;
-
         public sealed override int BlockCount => m_blocks.Count;
-
         public sealed override int MaxPointsPerBlock => m_maxPointsPerBlock;
 
         internal NodeWarnings Warnings { get; }

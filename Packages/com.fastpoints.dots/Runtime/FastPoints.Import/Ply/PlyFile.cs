@@ -28,16 +28,13 @@ namespace FastPoints.Ply
         }
 
         public PlyHeader Header { get; }
-
         public SourceInfo Info { get; }
-
         public PlyElement Vertex { get; }
 
         // Null for lists, packed colours and padding.
         public string[] Names { get; }
 
         public SourceHandle Handle { get; }
-
         public bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
 
         public static PlyFile Read(FileSource source)

@@ -31,7 +31,6 @@ namespace FastPoints.Reading
         }
 
         public int Count => m_reads.Count;
-
         public int InFlight => m_inFlight.Count;
 
         public bool TryKeepStates()

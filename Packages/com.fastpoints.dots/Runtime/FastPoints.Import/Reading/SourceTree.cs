@@ -22,11 +22,8 @@ namespace FastPoints.Reading
         }
 
         public BoundsGeo Cube { get; }
-
         public double Spacing { get; }
-
         public int NodeCount => m_nodes.Length;
-
         public int LevelCount { get; private set; }
         public int PageCount { get; set; }
 

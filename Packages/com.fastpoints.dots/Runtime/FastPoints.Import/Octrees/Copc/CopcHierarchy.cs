@@ -212,9 +212,7 @@ namespace FastPoints.Octrees
         public int PointCount;
 
         public bool IsPage => PointCount == PageCount;
-
         public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
-
         public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);
 
         public static CopcEntry Read(ByteReader bytes, int at) => new CopcEntry

@@ -25,7 +25,6 @@ namespace FastPoints.Octrees
         };
 
         public PointFields Fields { get; } = new PointFields();
-
         public SourceInfo Info { get; private set; }
         public BoundsGeo Cube { get; private set; }
 

@@ -165,11 +165,8 @@ namespace FastPoints.Octrees
         public int At;
 
         public bool IsPage => Points == PageCount;
-
         public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
-
         public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);
-
         public string Name => NameOf(Level, Cell);
 
         public static string NameOf(int level, int3 cell) =>

@@ -41,11 +41,8 @@ namespace FastPoints.Octrees
         }
 
         public IReadOnlyList<PotreeAttribute> Attributes => m_attributes;
-
         public PotreeAttribute Position { get; }
-
         public int RecordBytes { get; }
-
         public PointSchema Schema { get; }
 
         public int AttributeOf(PointAttribute column) => m_attributeOfField[m_fields.IndexOf(column)];

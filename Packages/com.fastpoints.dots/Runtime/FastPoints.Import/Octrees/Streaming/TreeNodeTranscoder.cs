@@ -66,9 +66,7 @@ namespace FastPoints.Octrees
         }
 
         public override JobHandle Done => m_done;
-
         public override long BytesRead => m_reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
-
         public override NativeArray<byte> Planes => m_packed;
 
         public override long LengthOf(int plane) => m_lengthOfPlane[plane];

@@ -76,7 +76,6 @@ namespace FastPoints.Reading
 
         public StreamDecompressor Decompressor { get; }
         public Exception Failure { get; set; }
-
         public long Handle => (long)GCHandle.ToIntPtr(m_handle);
 
         public void Dispose()

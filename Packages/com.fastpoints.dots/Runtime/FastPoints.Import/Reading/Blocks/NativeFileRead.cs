@@ -42,13 +42,9 @@ namespace FastPoints.Reading
         }
 
         public NativeArray<byte> Buffer => m_buffer;
-
         public NativeArray<ReadCommand> Commands => m_commands;
-
         public long Offset => m_commands[0].Offset;
-
         public int Bytes => (int)m_commands[0].Size;
-
         public bool IsReading => m_isReading;
 
         public JobHandle Begin(SourceHandle file, long offset, int bytes)

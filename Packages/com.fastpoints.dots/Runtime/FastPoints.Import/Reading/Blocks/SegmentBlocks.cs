@@ -18,7 +18,6 @@ namespace FastPoints.Reading
         private protected SegmentBlocks Blocks { get; } = new SegmentBlocks();
 
         public override int BlockCount => Blocks.Count;
-
         public override int MaxPointsPerBlock => Blocks.Count == 0 ? 0 : Blocks.MaxPoints;
 
         public override long FirstPointOfBlock(int block) => Blocks[block].FirstPoint;
@@ -71,11 +70,8 @@ namespace FastPoints.Reading
         SegmentBlock[] m_blocks;
 
         public bool AreFound => m_blocks != null;
-
         public int Count => Found().Length;
-
         public int MaxPoints { get; private set; }
-
         public int MaxBytes { get; private set; }
 
         public SegmentBlock this[int block] => Found()[block];

@@ -23,7 +23,6 @@ namespace FastPoints.Reading
 
         public readonly bool IsEmpty => m_begun == m_ended;
         public readonly bool IsFull => m_begun - m_ended == m_count;
-
         public readonly int Oldest => IsEmpty ? throw new InvalidOperationException(NotInFlight) : (int)(m_ended % m_count);
 
         public int Begin() => IsFull ? throw new InvalidOperationException(InFlight) : (int)(m_begun++ % m_count);

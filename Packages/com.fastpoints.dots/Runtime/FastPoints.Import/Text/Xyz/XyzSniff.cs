@@ -33,7 +33,6 @@ namespace FastPoints.Text
         }
 
         public XyzDialect Dialect => m_dialect;
-
         public long DataOffset { get; private set; }
         public int HeaderLines { get; private set; }
 
@@ -41,7 +40,6 @@ namespace FastPoints.Text
         public long CountClaimed { get; private set; } = -1;
 
         public string[] Names { get; private set; }
-
         public XyzColumn[] Columns { get; private set; }
 
         // For each column, the share of rows that have a vector of length 1 from there on.
