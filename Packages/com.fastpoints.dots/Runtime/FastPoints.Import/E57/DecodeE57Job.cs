@@ -8,14 +8,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    // Gathers the bytes of some fields from the packets, unpacks them and puts them where they belong.
     [BurstCompile]
     unsafe struct DecodeE57Job : IJob
     {
         public const int FieldsPerSlice = 16;
         const int TileValues = 256;
 
-        // Content of the extents, without checksums.
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeArray<byte> IsDamaged;
         [ReadOnly] public NativeArray<E57Extent> Extents;
@@ -28,7 +26,6 @@ namespace FastPoints.E57
 
         public long FirstRecord;
         public int Count;
-
         public NativeArray<byte> Columns;
 
         // Rows of RowLength doubles.
@@ -65,7 +62,6 @@ namespace FastPoints.E57
             Anomalies.Value = anomalies;
         }
 
-        // How many values have bytes.
         int Gather(in E57FieldRead read, in E57StreamRange range, byte* drops)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
@@ -125,7 +121,6 @@ namespace FastPoints.E57
             }
         }
 
-        // How many integers were too large.
         int Decode(in E57FieldRead read, int count, byte* drops)
         {
             ulong* raw = stackalloc ulong[TileValues];
@@ -189,7 +184,6 @@ namespace FastPoints.E57
             return misfits;
         }
 
-        // The field's bytes are those of its column.
         static bool IsCopy(in E57FieldRead read)
         {
             if (read.Bits != read.ColumnType.SizeOf() * 8)
@@ -290,15 +284,10 @@ namespace FastPoints.E57
 
     struct E57Anomalies
     {
-        // Left out because their scan marks them as invalid.
         public int Invalid;
-
-        // Left out because a page that holds some of them has a wrong checksum.
         public int Damaged;
         public int DamagedPages;
         public long FirstDamagedPage;
-
-        // Integers above the maximum of their field, which were kept.
         public int Misfits;
     }
 

@@ -42,8 +42,6 @@ namespace FastPoints.E57
         public bool AreKnown { get; private set; }
         public int Count => Known(m_blockCount);
         public int MaxPoints => Known(m_maxPoints);
-
-        // Of a range within one block.
         public int MaxPages => Known(m_maxPages);
 
         public IEnumerator<JobStep> Find()
@@ -102,7 +100,6 @@ namespace FastPoints.E57
             return (int)Math.Min(section.BlockPoints, section.Records - (long)(block - section.FirstBlock) * section.BlockPoints);
         }
 
-        // Once for each block.
         public void Warn(BlockRange range, DecodeResult result, in E57Anomalies anomalies)
         {
             bool isNew = range.First == 0 && range.Count == PointsOf(range.Block) && m_reportedBlocks.Add(range.Block);

@@ -126,7 +126,6 @@ namespace FastPoints.E57
         Float32,
         Float64,
 
-        // Not read.
         String,
     }
 
@@ -137,7 +136,6 @@ namespace FastPoints.E57
         // -1 for a value that no stream holds.
         public int Stream;
 
-        // Of one value; 0 for one that is the same in all points.
         public int Bits;
 
         // For integers: what the packed differences are added to, and the largest difference.

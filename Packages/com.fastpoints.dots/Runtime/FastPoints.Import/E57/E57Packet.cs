@@ -8,8 +8,6 @@ namespace FastPoints.E57
     {
         public const int DataKind = 1;
         public const int IgnoredKind = 2;
-
-        // Kind, flags, length and number of bytestreams.
         public const int MinBytes = 4;
         public const int DataHeaderBytes = 6;
         const int RestartFlag = 1;

@@ -182,10 +182,7 @@ namespace FastPoints.E57
         public int PageCapacity { get; }
         public NativeArray<byte> Buffer => m_read.Buffer;
         public NativeArray<byte> IsDamaged => m_isDamaged;
-
-        // In the file's order.
         public NativeArray<E57Extent> Extents => m_extents;
-
         public int ExtentCount { get; private set; }
         public int Pages { get; private set; }
 

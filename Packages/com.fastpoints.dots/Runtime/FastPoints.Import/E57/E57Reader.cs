@@ -27,7 +27,6 @@ namespace FastPoints.E57
             return Open(source);
         }
 
-        // Reads the header, the XML section and the headers of its scans' sections.
         public static E57Reader Open(FileSource source)
         {
             var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };

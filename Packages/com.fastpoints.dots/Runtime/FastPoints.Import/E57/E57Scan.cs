@@ -53,7 +53,6 @@ namespace FastPoints.E57
         public bool IsCartesian => Three(E57Names.Cartesian) != null;
         public string Label => "scan " + NumberText.Of(Index + 1L);
 
-        // In all bytestreams that are read.
         public long RecordBits
         {
             get
@@ -148,7 +147,6 @@ namespace FastPoints.E57
             node == null ? new double2(double.NaN, double.NaN) : new double2(node.NumberOf(min), node.NumberOf(max));
     }
 
-    // What ASTM E2807 and its extension for normals name.
     static class E57Names
     {
         public const string CartesianInvalid = "cartesianInvalidState";
@@ -186,8 +184,6 @@ namespace FastPoints.E57
         public double3 AxisY;
         public double3 AxisZ;
         public double3 Translation;
-
-        // There is no rotation.
         public bool IsShift;
 
         public static E57Pose Identity => new E57Pose

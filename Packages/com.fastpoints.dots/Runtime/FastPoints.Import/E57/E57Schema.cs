@@ -29,10 +29,7 @@ namespace FastPoints.E57
         // For grid positions, by scan and axis: grid steps in one of the scan's steps, and what is added then.
         long[][] m_factorsOfScan;
         long[][] m_shiftsOfScan;
-
-        // By axis.
         readonly AttributeType[] m_gridTypes = new AttributeType[3];
-
         readonly Dictionary<string, string> m_fieldOf = new Dictionary<string, string>();
 
         public E57Schema(List<E57Scan> scans)
@@ -202,7 +199,6 @@ namespace FastPoints.E57
             return true;
         }
 
-        // In the order of their first scans.
         List<string> FieldNames()
         {
             var names = new List<string>();

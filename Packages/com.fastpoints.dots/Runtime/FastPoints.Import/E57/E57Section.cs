@@ -28,14 +28,8 @@ namespace FastPoints.E57
         // Logical.
         public long DataStart;
         public long End;
-
-        // As many as the walk found.
         public long Records;
-
-        // Among the scans that are read.
         public int Index;
-
-        // Of its first block and point in the whole file.
         public int FirstBlock;
         public long FirstPoint;
 

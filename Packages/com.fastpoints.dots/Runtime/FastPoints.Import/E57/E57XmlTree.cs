@@ -115,9 +115,7 @@ namespace FastPoints.E57
         // With its prefix, if it has one: "nor:normalX".
         public readonly string Name;
 
-        // Of the XML section, for messages.
         public readonly int Line;
-
         public string Text = "";
 
         List<E57Node> m_children;
@@ -156,7 +154,6 @@ namespace FastPoints.E57
             return null;
         }
 
-        // In one line; null if there is none.
         public string TextOf(string child)
         {
             string text = Child(child)?.Text;

@@ -53,7 +53,6 @@ namespace FastPoints.Las
             CheckBounds(header, source, records, info);
         }
 
-        // With points whose records start at these bytes of the file.
         public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
         {
             int readable = records.Count;

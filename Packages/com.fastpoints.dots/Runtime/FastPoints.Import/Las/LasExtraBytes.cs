@@ -74,7 +74,6 @@ namespace FastPoints.Las
             return fields;
         }
 
-        // Of a single component.
         public static byte[] Entry(PointAttribute attribute)
         {
             var entry = new byte[EntryBytes];

@@ -6,7 +6,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    // What is not used in computations, as lines for people.
     internal static class LasFacts
     {
         static readonly string[] s_encodingBits =

@@ -54,7 +54,6 @@ namespace FastPoints.Las
             keys.Fill(crs);
         }
 
-        // Of the codes alone.
         public static byte[] Directory(CoordinateSystem crs)
         {
             bool isGeographic = double.IsNaN(crs.MetresPerUnit);
@@ -79,7 +78,6 @@ namespace FastPoints.Las
             return directory;
         }
 
-        // Keys that the directory has, and has room for.
         static int CountOf(ByteReader directory, LasVlr record, SourceInfo info)
         {
             int version = directory.UInt16(0, "GeoTIFF key directory version");

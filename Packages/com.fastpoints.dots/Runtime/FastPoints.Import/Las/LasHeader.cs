@@ -92,10 +92,7 @@ namespace FastPoints.Las
         public bool HasBytes(int end) => end <= BytesOf(VersionMinor) && (end <= MinBytes || end <= HeaderBytes);
 
         public bool Has64BitCount => HasBytes(At.ByReturn);
-
-        // The 64-bit count if there is one.
         public ulong PointsClaimed => Has64BitCount && (Count != 0 || LegacyCount == 0) ? Count : LegacyCount;
-
         public int PointsClaimedAt => Has64BitCount && (Count != 0 || LegacyCount == 0) ? At.Count : At.LegacyCount;
 
         // Whatever makes the points unreadable is a failure; everything else is checked later.
@@ -144,7 +141,6 @@ namespace FastPoints.Las
             return header;
         }
 
-        // Fields that came with LAS 1.3, 1.4 and 1.5, as far as this header has them.
         void ReadLaterFields(ByteReader bytes)
         {
             if (HasBytes(At.EvlrOffset))

@@ -118,10 +118,7 @@ namespace FastPoints.Las
         }
 
         public int Id { get; }
-
-        // Without extra bytes.
         public int RecordBytes { get; }
-
         public IReadOnlyList<PointField> Fields { get; }
         public bool IsExtended => Id >= FirstExtended;
 

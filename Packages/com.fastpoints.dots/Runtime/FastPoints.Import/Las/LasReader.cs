@@ -114,7 +114,6 @@ namespace FastPoints.Las
             SetRecords(las.Layout.Fields, las.Header.PointsOffset, false, Info.PointsReadable);
         }
 
-        // Whatever the header says about compression.
         internal static PointReader OpenUncompressed(LasFile las, FileSource source)
         {
             las.Info.PointsReadable = LasClaims.CountReadable(las.Header, source.Length, las.Info);

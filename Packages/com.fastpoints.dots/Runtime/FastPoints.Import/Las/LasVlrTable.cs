@@ -117,10 +117,7 @@ namespace FastPoints.Las
         public string UserId;
         public ushort RecordId;
         public string Description;
-
-        // Of its own header in the file.
         public long Offset;
-
         public long DataOffset;
 
         // Present in the file; fewer than claimed if it was cut.

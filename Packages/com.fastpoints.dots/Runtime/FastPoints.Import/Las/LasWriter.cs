@@ -66,7 +66,6 @@ namespace FastPoints.Las
 
         public int RecordBytes => m_header.RecordBytes;
 
-        // ArgumentException if the settings do not describe a valid LAS file.
         public static LasWriter Create(string path, LasWriterSettings settings)
         {
             Check(settings);
@@ -109,7 +108,6 @@ namespace FastPoints.Las
             }
         }
 
-        // Of RecordBytes each.
         public void AppendRecords(byte[] records, int count)
         {
             if (count < 0 || (long)count * RecordBytes > records.Length)
@@ -228,18 +226,13 @@ namespace FastPoints.Las
         public double3 Scale = new double3(0.001, 0.001, 0.001);
 
         public double3 Offset;
-
-        // OGC well-known text, or null.
         public string Wkt;
-
         public string SystemIdentifier = "OTHER";
         public string GeneratingSoftware = "FastPoints";
 
         // Day of the year and year; 0 if not stated, so that equal clouds give equal files.
         public int CreationDay;
         public int CreationYear;
-
-        // Beyond the point format's, in the order of the record.
         public PointAttribute[] ExtraBytes = Array.Empty<PointAttribute>();
     }
 }

@@ -32,13 +32,10 @@ namespace FastPoints.Laz
         public NativeArray<byte> Decoder;
 
         public NativeArray<byte> Tile;
-
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<LazFileState> State;
         public NativeReference<DecodeResult> Result;
-
-        // None for LAS.
         public LazCompressor Compressor;
         public int PointFormat;
         public int RecordBytes;
@@ -147,7 +144,6 @@ namespace FastPoints.Laz
             result.ErrorOffset = offset;
         }
 
-        // False if there is no chunk.
         bool StartChunk(byte* input, ref LazFileState state)
         {
             long room = state.End - state.ChunkOffset;
@@ -171,7 +167,6 @@ namespace FastPoints.Laz
             return bytes > 0 && state.ChunkPoints > 0;
         }
 
-        // Whether the file is like the reader's other nodes.
         bool ReadHeader(byte* input, ref LazFileState state)
         {
             if (InputBytes < LasHeader.MinBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
@@ -206,7 +201,6 @@ namespace FastPoints.Laz
             return table > firstChunk && table <= InputBytes ? table : InputBytes;
         }
 
-        // There is a LASzip VLR, and its items are those that the decoder supports.
         bool ReadVlrs(byte* input, long at, ref LazFileState state)
         {
             const int UserId = 2, LastOfUserId = UserId + 13;
@@ -233,7 +227,6 @@ namespace FastPoints.Laz
 
     struct LazFileState
     {
-        // According to its header.
         public long PointsInFile;
 
         // Of every chunk except the last; 0 if chunks say so themselves.
@@ -248,14 +241,12 @@ namespace FastPoints.Laz
         public long ChunkPoints;
         public long ChunkDone;
         public long End;
-
         public LazFilePlacing Placing;
     }
 
     // To another scale and offset: exactly, to the nearest whole number of steps if allowed, or not at all.
     unsafe struct LazFilePlacing
     {
-        // There is nothing to do.
         public bool IsSame;
 
         Axis m_x;

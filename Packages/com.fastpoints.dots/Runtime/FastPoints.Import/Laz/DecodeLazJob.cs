@@ -13,18 +13,15 @@ namespace FastPoints.Laz
         // The chunk's bytes, or those of its wanted layers; with PaddingBytes of RangeCode behind them.
         [ReadOnly] public NativeArray<byte> Input;
 
-        // One value.
         [ReadOnly] public NativeArray<long> InputBytes;
 
         // A PointwiseChunk or LayeredChunk, configured.
         public NativeArray<byte> State;
 
         public NativeArray<byte> Tile;
-
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
-
         public int RecordBytes;
         public int TilePoints;
         public bool IsLayered;
@@ -46,7 +43,6 @@ namespace FastPoints.Laz
         // At most, of the input of layers.
         public long InputPoints;
 
-        // As its listing claims.
         public long ChunkPoints;
         public long ChunkBytes;
         public long FileOffset;

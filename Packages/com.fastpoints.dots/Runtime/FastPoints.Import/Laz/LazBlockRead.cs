@@ -26,7 +26,6 @@ namespace FastPoints.Laz
         // One value, whose count is set.
         public NativeArray<ReadCommandArray> CommandArray;
 
-        // One value: the final input's.
         public NativeArray<long> InputBytes;
 
         // The input's memory, which no job touches until the reads are done.
@@ -121,8 +120,6 @@ namespace FastPoints.Laz
         ReadHandle m_plannedRead;
         bool m_isPlanned;
         bool m_keepsStates;
-
-        // The copies from and to the state.
         JobHandle m_copied;
 
         // What the range that begins goes on from, or null.
@@ -146,7 +143,6 @@ namespace FastPoints.Laz
             m_plannedArray = Own(new NativeArray<ReadCommandArray>(1, allocator));
         }
 
-        // True if all layers are wanted.
         bool ConfigureState(PointSchema wanted, Allocator allocator)
         {
             var layers = m_format.Layers;
@@ -243,7 +239,6 @@ namespace FastPoints.Laz
             return Schedule(decode, JobHandle.CombineDependencies(read, m_copied));
         }
 
-        // decode: receives the settings that the read implies.
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;

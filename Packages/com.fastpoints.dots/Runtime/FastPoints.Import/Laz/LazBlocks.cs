@@ -21,8 +21,6 @@ namespace FastPoints.Laz
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
-
-        // Each chunk is one block, so that no list of blocks is needed.
         bool m_areChunksBlocks;
         long m_maxInputBytes = -1;
 
@@ -41,19 +39,14 @@ namespace FastPoints.Laz
         // For what lies between the points.
         public FileSource Source { get; }
 
-        // For the points.
         public SourceHandle File { get; }
-
         public SourceInfo Info => Las.Info;
 
         // Chunks with more points become several blocks.
         public int LongChunkPoints { get; }
 
         public LazChunkList Chunks { get; set; } = new LazChunkList();
-
-        // Of the decoder's state: blocks within long chunks are decoded from them.
         public List<LazCheckpoint> Checkpoints { get; } = new List<LazCheckpoint>();
-
         public int Count => m_areChunksBlocks ? Chunks.Count : m_blocks.Count;
         public int MaxPoints { get; private set; }
         public long PointCount => Count == 0 ? 0 : FirstPointOf(Count - 1) + PointsOf(Count - 1);
@@ -85,17 +78,14 @@ namespace FastPoints.Laz
 
         public LazChunk ChunkOf(LazBlock block) => Chunks[block.Chunk];
 
-        // Null where a block is decoded from its chunk's start.
         public LazCheckpoint CheckpointOf(LazBlock block) => block.Checkpoint < 0 ? null : Checkpoints[block.Checkpoint];
 
         // A chunk gave its last point before this one: later blocks are not tried, each would decode the chunk from its start.
         public void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
-        // At most, as far as is known.
         public long EndOfChunk(LazBlock block) =>
             m_endOfChunk.TryGetValue(block.Chunk, out long end) ? end : Chunks[block.Chunk].Points;
 
-        // Of the largest known block, for a slot that takes any.
         public long MaxInputBytes()
         {
             // For millions of blocks this takes longer than reading some of them.
@@ -119,7 +109,6 @@ namespace FastPoints.Laz
             ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
-        // Once for each block.
         public void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_reportedBlocks.Add(range.Block))
@@ -145,7 +134,6 @@ namespace FastPoints.Laz
             return m_areChunksBlocks;
         }
 
-        // As one block or several; it starts without a checkpoint.
         public void AddChunk(int chunk)
         {
             var of = Chunks[chunk];
@@ -172,7 +160,6 @@ namespace FastPoints.Laz
             m_maxInputBytes = -1;
         }
 
-        // Others of the same chunks will be added.
         public void Clear()
         {
             m_blocks.Clear();
@@ -206,9 +193,7 @@ namespace FastPoints.Laz
         // Counted from the chunk's start.
         public long FirstInChunk;
 
-        // In the whole source.
         public long FirstPoint;
-
         public int Points;
 
         // The chunk's end, except for parts of one.

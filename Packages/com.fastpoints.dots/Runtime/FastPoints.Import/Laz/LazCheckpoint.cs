@@ -22,7 +22,6 @@ namespace FastPoints.Laz
 
         public long FileOffset;
 
-        // Waits for its jobs.
         public override long Bytes
         {
             get

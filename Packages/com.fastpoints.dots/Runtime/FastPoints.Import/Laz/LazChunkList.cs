@@ -7,7 +7,6 @@ namespace FastPoints.Laz
     // not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of octrees) take 24 bytes for a chunk.
     internal sealed class LazChunkList
     {
-        // Between two sums.
         const int GroupChunks = 64;
 
         readonly Pages m_bytes = new Pages();
@@ -57,7 +56,6 @@ namespace FastPoints.Laz
             return m_points != null ? m_points[chunk] : chunk == Count - 1 ? m_lastPoints : m_firstPoints;
         }
 
-        // In all earlier chunks, if they are in a row.
         public long FirstPointOf(int chunk)
         {
             CheckChunk(chunk);
@@ -190,11 +188,9 @@ namespace FastPoints.Laz
         }
     }
 
-    // Can be decoded on its own.
     internal struct LazChunk
     {
         public long Offset;
-
         public long Bytes;
 
         // As the file claims, or as a walk found.

@@ -24,7 +24,6 @@ namespace FastPoints.Laz
         // At most, of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.
         const int MaxEntryBytes = 14;
 
-        // Of the table in memory at a time.
         const int WindowBytes = 64 << 10;
 
         // To start and to end.
@@ -74,7 +73,6 @@ namespace FastPoints.Laz
             return table;
         }
 
-        // What is wrong, or null.
         string Read(long pointsOffset, out long at)
         {
             at = pointsOffset;
@@ -172,7 +170,6 @@ namespace FastPoints.Laz
             return null;
         }
 
-        // The number of bytes from the table; zeros follow.
         int Fill(byte[] window, long at, long endOfTable)
         {
             int count = (int)Math.Min(WindowBytes, endOfTable - at);
@@ -181,7 +178,6 @@ namespace FastPoints.Laz
             return count;
         }
 
-        // The table's sum against the header's count.
         void Check()
         {
             ulong sum = (ulong)Chunks.PointCount;

@@ -26,7 +26,6 @@ namespace FastPoints.Laz
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
         }
 
-        // When the jobs are complete.
         public NativeArray<byte> Chunk => m_output.GetSubArray(0, (int)m_bytes.Value);
 
         public JobHandle Schedule(NativeArray<byte> records, int points)
@@ -88,8 +87,6 @@ namespace FastPoints.Laz
 
         public bool IsLayered { get; }
         public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
-
-        // Of one chunk, and what encoders write behind it.
         public long MaxBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
 
         long BytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)

@@ -61,7 +61,6 @@ namespace FastPoints.Laz
             m_state = new NativeReference<LazFileState>(allocator);
         }
 
-        // Of the last decoded file, according to its header.
         public long PointsInFile => m_state.Value.PointsInFile;
 
         // input: the file with PaddingBytes of RangeCode behind it, after inputDeps; first: counted from the file's start.

@@ -6,7 +6,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    // In the LASzip VLR's terms.
     internal enum LazCompressor
     {
         // Plain records in a file that says LAZ.
@@ -22,7 +21,6 @@ namespace FastPoints.Laz
         LayeredChunked = 3,
     }
 
-    // The LASzip VLR, checked against the header.
     internal sealed class LazFormat
     {
         public const string UserId = "laszip encoded";
@@ -47,8 +45,6 @@ namespace FastPoints.Laz
 
         public LazItem[] Items;
         public int RecordBytes;
-
-        // LASzip's own, for people.
         public string WriterVersion;
 
         // Of layered chunks; otherwise empty.
@@ -104,7 +100,6 @@ namespace FastPoints.Laz
             return format;
         }
 
-        // From ItemsAt on.
         internal byte[] ItemBytesOfVlr()
         {
             var bytes = new byte[FixedBytes - ItemsAt + Items.Length * ItemBytes];

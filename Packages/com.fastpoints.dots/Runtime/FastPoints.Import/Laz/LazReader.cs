@@ -28,7 +28,6 @@ namespace FastPoints.Laz
                 MakeBlocks(null);
         }
 
-        // longChunkPoints: of a chunk that is one block, at most.
         public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var format = LazFormat.Read(las);
@@ -83,7 +82,6 @@ namespace FastPoints.Laz
             m_areBlocksKnown = true;
         }
 
-        // What an earlier or cancelled search has found.
         void Forget()
         {
             Blocks.Clear();
@@ -94,7 +92,6 @@ namespace FastPoints.Laz
 
         public override void DisposeUnread() => Blocks.DropCheckpoints();
 
-        // True if the table that says where they are is lost.
         bool FindChunks()
         {
             long start = Header.PointsOffset;

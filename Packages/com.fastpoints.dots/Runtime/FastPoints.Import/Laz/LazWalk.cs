@@ -46,7 +46,6 @@ namespace FastPoints.Laz
         // 50 ms of decoding.
         public static int PrefixPoints(LazBlocks blocks) => Math.Min(blocks.LongChunkPoints, MaxPrefixPoints);
 
-        // First and Count of the list, of a chunk that has any.
         public BlockRange CheckpointsOf(int chunk)
         {
             foreach (var range in m_checkpointsOfChunk)
@@ -112,7 +111,6 @@ namespace FastPoints.Laz
             Warn();
         }
 
-        // isBeginning: stop at PrefixPoints.
         IEnumerator<JobStep> WalkStreams(bool isBeginning)
         {
             long at = m_firstChunk;

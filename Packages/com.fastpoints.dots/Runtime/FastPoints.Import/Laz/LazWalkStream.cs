@@ -24,8 +24,6 @@ namespace FastPoints.Laz
         NativeArray<byte> m_tile;
         NativeReference<LazWalkStep> m_step;
         JobHandle m_decode;
-
-        // In the file.
         long m_windowStart;
         long m_windowEnd;
         long m_inputEnd;
@@ -46,10 +44,7 @@ namespace FastPoints.Laz
             m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
         }
 
-        // Decoded of the chunk.
         public long Point { get; private set; }
-
-        // Of the next point.
         public long FileOffset { get; private set; }
 
         // The input does not hold the next point.
@@ -107,7 +102,6 @@ namespace FastPoints.Laz
             IsStopped = step.IsStopped;
         }
 
-        // Its next input byte is at FileOffset.
         public LazCheckpoint Checkpoint()
         {
             PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());
@@ -138,7 +132,6 @@ namespace FastPoints.Laz
         public int UncertainPoints;
     }
 
-    // Only to find their end.
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {

@@ -7,7 +7,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Octrees
 {
-    // One read of a node's bytes, and the jobs behind it.
     abstract class NodeRead : SlotRead
     {
         protected NodeRead(NodeReader reader, PointSchema wanted, int capacity, Allocator allocator)
@@ -21,7 +20,6 @@ namespace FastPoints.Octrees
 
         protected abstract JobHandle Schedule(BlockRange range, in NodeBlock block);
 
-        // Of a range with an error, or without.
         protected abstract void Report(DecodeResult result);
 
         // padding: bytes behind the others that jobs may touch.

@@ -81,7 +81,6 @@ namespace FastPoints.Octrees
         internal void EndNode(int block, long point) =>
             m_endOfNode[NodeOf(block).Key] = Math.Min(point, EndOfNode(block));
 
-        // At most, as far as is known.
         internal long EndOfNode(int block) =>
             m_endOfNode.TryGetValue(NodeOf(block).Key, out long end) ? end : Block(block).NodePoints;
 
@@ -98,17 +97,12 @@ namespace FastPoints.Octrees
 
     struct NodeBlock
     {
-        // In the tree.
         public int Node;
-
         public long FirstPoint;
         public long FirstInNode;
         public int Points;
         public long NodePoints;
-
-        // In the file that holds it.
         public long Offset;
-
         public long Bytes;
     }
 

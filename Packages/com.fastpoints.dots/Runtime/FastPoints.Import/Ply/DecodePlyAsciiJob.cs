@@ -190,7 +190,6 @@ namespace FastPoints.Ply
         };
     }
 
-    // What cost no point.
     struct PlyAnomalies
     {
         public int Misfits;

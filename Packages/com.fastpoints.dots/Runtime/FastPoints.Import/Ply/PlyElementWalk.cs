@@ -51,7 +51,6 @@ namespace FastPoints.Ply
             m_blocks = new NativeList<SegmentBlock>(16, Allocator.Persistent);
         }
 
-        // Not while a job is in flight, like TakeBlocks.
         public PlyWalkState State => m_state.Value;
 
         public SegmentBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
@@ -224,13 +223,9 @@ namespace FastPoints.Ply
     struct PlyWalkElement
     {
         public ulong Count;
-
-        // Of one instance, or -1 if lists make it vary.
         public int FixedBytes;
         public int FirstStep;
         public int Steps;
-
-        // Its instances are the points, to be gathered into blocks.
         public bool IsIndexed;
     }
 
@@ -242,12 +237,10 @@ namespace FastPoints.Ply
         public int Element;
         public ulong Instance;
         public int Step;
-
         public long InstanceStart;
         public long BlockStart;
         public int BlockPoints;
         public long PointsInBlocks;
-
         public int Error;
         public long ErrorOffset;
         public bool IsDone;

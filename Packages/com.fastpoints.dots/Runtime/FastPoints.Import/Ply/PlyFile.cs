@@ -9,7 +9,6 @@ namespace FastPoints.Ply
     {
         const int FirstHeaderBytes = 16 << 10;
 
-        // Its header describes a PCD file, whose points are no vertices.
         readonly bool m_isPcd;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
         readonly RunningWarning m_pointsLost = new RunningWarning();
@@ -46,7 +45,6 @@ namespace FastPoints.Ply
             return new PlyFile(header, Describe(source, header), PlyNames.Of(header.Elements[header.VertexIndex]));
         }
 
-        // In a record without lists.
         public PointFields RecordFields()
         {
             var fields = new PointFields();

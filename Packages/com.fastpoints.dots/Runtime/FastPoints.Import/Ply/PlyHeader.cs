@@ -10,7 +10,6 @@ namespace FastPoints.Ply
     // a property that is left out would shift all that follows it.
     internal sealed class PlyHeaderParser
     {
-        // Longer headers are refused.
         public const int MaxHeaderBytes = 1 << 20;
 
         // Elements of a file, and properties of an element; files with more are refused.
@@ -220,7 +219,6 @@ namespace FastPoints.Ply
         PointCloudException Bad(int offset, string field, string wanted, string got) =>
             PointCloudException.Wanted(FailureCode.BadInput, m_path, offset, field, wanted, Quote(got));
 
-        // Fit for a message of one line.
         internal static string Quote(string word)
         {
             var text = new StringBuilder("\"");
@@ -241,10 +239,7 @@ namespace FastPoints.Ply
         public string Version;
 
         public long FormatOffset;
-
         public readonly List<PlyElement> Elements = new List<PlyElement>();
-
-        // Keyword and text of comment and obj_info lines.
         public readonly List<KeyValuePair<string, string>> Comments = new List<KeyValuePair<string, string>>();
 
         // The word of the first line that is none of the known, and declares nothing.
@@ -253,7 +248,6 @@ namespace FastPoints.Ply
         public int UnknownLines;
         public long DataOffset;
 
-        // Of the first element called vertex, or -1.
         public int VertexIndex
         {
             get
@@ -296,7 +290,6 @@ namespace FastPoints.Ply
             }
         }
 
-        // Of one instance in a binary file, or -1 if lists make it vary.
         public int FixedBytes
         {
             get

@@ -5,10 +5,8 @@ namespace FastPoints.Ply
 {
     static class PlyPlan
     {
-        // Only find the end of an instance.
         public static List<PlyStep> Passing(PlyElement element) => Build(element, null, null);
 
-        // Fill the batch's columns and skip all other properties.
         public static List<PlyStep> Decoding(PlyElement element, string[] names, PointBatch batch) =>
             Build(element, names, batch);
 
@@ -101,8 +99,6 @@ namespace FastPoints.Ply
     struct PlyStep
     {
         public PlyStepKind Kind;
-
-        // Of the value, or of a list's count.
         public AttributeType Type;
 
         // Skip: number of values. List: bytes of an item.

@@ -89,7 +89,6 @@ namespace FastPoints.Ply
         }
     }
 
-    // Vertices without a fixed length: lines, or records with lists.
     sealed class PlyRead : SlotRead
     {
         // The last line may extend this many bytes behind its block.

@@ -17,7 +17,6 @@ namespace FastPoints.Ply
             return Open(source);
         }
 
-        // Only the header is read.
         public static PointReader Open(FileSource source)
         {
             var ply = PlyFile.Read(source);
@@ -123,8 +122,6 @@ namespace FastPoints.Ply
 
         readonly PlyFile m_ply;
         readonly bool m_hasVerticesAlone = true;
-
-        // As claimed.
         readonly ulong m_rowsBefore;
 
         public PlyAsciiReader(PlyFile ply) : base(ply.Info, ply.Handle, ply.Header.DataOffset)

@@ -112,7 +112,6 @@ namespace FastPoints.Reading
                     Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
         }
 
-        // Fewer bytes, or none, at the file's end.
         public ByteReader ReadUpTo(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);

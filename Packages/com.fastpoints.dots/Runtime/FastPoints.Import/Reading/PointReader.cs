@@ -104,7 +104,6 @@ namespace FastPoints.Reading
         // places, earlier blocks keep their numbers.
         IEnumerator<JobStep> FindPrefixes(int places);
 
-        // Of the whole source, after FindPrefixes.
         PointEstimate EstimatedPoints { get; }
     }
 

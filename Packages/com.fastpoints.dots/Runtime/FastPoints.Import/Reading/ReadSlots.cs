@@ -39,7 +39,6 @@ namespace FastPoints.Reading
             return m_keepsStates = m_reads[0].TryKeepStates();
         }
 
-        // Coroutine: reads from first to before end, and hands each to the consumer.
         public IEnumerator<JobStep> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
             StageProgress progress)
         {

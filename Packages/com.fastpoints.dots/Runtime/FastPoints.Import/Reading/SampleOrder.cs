@@ -21,7 +21,6 @@ namespace FastPoints.Reading
                 m_bits++;
         }
 
-        // Places that cover all strata, including skipped ones.
         public int Places => 1 << m_bits;
 
         // -1 if the place is skipped.

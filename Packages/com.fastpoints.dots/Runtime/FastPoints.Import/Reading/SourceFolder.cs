@@ -8,12 +8,10 @@ namespace FastPoints.Reading
 {
     internal static class SourceFolder
     {
-        // Names that writers give an index; its contents decide.
         static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };
 
         public static bool IsIndex(string fileName) => Array.IndexOf(s_indexNames, fileName) >= 0;
 
-        // Null for a folder that has none.
         public static string FindIndex(string folder)
         {
             foreach (string name in s_indexNames)

@@ -38,7 +38,6 @@ namespace FastPoints.Reading
 
         public bool HasBoundsClaimed;
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
-
         public PositionTransform Transform = PositionTransform.Identity;
 
         /// <summary>The attributes of each point.</summary>

@@ -85,7 +85,6 @@ namespace FastPoints.Reading
         bool IsKnownBelow(int4 node, int levels);
     }
 
-    // The same of any source.
     internal static class OctreeSources
     {
         public static IEnumerator<JobStep> FindLevels(this PointReader reader, int levels) => reader.FindBelow(default, levels);

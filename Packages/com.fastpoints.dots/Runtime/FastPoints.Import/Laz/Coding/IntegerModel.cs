@@ -111,7 +111,6 @@ namespace FastPoints.Laz
             RangeCode.PutBits(raw, place & ((1u << raw) - 1), ref low, ref length, ref next);
         }
 
-        // Not inlined.
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Encode(byte* model, int bits, int contexts, int context, int difference, RangeStream* stream)
         {

@@ -40,7 +40,6 @@ namespace FastPoints.Laz
             RangeCode.Start(out Value, out Length, ref Next);
         }
 
-        // Value is where the interval begins.
         public void StartWriting(byte* first)
         {
             Next = first;

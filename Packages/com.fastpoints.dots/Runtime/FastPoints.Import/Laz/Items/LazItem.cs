@@ -20,8 +20,6 @@ namespace FastPoints.Laz
         public LazItemType Type;
         public int Version;
         public int Bytes;
-
-        // Items follow each other in the list's order.
         public int RecordOffset;
 
         // POINT14 and what goes with it.

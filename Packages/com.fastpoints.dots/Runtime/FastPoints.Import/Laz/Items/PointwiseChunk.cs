@@ -27,7 +27,6 @@ namespace FastPoints.Laz
         fixed int m_recordOffset[MaxItems];
         fixed int m_stateOffset[MaxItems];
 
-        // Up to which the stream has been consumed.
         public long InputOffset => m_stream.Offset;
 
         public bool IsAtEnd => m_pointsDone > 0 && m_lastEnd == m_pointsDone;
@@ -274,7 +273,6 @@ namespace FastPoints.Laz
             chunk->m_stream.Suspend(output);
         }
 
-        // Items of version 1 aside.
         public static void Encode(PointwiseChunk* chunk, byte* records, int count, byte* output)
         {
             RangeStream* stream = &chunk->m_stream;

@@ -9,10 +9,7 @@ namespace FastPoints.Laz
     internal unsafe struct LayerState
     {
         public RangeStream Stream;
-
-        // From the start of the chunk's input.
         public long EndOffset;
-
         public LazLayerKind Kind;
         public int RecordOffset;
         public int RecordBytes;

@@ -19,10 +19,7 @@ namespace FastPoints.Laz
         int m_recordBytes;
         int m_pointsDone;
         int m_isStopped;
-
-        // By the chunk itself, 0 where it does not say.
         uint m_pointsInChunk;
-
         int m_firstRecordOffset;
         fixed ushort m_returnContexts[256];
         fixed uint m_points[TilePoints];
@@ -47,7 +44,6 @@ namespace FastPoints.Laz
             _ => WaveAndByteLayers.ByteContextBytes,
         };
 
-        /// <summary>Bytes of decoder state: contexts for the wanted layers only.</summary>
         public static long StateBytes(LazLayer[] layers, bool[] isWanted, int recordBytes)
         {
             long end = FirstRecordOffset(layers.Length) + (recordBytes + 63) / 64 * 64;

@@ -13,8 +13,6 @@ namespace FastPoints.Laz
         int m_layerCount;
         int m_recordBytes;
         int m_layer;
-
-        /// <summary>Points of the layer that are written, or -1 before its first.</summary>
         int m_done;
         long m_end;
         long m_contextsOffset;
@@ -26,7 +24,6 @@ namespace FastPoints.Laz
 
         static long ContextsOffset(int points) => (PointsOffset + 4L * points + 63) / 64 * 64;
 
-        /// <summary>Bytes of state for chunks of at most so many points.</summary>
         public static long StateBytes(LazLayer[] layers, int points)
         {
             long max = 0;

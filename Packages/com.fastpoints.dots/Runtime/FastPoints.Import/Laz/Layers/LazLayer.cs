@@ -26,7 +26,6 @@ namespace FastPoints.Laz
     /// All but the first hold some bytes of the record; the first also says what the others' contexts are.</summary>
     internal struct LazLayer
     {
-        // Before its first symbol.
         public const int StartBytes = 4;
 
         public LazLayerKind Kind;
@@ -43,7 +42,6 @@ namespace FastPoints.Laz
         /// <summary>Bytes of input that a point takes at most: 15 bits a modelled symbol, and the raw bits.</summary>
         public int MaxInputBytesPerPoint;
 
-        /// <summary>The layers of a list of items, in the order in which chunks have them.</summary>
         public static LazLayer[] Of(LazItem[] items)
         {
             var layers = new List<LazLayer>();

@@ -163,7 +163,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        // bytes: of the chunk, as far as the file goes.
         string Problem(CopcEntry entry, out long bytes)
         {
             bytes = 0;

@@ -122,17 +122,13 @@ namespace FastPoints.Octrees
         public const ushort HierarchyRecord = 1000;
         public const int Bytes = 160;
 
-        // The others are reserved.
         const int FieldBytes = 72;
 
         // In CRS units, like all lengths here.
         public double3 Center;
 
         public double HalfSize;
-
-        // Of the root; it halves from level to level.
         public double Spacing;
-
         public ulong RootPageOffset;
         public ulong RootPageBytes;
         public double MinGpsTime;
@@ -141,7 +137,6 @@ namespace FastPoints.Octrees
 
         public BoundsGeo Cube => new BoundsGeo(Center - HalfSize, Center + HalfSize);
 
-        // Null if the file has no such VLR.
         public static CopcInfo Find(LasFile las)
         {
             var record = las.Vlrs.Find(UserId, InfoRecord);
@@ -162,7 +157,6 @@ namespace FastPoints.Octrees
             return info;
         }
 
-        // Null if it is fit for use.
         public string Problem(long fileBytes)
         {
             if (!Cube.IsFinite || !(HalfSize > 0))

@@ -27,8 +27,6 @@ namespace FastPoints.Octrees
         public PointFields Fields { get; } = new PointFields();
         public SourceInfo Info { get; private set; }
         public BoundsGeo Cube { get; private set; }
-
-        // Of the root's points, CRS units.
         public double Spacing { get; private set; }
         public EptDataType DataType { get; private set; }
         public int RecordBytes { get; private set; }

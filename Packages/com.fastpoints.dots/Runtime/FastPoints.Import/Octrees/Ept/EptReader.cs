@@ -82,7 +82,6 @@ namespace FastPoints.Octrees
             return PathOf(node.Level, node.Cell);
         }
 
-        // points: how many can be read.
         public void Add(EptEntry entry, long points, long fileBytes) =>
             AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, 0);
 

@@ -21,8 +21,6 @@ namespace FastPoints.Octrees
         public NativeReference<DecodeResult> Result;
         public int RecordBytes;
         public int FirstRecord;
-
-        // Counted from the range's start.
         public int First;
         public int Count;
 
@@ -69,7 +67,6 @@ namespace FastPoints.Octrees
         readonly NativeArray<byte> m_tile;
         readonly NativeReference<DecompressState> m_state;
 
-        // decompressor: null for plain records.
         public EptRecordRead(EptReader reader, Func<StreamDecompressor> decompressor, PointSchema wanted, int capacity,
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)

@@ -38,7 +38,6 @@ namespace FastPoints.Octrees
             Expect(ref state, (byte)'{');
         }
 
-        // With the comma behind it, or the end of the object.
         void ReadEntry(ref EptPageState state)
         {
             SkipBlanks(ref state.At);
@@ -152,7 +151,6 @@ namespace FastPoints.Octrees
 
     internal struct EptEntry
     {
-        // A page of its own.
         public const long PageCount = -1;
 
         // The cells of deeper nodes do not fit into an int.

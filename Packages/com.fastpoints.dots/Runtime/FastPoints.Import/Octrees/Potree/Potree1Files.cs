@@ -49,7 +49,6 @@ namespace FastPoints.Octrees
 
         public string HierarchyPathOf(int level, int3 cell) => PathWithoutExtension(level, cell) + ".hrc";
 
-        // The root's if it exists, otherwise of any node.
         public string AnyNode()
         {
             string root = PathOf(0, default);
@@ -121,8 +120,6 @@ namespace FastPoints.Octrees
     {
         public int Level;
         public int3 Cell;
-
-        // According to the hierarchy.
         public long Claimed;
         public string Path;
 
@@ -130,8 +127,6 @@ namespace FastPoints.Octrees
         public long Bytes;
 
         public long PointsOfLas;
-
-        // Why such a file cannot be read, or null.
         public string Problem;
     }
 
@@ -139,8 +134,6 @@ namespace FastPoints.Octrees
     {
         public ByteReader Records;
         public long FileBytes;
-
-        // Why it cannot be used, or null.
         public PointCloudException Problem;
     }
 }

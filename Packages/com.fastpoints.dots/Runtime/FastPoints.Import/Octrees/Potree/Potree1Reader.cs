@@ -22,8 +22,6 @@ namespace FastPoints.Octrees
     internal sealed class Potree1Reader : PotreeReader
     {
         const int RecordBytes = 5;
-
-        // Looked up together.
         const int StepNodes = 32;
 
         // Of an .hrc file; 8^7 nodes take less.
@@ -35,7 +33,6 @@ namespace FastPoints.Octrees
         // How far rounding may move corners above a grid place, in steps.
         const double CornerTolerance = 1e-5;
 
-        // A node whose children come next in the page.
         struct Parent
         {
             public int Level;
@@ -48,12 +45,9 @@ namespace FastPoints.Octrees
         readonly int m_stepSize;
         readonly PotreeLayout m_layout;
 
-        // A file like those of the nodes, if they are LAS or LAZ, and the format if they are LAZ.
         readonly LasTemplate m_like;
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
-
-        // Their files have not been looked up.
         readonly List<Potree1Node> m_found = new List<Potree1Node>();
         int m_listedAt;
         UnreadPage m_page;
@@ -150,7 +144,6 @@ namespace FastPoints.Octrees
             return Pages.TryPeek(node, Math.Max(1, levels - 1), out page);
         }
 
-        // False if nothing is left without reading a page.
         bool FindNext()
         {
             if (m_listed != null && m_listedAt < m_listed.Count)
@@ -264,7 +257,6 @@ namespace FastPoints.Octrees
             Path = m_files.PathOf(level, cell),
         });
 
-        // For any thread.
         Func<Potree1Node[]> FileLookup(Potree1Node[] nodes)
         {
             bool isLas = m_layout == null;

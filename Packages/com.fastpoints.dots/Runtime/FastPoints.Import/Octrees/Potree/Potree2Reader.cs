@@ -25,8 +25,6 @@ namespace FastPoints.Octrees
         const string HierarchyName = "hierarchy.bin", OctreeName = "octree.bin";
         const int RecordBytes = 22;
         const int Proxy = 2;
-
-        // Read together.
         const int StepRecords = 4096;
 
         // More than Brotli packs into a byte, even equal points: 20,000 equal points take some 60 bytes.
@@ -139,7 +137,6 @@ namespace FastPoints.Octrees
             Tree.IsWhole = Pages.Count == 0;
         }
 
-        // False if there is no page that the levels need.
         bool BeginPage(int4 node, int levels)
         {
             if (!Pages.TryPeek(node, levels, out var page))

@@ -142,8 +142,6 @@ namespace FastPoints.Octrees
         [ReadOnly] public NativeReference<DecompressState> State;
         public NativeReference<DecodeResult> Result;
         public int Points;
-
-        // Of the stream in the file.
         public long Offset;
 
         public void Execute()

@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    // What cloud.js and metadata.json have in common.
     static class PotreeIndexes
     {
         public static PotreeAttribute ReadAttribute(JsonMembers item, string elementsName, SourceInfo info)
@@ -155,13 +154,8 @@ namespace FastPoints.Octrees
         public SourceInfo Info { get; private set; }
         public BoundsGeo Cube { get; private set; }
         public double Spacing { get; private set; }
-
-        // Edge of a grid step.
         public double Scale { get; private set; }
-
         public string OctreeFolder { get; private set; }
-
-        // Of a page of the hierarchy.
         public int StepSize { get; private set; }
 
         // Names and counts, in versions up to 1.4; null if it is in files.

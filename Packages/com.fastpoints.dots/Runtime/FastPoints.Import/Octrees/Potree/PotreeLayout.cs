@@ -79,7 +79,6 @@ namespace FastPoints.Octrees
 
     sealed class PotreeAttribute
     {
-        // More than any attribute has.
         public const int MaxElements = 256;
 
         static readonly Dictionary<string, AttributeType> s_types = new Dictionary<string, AttributeType>
@@ -107,17 +106,13 @@ namespace FastPoints.Octrees
         static readonly string[] s_normals = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
         public string Name;
-
         public PotreeAttributeKind Kind;
 
         // For a normal in two bytes, that of its column.
         public AttributeType Type;
 
         public PointAttribute[] Columns;
-
-        // Of a point in a record.
         public int Bytes;
-
         public int RecordOffset;
 
         public bool IsPosition => Kind == PotreeAttributeKind.Position;

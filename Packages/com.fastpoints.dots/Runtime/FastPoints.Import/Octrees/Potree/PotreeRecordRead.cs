@@ -68,8 +68,6 @@ namespace FastPoints.Octrees
         public NativeReference<DecodeResult> Result;
         public PotreeSpecialColumns Special;
         public int RecordBytes;
-
-        // Counted from the range's start.
         public int First;
         public int Count;
 

@@ -31,13 +31,9 @@ namespace FastPoints.Octrees
         // Relative to Corner.
         public Grid3 CubePosition;
 
-        // Of the cube's edges.
         public int3 CubeBits;
-
         public int Count;
         public int First;
-
-        // Of a column of Offsets.
         public int Capacity;
 
         // Out: X, Y, Z of each point from the corner, 32 or 64 bits each.
@@ -46,8 +42,6 @@ namespace FastPoints.Octrees
         // Out: the point at each place along the curve.
         public NativeArray<uint> PointOfRank;
         public NativeReference<PackState> State;
-
-        // Scratch for a slice.
         public NativeArray<ulong> Keys;
         public NativeArray<ulong> KeyScratch;
         public NativeArray<uint> PointScratch;
@@ -128,7 +122,6 @@ namespace FastPoints.Octrees
         // The source did not give the node's points, or one exceeds the range of packed numbers.
         public bool IsDamaged;
 
-        // Of the plane that is being written.
         public long PlaneStart;
 
         // In that plane, of the next packed word.

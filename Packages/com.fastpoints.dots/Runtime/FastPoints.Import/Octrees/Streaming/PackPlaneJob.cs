@@ -31,8 +31,6 @@ namespace FastPoints.Octrees
 
         public int Count;
         public int FirstBlock;
-
-        // Of a column of Offsets.
         public int Capacity;
 
         // Room for the longest that the planes can be.

@@ -15,8 +15,6 @@ namespace FastPoints.Octrees
     internal struct TreeGrid
     {
         public CloudGrid Grid;
-
-        // From stored numbers to the grid's.
         public SourceGrid Source;
 
         // The smallest cube with a power-of-two side that contains the source's.
@@ -109,7 +107,6 @@ namespace FastPoints.Octrees
         static int BitsFor(double steps) => 64 - math.lzcnt((ulong)math.max(0, steps));
     }
 
-    // Some planes of a source's layout, and what must be decoded to make them.
     sealed class TreePlanes : IDisposable
     {
         static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
@@ -168,7 +165,6 @@ namespace FastPoints.Octrees
             return new StoreLayout(new PointSchema(attributes));
         }
 
-        // Of any plane except the position's.
         public string AttributeOf(int plane, int column)
         {
             int of = m_layout.AttributeOfColumn[m_layout.Planes[m_indices[plane]].FirstColumn + column];

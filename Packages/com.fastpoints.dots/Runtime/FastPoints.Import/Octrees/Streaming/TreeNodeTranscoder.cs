@@ -51,7 +51,6 @@ namespace FastPoints.Octrees
 
         public int Capacity => m_capacity;
 
-        // Behind the others of a chain, for a node of so many points.
         public void Join(TranscoderChain chain, int points)
         {
             (m_chain, m_pointsInChain) = (chain, points);
@@ -233,10 +232,7 @@ namespace FastPoints.Octrees
     // own jobs their turn, however many nodes are begun.
     sealed class TranscoderChain
     {
-        // Of the node that was begun last.
         public JobHandle End;
-
-        // Of the nodes that were begun and are not taken yet.
         public long Points;
     }
 }

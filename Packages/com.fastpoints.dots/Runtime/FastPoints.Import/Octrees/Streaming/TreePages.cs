@@ -54,10 +54,7 @@ namespace FastPoints.Octrees
         }
 
         public int Count => m_rootOfPage.Count;
-
-        // Update waits for it before it continues.
         public JobHandle Step => m_step;
-
         public bool IsReading => m_reading != null || m_wanted != None;
 
         // The page's levels, and the one below, are known. The first requested page that is not is read next.
@@ -141,7 +138,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        // Only its box.
         public HierarchyPage Empty(int page)
         {
             var empty = new HierarchyPage();
@@ -236,7 +232,6 @@ namespace FastPoints.Octrees
             order.Dispose();
         }
 
-        // More blocks of the same node, then its children.
         void AddChildren(int index, NativeList<int> order)
         {
             int4 key = Nodes[index].Key;

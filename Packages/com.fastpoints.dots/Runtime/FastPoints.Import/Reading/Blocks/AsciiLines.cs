@@ -11,7 +11,6 @@ namespace FastPoints.Reading
 {
     struct AsciiRange
     {
-        // In the file.
         public long Offset;
         public int Bytes;
 

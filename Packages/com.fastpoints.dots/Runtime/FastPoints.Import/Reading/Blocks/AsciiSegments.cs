@@ -66,7 +66,6 @@ namespace FastPoints.Reading
             }
         }
 
-        // Coroutine: reads the next segments until there are this many in all.
         public IEnumerator<JobStep> Find(int count)
         {
             int first = m_found, wanted = Math.Min(Count, count) - first;

@@ -15,7 +15,6 @@ namespace FastPoints.Reading
     /// is missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.</remarks>
     internal static class Decompressors
     {
-        // Potree 2.0 of encoding BROTLI.
         public static Func<StreamDecompressor> Brotli { get; set; } = () => new BrotliStreamDecompressor();
 
         // EPT of data type zstandard; null for none.
@@ -93,7 +92,6 @@ namespace FastPoints.Reading
     {
         [ReadOnly] public NativeArray<byte> Input;
         public int InputBytes;
-
         [WriteOnly] public NativeArray<byte> Output;
         public int Wanted;
         public bool IsFirst;
@@ -137,8 +135,6 @@ namespace FastPoints.Reading
     struct DecompressState
     {
         public int Consumed;
-
-        // The stream broke off, or its decompressor failed.
         public bool IsBroken;
     }
 }

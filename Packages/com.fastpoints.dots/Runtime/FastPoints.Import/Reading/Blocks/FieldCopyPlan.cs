@@ -60,7 +60,6 @@ namespace FastPoints.Reading
             copies.RemoveAt(colorAt);
         }
 
-        // Two fields of one width side by side, as the axes and the colours are.
         static bool Follows(PointField first, PointField second) => !first.IsBits && !second.IsBits
             && second.Type.SizeOf() == first.Type.SizeOf() && second.ByteOffset == first.ByteOffset + first.Type.SizeOf();
 
@@ -80,7 +79,6 @@ namespace FastPoints.Reading
         Two,
         Four,
         Eight,
-        // Values whose bytes lie in the other order.
         TwoReversed,
         FourReversed,
         EightReversed,
@@ -98,8 +96,6 @@ namespace FastPoints.Reading
     {
         public int RecordByte;
         public int Column0;
-
-        // Of the kinds that have a second and third column.
         public int Column1;
         public int Column2;
 

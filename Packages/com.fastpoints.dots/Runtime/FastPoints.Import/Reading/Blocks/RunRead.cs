@@ -34,8 +34,6 @@ namespace FastPoints.Reading
 
         public JobHandle Decoded { get; private set; }
         public int Segments { get; private set; }
-
-        // Including gaps.
         public long BytesRead { get; private set; }
 
         // In the time of ReadClock; Ended when the bytes had arrived.
@@ -43,7 +41,6 @@ namespace FastPoints.Reading
 
         internal long Ended => m_ended.Value;
 
-        // From a run's first record to its last.
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
 
         // Starts as many of the runs as fit, up to max, and says how many; main thread only. The runs lie in the file's order
@@ -167,12 +164,8 @@ namespace FastPoints.Reading
 
     struct BufferedRun
     {
-        // In the buffer.
         public int FirstByte;
-
-        // From one wanted record to the next.
         public int StrideBytes;
-
         public int Count;
         public int Place;
     }
@@ -180,7 +173,6 @@ namespace FastPoints.Reading
     [BurstCompile]
     struct TimestampJob : IJob
     {
-        // In the time of ReadClock.
         public NativeReference<long> At;
 
         public void Execute() => At.Value = ReadClock.Now;

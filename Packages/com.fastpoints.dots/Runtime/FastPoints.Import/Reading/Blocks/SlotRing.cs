@@ -34,7 +34,6 @@ namespace FastPoints.Reading
             return oldest;
         }
 
-        // Coroutine: begins things with a few slots, and ends each when its handle is complete.
         public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end)
         {
             var ring = new SlotRing(slots);

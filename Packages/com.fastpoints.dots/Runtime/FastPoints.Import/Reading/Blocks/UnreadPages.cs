@@ -21,7 +21,6 @@ namespace FastPoints.Reading
 
         public int Count { get; private set; }
 
-        // root: the key of the node that the page begins with.
         public void Add(int4 root, long offset = 0, long bytes = 0)
         {
             var page = new UnreadPage { Root = root, Offset = offset, Bytes = bytes, Number = m_added++ };

@@ -248,18 +248,12 @@ namespace FastPoints.Reading
         public int MaxPointsPerBlock;
         public long FirstPoint;
         public long Points;
-
-        // Null while it is not open.
         public PointReader Reader;
 
         // It may hold a file's handle.
         public bool IsOpen;
         public int Users;
-
-        // Larger for tiles that were used later.
         public long LastUse;
-
-        // Indices among the cloud's; null for none.
         public List<int> Warnings;
     }
 }

@@ -36,7 +36,6 @@ namespace FastPoints.Reading
             Info = new SourceInfo { Path = name };
         }
 
-        // In this order. Dispose the reader.
         public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile)
         {
             if (paths.Count == 0)
@@ -205,7 +204,6 @@ namespace FastPoints.Reading
 
         internal void Release(Tile tile) => tile.Users--;
 
-        // Each line once.
         internal void TakeWarnings(Tile tile)
         {
             var warnings = tile.Reader.Info.Warnings;

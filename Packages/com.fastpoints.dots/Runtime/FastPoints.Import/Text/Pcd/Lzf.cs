@@ -46,10 +46,8 @@ namespace FastPoints.Text
         }
     }
 
-    // Decoding can begin here.
     struct LzfCheckpoint
     {
-        // In the compressed stream.
         public long Input;
 
         // Decoded bytes before the wanted ones.
@@ -135,7 +133,6 @@ namespace FastPoints.Text
         public int Copies;
     }
 
-    // One field after the other.
     [BurstCompile]
     unsafe struct DecodeLzfJob : IJob
     {

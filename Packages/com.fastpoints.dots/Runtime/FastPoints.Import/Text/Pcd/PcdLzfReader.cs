@@ -64,8 +64,6 @@ namespace FastPoints.Text
         public long StreamBytes { get; }
         public SourceHandle File => m_file.Handle;
         public NativeArray<byte> Windows => m_windows;
-
-        // Of a block's widest field, decoded.
         public int MaxDecodedBytes => m_widestBytes * m_blockPoints;
 
         public override bool BlocksAreKnown => m_points >= 0;
@@ -180,7 +178,6 @@ namespace FastPoints.Text
             return new PcdLzfRead(this, wanted, capacity, allocator);
         }
 
-        // Each field with its copies.
         public List<(int Field, FieldCopy[] Copies)> PlanFor(PointBatch batch)
         {
             var plan = new List<(int, FieldCopy[])>();

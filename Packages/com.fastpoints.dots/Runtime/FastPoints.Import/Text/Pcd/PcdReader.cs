@@ -23,15 +23,12 @@ namespace FastPoints.Text
         PcdHeader(string path) => m_path = path;
 
         public readonly List<PcdField> Fields = new List<PcdField>();
-
-        // The first line that begins with no known keyword.
         public string UnknownLine;
         public int UnknownLines;
         public int UnknownOffset;
 
         public ulong Points;
         public ulong? Places;
-
         public string Data;
         public long DataOffset;
 
@@ -136,7 +133,6 @@ namespace FastPoints.Text
             PointCloudException.Wanted(FailureCode.BadInput, m_path, m_offsets[keyword], keyword, wanted, got);
     }
 
-    // One value, or several.
     sealed class PcdField
     {
         public string Name;
@@ -155,7 +151,6 @@ namespace FastPoints.Text
     {
         const int PageBytes = 4096;
 
-        // Only the header is read.
         public static PointReader Open(FileSource source)
         {
             var pcd = PcdHeader.Read(source);

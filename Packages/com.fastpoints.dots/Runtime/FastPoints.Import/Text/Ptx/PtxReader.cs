@@ -77,8 +77,6 @@ namespace FastPoints.Text
     {
         const int MaxBlockBytes = 256 << 10;
         const int MaxLineBytes = 16 << 10;
-
-        // PointSourceId holds no more.
         const int MaxScans = ushort.MaxValue;
 
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
@@ -198,7 +196,6 @@ namespace FastPoints.Text
             return isHeader;
         }
 
-        // The byte behind the last row of a block, from the block's start.
         static unsafe int EndOfRows(NativeArray<byte> text, int bytes, in SegmentBlock block)
         {
             byte* start = (byte*)text.GetUnsafeReadOnlyPtr(), p = start, end = start + bytes;
@@ -241,7 +238,6 @@ namespace FastPoints.Text
 
         internal long SlotBytes => Math.Min(MaxBlockBytes + MaxLineBytes, Info.FileBytes);
 
-        // Once for each block.
         internal void Warn(BlockRange range, in PtxAnomalies found)
         {
             if (m_isReported[range.Block])

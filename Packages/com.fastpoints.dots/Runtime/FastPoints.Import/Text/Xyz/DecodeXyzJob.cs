@@ -22,7 +22,6 @@ namespace FastPoints.Text
         // check for the buffer's end.
         public NativeArray<byte> Input;
 
-        // Lines to read, points or not.
         public AsciiRange Range;
         public XyzDialect Dialect;
         [ReadOnly] public NativeArray<XyzStep> Steps;
@@ -200,7 +199,6 @@ namespace FastPoints.Text
 
     enum XyzStepKind : byte
     {
-        // A column without a name, which may hold anything.
         Skip,
         // A number that is not wanted.
         Check,
@@ -228,7 +226,6 @@ namespace FastPoints.Text
         public int ColumnOffsetBytes;
     }
 
-    // How many, and the byte of the first one.
     struct XyzAnomalies
     {
         public int BadRows;
@@ -240,8 +237,6 @@ namespace FastPoints.Text
         // Coordinates with more digits than the sample had, rounded to its step.
         public int Rounded;
         public long FirstRounded;
-
-        // Values that do not fit into their column's type.
         public int Misfits;
         public long FirstMisfit;
 

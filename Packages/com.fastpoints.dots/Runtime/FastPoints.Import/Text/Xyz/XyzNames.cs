@@ -6,7 +6,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    // What some rows show about one column.
     struct XyzColumn
     {
         public double Min;
@@ -74,7 +73,6 @@ namespace FastPoints.Text
         }
     }
 
-    // By names that the file or the caller gives, or by guessing from the values.
     static class XyzNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase)

@@ -39,7 +39,6 @@ namespace FastPoints.Text
 
         internal XyzDialect Dialect => m_sniff.Dialect;
 
-        // Null if the file is not lines of numbers.
         public static XyzReader Open(FileSource source, string[] textColumns)
         {
             var sniff = XyzSniff.Find(source, textColumns);

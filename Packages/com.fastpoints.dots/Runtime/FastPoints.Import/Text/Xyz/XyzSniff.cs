@@ -83,7 +83,6 @@ namespace FastPoints.Text
             return end;
         }
 
-        // Of each line that is not blank.
         static List<(int First, int End)> LinesOf(byte[] bytes, int first, int end)
         {
             var lines = new List<(int, int)>();
@@ -101,7 +100,6 @@ namespace FastPoints.Text
             return lines;
         }
 
-        // From the lines that start like a number.
         bool ChooseDialect(byte[] bytes, List<(int First, int End)> lines)
         {
             bool mayStartWithText = m_given != null && m_given.Length > 0 && m_given[0] == "-";
