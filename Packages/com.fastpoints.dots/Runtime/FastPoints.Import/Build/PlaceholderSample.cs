@@ -101,8 +101,8 @@ namespace FastPoints.Build
             var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
                 m_build.Settings.Workers, m_build.InFlightMs);
             using var consumer = new Consumer(this, grid, longest);
-            yield return JobStep.Of(SourceScan.Run(reader, wanted, consumer, limit, m_build.Settings.Workers, 0, runs.Count,
-                r => runs[r], longest, null));
+            yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), wanted, consumer, limit,
+                m_build.Settings.Workers, null));
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>

@@ -99,9 +99,18 @@ namespace FastPoints.Las
         static void CheckTrailing(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
         {
             long end = fileBytes;
-            Section(header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data", header, pointsEnd, ref end, info);
+            var sections = new List<(ulong At, int Field, string Name)>
+            {
+                (header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data"),
+            };
             if (header.EvlrCount > 0)
-                Section(header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR", header, pointsEnd, ref end, info);
+                sections.Add((header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR"));
+            foreach (var (at, field, name) in sections)
+                if (at > header.PointsOffset && at < (ulong)pointsEnd)
+                    info.Warn(field, name + " would start at byte " + NumberText.Of(at)
+                        + ", among the points: the point count is believed");
+                else if (at >= (ulong)pointsEnd && at < (ulong)end)
+                    end = (long)at;
             long rest = end - pointsEnd;
             if (rest >= header.RecordBytes)
                 info.Warn(header.PointsClaimedAt, "behind the " + NumberText.Of(header.PointsClaimed)
@@ -109,15 +118,6 @@ namespace FastPoints.Las
                     + NumberText.Of((ulong)(rest / header.RecordBytes)) + " more");
             else if (rest > 0)
                 info.Fact("bytes behind the points", NumberText.Of((ulong)rest));
-        }
-
-        static void Section(ulong at, int field, string name, LasHeader header, long pointsEnd, ref long end, SourceInfo info)
-        {
-            if (at > header.PointsOffset && at < (ulong)pointsEnd)
-                info.Warn(field, name + " would start at byte " + NumberText.Of(at)
-                    + ", among the points: the point count is believed");
-            else if (at >= (ulong)pointsEnd && at < (ulong)end)
-                end = (long)at;
         }
 
         static long NextSection(ulong at, long start, long fileBytes) =>

@@ -103,7 +103,7 @@ namespace FastPoints.Las
                 Array.Clear(m_buffer, 0, count * RecordBytes);
                 fixed (byte* records = m_buffer)
                 fixed (FieldCopy* plan = copies)
-                    PointRecords.FromColumns(columns, first, count, plan, copies.Length, records, RecordBytes);
+                    PointRecords.FromColumns(columns, first, count, new FieldCopies(plan, copies.Length), records, RecordBytes);
                 Write(m_buffer, count);
             }
         }

@@ -133,8 +133,7 @@ namespace FastPoints.Laz
             if (count <= skipped)
                 return;
             PointRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
-                (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
-                (int)(first + skipped - Skip));
+                Copies, (byte*)Columns.GetUnsafePtr(), (int)(first + skipped - Skip));
             result.Points = (int)(first + count - Skip);
         }
 

@@ -80,9 +80,8 @@ namespace FastPoints.Laz
                 int skipped = Skip > first ? (Skip - first < got ? Skip - first : got) : 0;
                 if (got > skipped)
                 {
-                    PointRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped,
-                        (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
-                        first + skipped - Skip);
+                    PointRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped, Copies,
+                        (byte*)Columns.GetUnsafePtr(), first + skipped - Skip);
                     result.Points = first + got - Skip;
                 }
                 done += got;

@@ -66,7 +66,7 @@ namespace FastPoints.Ply
             var step = (PlyStep*)Steps.GetUnsafeReadOnlyPtr();
             for (int i = 0; i < steps; i++, step++)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p))
                     return PlyError.MissingValue;
                 if (step->Kind == PlyStepKind.Value)
@@ -121,14 +121,14 @@ namespace FastPoints.Ply
                 }
                 for (; values > 0; values--)
                 {
-                    SkipBlanks(ref p);
+                    AsciiLines.SkipBlanks(ref p);
                     if (AsciiLines.IsLineEnd(*p))
                         return PlyError.MissingValue;
                     while (*p > ' ')
                         p++;
                 }
             }
-            SkipBlanks(ref p);
+            AsciiLines.SkipBlanks(ref p);
             if (!AsciiLines.IsLineEnd(*p) && anomalies.LinesWithExtraValues++ == 0)
                 anomalies.FirstExtraOffset = Range.Offset + (p - input);
             return PlyError.None;
@@ -159,12 +159,6 @@ namespace FastPoints.Ply
             if (step->AlphaOffsetBytes >= 0)
                 output[step->AlphaOffsetBytes + row] = (byte)(bits >> 24);
             return true;
-        }
-
-        static void SkipBlanks(ref byte* p)
-        {
-            while (*p <= ' ' && !AsciiLines.IsLineEnd(*p))
-                p++;
         }
     }
 

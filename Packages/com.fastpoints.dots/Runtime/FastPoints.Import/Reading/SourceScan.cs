@@ -7,18 +7,16 @@ namespace FastPoints.Reading
 {
     internal static class SourceScan
     {
-        /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
+        // One block is decoded on each worker, and one read for it.
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
 
         // Bounds a scan's resident set, whatever the number of cores and the size of blocks.
         public const long MaxSlotBytes = 96L << 20;
 
-        public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
+        public static int SlotsFor(PointReader reader, PointSchema wanted) =>
+            reader.BlockCount == 0 ? 1 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, 0, MaxSlotBytes));
 
         // maxBytes is for all slots together; there is always one.
-        public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes) =>
-            reader.BlockCount == 0 ? 1 : Math.Min(DefaultSlots, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes));
-
         internal static int SlotsIn(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
         {
             long fileBytes = reader.BytesOfRange(new BlockRange(0, 0, reader.PointsInBlock(0)));
@@ -30,11 +28,8 @@ namespace FastPoints.Reading
         // Points that a worker takes in a millisecond at most: of records of one length, and of all others.
         const double RecordsPerMs = 8000, OthersPerMs = 2000;
 
-        /// <summary>Slots for a coroutine that is ticked: as many at first as are done in the time, or as one that awaits each
-        /// needs, and as many as memory allows where workers run out of them. See
-        /// <see cref="SlotsFor(PointReader, PointSchema, int, long)"/>.</summary>
-        /// <param name="chains">As in <see cref="Run(PointReader, PointSchema, IBlockConsumer, InFlightLimit, int, int, int,
-        /// StageProgress)"/>.</param>
+        // For a coroutine that is ticked: as many at first as are done in the time, or as one that awaits each needs, and as many
+        // as memory allows where workers run out of them.
         public static InFlightLimit LimitFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes,
             int chains, Func<double> ms)
         {
@@ -46,32 +41,45 @@ namespace FastPoints.Reading
             return new InFlightLimit(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
         }
 
-        /// <summary>Coroutine: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
-        /// <param name="slots">Blocks in flight, which determine the memory.</param>
+        // Coroutine: decodes what is wanted of every block and hands each to the consumer. The slots determine the memory.
         public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
             StageProgress progress) =>
-            Run(reader, wanted, consumer, new InFlightLimit(slots, slots, () => 0), 0, 0, reader.BlockCount, progress);
+            Run(ScanRanges.Blocks(reader, 0, reader.BlockCount), wanted, consumer, new InFlightLimit(slots, slots, () => 0), 0,
+                progress);
 
-        /// <summary>The same for some blocks: from <paramref name="firstBlock"/> to before <paramref name="endBlock"/>.</summary>
-        /// <param name="limit">Blocks in flight.</param>
-        /// <param name="chains">The most blocks whose jobs run side by side; 0 for all that are in flight.</param>
-        public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer,
-            InFlightLimit limit,
-            int chains, int firstBlock, int endBlock, StageProgress progress) =>
-            Run(reader, wanted, consumer, limit, chains, firstBlock, endBlock,
-                block => new BlockRange(block, 0, reader.PointsInBlock(block)), reader.MaxPointsPerBlock, progress);
-
-        /// <summary>The same for ranges of blocks.</summary>
-        /// <param name="rangeOf">A range by its number, from <paramref name="first"/> to before <paramref name="end"/>.</param>
-        /// <param name="longest">The most points of a range.</param>
-        public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer,
-            InFlightLimit limit,
-            int chains, int first, int end, Func<int, BlockRange> rangeOf, int longest, StageProgress progress)
+        // chains: the most ranges whose jobs run side by side; 0 for all that are in flight.
+        public static IEnumerator<JobStep> Run(ScanRanges ranges, PointSchema wanted, IBlockConsumer consumer,
+            InFlightLimit limit, int chains, StageProgress progress)
         {
-            using var slots = new ReadSlots(reader, wanted, longest, limit, chains);
-            yield return JobStep.Of(slots.Run(consumer, first, end, (read, n) => read.Begin(rangeOf(n)), progress));
+            using var slots = new ReadSlots(ranges.Reader, wanted, ranges.Longest, limit, chains);
+            yield return JobStep.Of(slots.Run(consumer, ranges.First, ranges.End,
+                (read, n) => read.Begin(ranges.RangeOf(n)), progress));
             yield return JobStep.Of(slots.Free());
         }
+    }
+
+    // What is scanned of a source: ranges by their numbers, from First to before End.
+    internal sealed class ScanRanges
+    {
+        public PointReader Reader;
+        public int First;
+        public int End;
+        public Func<int, BlockRange> RangeOf;
+
+        // Points of the longest range, or more.
+        public int Longest;
+
+        public static ScanRanges Blocks(PointReader reader, int first, int end) => new ScanRanges
+        {
+            Reader = reader,
+            First = first,
+            End = end,
+            RangeOf = block => new BlockRange(block, 0, reader.PointsInBlock(block)),
+            Longest = reader.MaxPointsPerBlock,
+        };
+
+        public static ScanRanges Of(PointReader reader, List<BlockRange> ranges, int longest) =>
+            new ScanRanges { Reader = reader, End = ranges.Count, RangeOf = n => ranges[n], Longest = longest };
     }
 
     internal interface IBlockConsumer

@@ -66,8 +66,8 @@ namespace FastPoints.Sampling
                     int longest = LongestOf(runs);
                     var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
                     using var consumer = new Appending(sample, reader, runs, longest);
-                    yield return JobStep.Of(SourceScan.Run(reader, positions, consumer, limit, chains, 0, runs.Count,
-                        r => runs[r], longest, null));
+                    yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), positions, consumer, limit,
+                        chains, null));
                     measured = measure(sample.Stored, default);
                     yield return measured;
                 }

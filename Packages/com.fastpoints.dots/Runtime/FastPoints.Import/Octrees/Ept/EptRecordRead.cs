@@ -38,8 +38,7 @@ namespace FastPoints.Octrees
             else
             {
                 byte* records = (byte*)Records.GetUnsafeReadOnlyPtr() + (long)FirstRecord * RecordBytes;
-                PointRecords.ToColumns(records, RecordBytes, Count, (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length,
-                    (byte*)Columns.GetUnsafePtr(), First);
+                PointRecords.ToColumns(records, RecordBytes, Count, Copies, (byte*)Columns.GetUnsafePtr(), First);
                 result.Points = First + Count;
             }
             Result.Value = result;

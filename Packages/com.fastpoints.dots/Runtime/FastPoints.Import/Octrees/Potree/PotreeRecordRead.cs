@@ -78,8 +78,7 @@ namespace FastPoints.Octrees
         {
             byte* records = (byte*)Records.GetUnsafeReadOnlyPtr() + (long)First * RecordBytes;
             byte* columns = (byte*)Columns.GetUnsafePtr();
-            PointRecords.ToColumns(records, RecordBytes, Count, (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length,
-                columns, First);
+            PointRecords.ToColumns(records, RecordBytes, Count, Copies, columns, First);
             var result = First == 0 ? default : Result.Value;
             for (int axis = 0; axis < 3; axis++)
                 if (Special.Position[axis] >= 0 && Shift[axis] != 0)

@@ -36,13 +36,13 @@ namespace FastPoints.Octrees
                 return;
             byte* from = (byte*)Tile.GetUnsafeReadOnlyPtr() + (long)FirstInTile * BytesPerPoint;
             byte* columns = (byte*)Columns.GetUnsafePtr();
-            var copies = (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy;
+            var copies = new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy, CopyCount);
             if (Kind == PotreeAttributeKind.Position)
                 SpreadPositions((ulong*)from, columns);
             else if (Kind == PotreeAttributeKind.Color)
                 SpreadColors((ulong*)from, copies, columns);
             else if (CopyCount > 0)
-                PointRecords.ToColumns(from, BytesPerPoint, Count, copies, CopyCount, columns, First);
+                PointRecords.ToColumns(from, BytesPerPoint, Count, copies, columns, First);
             else
                 Special.DecodeNormals(from, BytesPerPoint, Count, columns, First);
         }
@@ -69,7 +69,7 @@ namespace FastPoints.Octrees
         }
 
         // As tiles of records, which the plan's copies take apart.
-        void SpreadColors(ulong* codes, FieldCopy* copies, byte* columns)
+        void SpreadColors(ulong* codes, FieldCopies copies, byte* columns)
         {
             const int TilePoints = 256;
             ushort* records = stackalloc ushort[3 * TilePoints];
@@ -83,7 +83,7 @@ namespace FastPoints.Octrees
                     records[3 * i + 1] = (ushort)green;
                     records[3 * i + 2] = (ushort)blue;
                 }
-                PointRecords.ToColumns((byte*)records, 6, count, copies, CopyCount, columns, First + first);
+                PointRecords.ToColumns((byte*)records, 6, count, copies, columns, First + first);
             }
         }
     }

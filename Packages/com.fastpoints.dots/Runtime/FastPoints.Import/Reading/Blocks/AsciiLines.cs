@@ -43,6 +43,13 @@ namespace FastPoints.Reading
     {
         public static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
 
+        // Within the line.
+        public static void SkipBlanks(ref byte* p)
+        {
+            while (*p <= ' ' && !IsLineEnd(*p))
+                p++;
+        }
+
         // There must be one.
         public static byte* LineEnd(byte* p)
         {

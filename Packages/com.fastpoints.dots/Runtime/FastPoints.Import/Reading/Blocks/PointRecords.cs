@@ -1,3 +1,6 @@
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
 namespace FastPoints.Reading
 {
     // One tight strided loop for each copy of a plan; called by jobs and directly. Values in a record are not aligned, so they
@@ -7,30 +10,30 @@ namespace FastPoints.Reading
     {
         const int TileBytes = 16 << 10;
 
-        public static void ToColumns(byte* records, int recordBytes, int count, FieldCopy* copies, int copyCount,
-            byte* columns, int firstPoint = 0)
+        public static void ToColumns(byte* records, int recordBytes, int count, FieldCopies copies, byte* columns,
+            int firstPoint = 0)
         {
             int tilePoints = TilePoints(recordBytes);
             for (int first = 0; first < count; first += tilePoints)
             {
                 int points = count - first < tilePoints ? count - first : tilePoints;
                 byte* tile = records + (long)first * recordBytes;
-                for (int i = 0; i < copyCount; i++)
-                    ToColumn(tile, recordBytes, points, copies + i, columns, firstPoint + first);
+                for (int i = 0; i < copies.Count; i++)
+                    ToColumn(tile, recordBytes, points, copies.First + i, columns, firstPoint + first);
             }
         }
 
         // The other bytes (and bits) of the records stay as they are.
-        public static void FromColumns(byte* columns, int firstPoint, int count, FieldCopy* copies, int copyCount,
-            byte* records, int recordBytes)
+        public static void FromColumns(byte* columns, int firstPoint, int count, FieldCopies copies, byte* records,
+            int recordBytes)
         {
             int tilePoints = TilePoints(recordBytes);
             for (int first = 0; first < count; first += tilePoints)
             {
                 int points = count - first < tilePoints ? count - first : tilePoints;
                 byte* tile = records + (long)first * recordBytes;
-                for (int i = 0; i < copyCount; i++)
-                    FromColumn(columns, firstPoint + first, points, copies + i, tile, recordBytes);
+                for (int i = 0; i < copies.Count; i++)
+                    FromColumn(columns, firstPoint + first, points, copies.First + i, tile, recordBytes);
             }
         }
 
@@ -283,5 +286,21 @@ namespace FastPoints.Reading
             for (int i = 0; i < count; i++, to += stride)
                 *(uint*)to = from[i];
         }
+    }
+
+    // Copies of a plan, in memory that stays where it is meanwhile.
+    internal readonly unsafe struct FieldCopies
+    {
+        public readonly FieldCopy* First;
+        public readonly int Count;
+
+        public FieldCopies(FieldCopy* first, int count)
+        {
+            First = first;
+            Count = count;
+        }
+
+        public static implicit operator FieldCopies(NativeArray<FieldCopy> copies) =>
+            new FieldCopies((FieldCopy*)copies.GetUnsafeReadOnlyPtr(), copies.Length);
     }
 }

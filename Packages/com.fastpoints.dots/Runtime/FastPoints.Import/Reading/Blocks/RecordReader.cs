@@ -202,8 +202,8 @@ namespace FastPoints.Reading
 
         public unsafe void Execute()
         {
-            PointRecords.ToColumns((byte*)Records.GetUnsafeReadOnlyPtr(), RecordBytes, Count,
-                (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr());
+            PointRecords.ToColumns((byte*)Records.GetUnsafeReadOnlyPtr(), RecordBytes, Count, Copies,
+                (byte*)Columns.GetUnsafePtr());
             Result.Value = new DecodeResult { Points = Count };
         }
     }

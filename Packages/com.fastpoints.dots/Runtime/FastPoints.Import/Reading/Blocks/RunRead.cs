@@ -145,8 +145,7 @@ namespace FastPoints.Reading
                 var run = Runs[i];
                 if (run.FirstByte + (run.Count - 1L) * run.StrideBytes + RecordBytes > Records.Length)
                     return;
-                PointRecords.ToColumns(records + run.FirstByte, run.StrideBytes, run.Count,
-                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, columns, run.Place);
+                PointRecords.ToColumns(records + run.FirstByte, run.StrideBytes, run.Count, Copies, columns, run.Place);
             }
         }
     }

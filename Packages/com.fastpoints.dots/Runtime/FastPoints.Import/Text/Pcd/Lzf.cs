@@ -170,7 +170,8 @@ namespace FastPoints.Text
                     taken += bytes;
                 }
                 PointRecords.ToColumns(decoded + segment.Skip + (long)First * segment.FieldBytes, segment.FieldBytes, Count,
-                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.Copies, (byte*)Columns.GetUnsafePtr());
+                    new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.Copies),
+                    (byte*)Columns.GetUnsafePtr());
             }
             Result.Value = new DecodeResult { Points = Count };
         }

@@ -57,7 +57,7 @@ namespace FastPoints.Text
             position = default;
             for (int axis = 0; axis < 3; axis++)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryDouble(ref p, out double value))
                     return false;
                 position[axis] = value;
@@ -72,13 +72,13 @@ namespace FastPoints.Text
             var color = default(int3);
             if (Columns.Values >= 4)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryFloat(ref p, out intensity))
                     return false;
             }
             for (int i = 0; i < Columns.Values - 4; i++)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryInteger(ref p, out ulong value, out bool isNegative, out _))
                     return false;
                 color[i] = isNegative ? 0 : (int)math.min(value, 255);
@@ -97,12 +97,6 @@ namespace FastPoints.Text
                 ((ushort*)(output + Columns.ScanNumber))[row] = ScanNumber;
             points++;
             return true;
-        }
-
-        static void SkipBlanks(ref byte* p)
-        {
-            while (*p <= ' ' && !AsciiLines.IsLineEnd(*p))
-                p++;
         }
     }
 
