@@ -26,8 +26,8 @@ namespace FastPoints.E57
         {
             if (root.TextOf("formatName") != "ASTM E57 3D Imaging Data File")
                 info.Warn(-1, "formatName: wanted \"ASTM E57 3D Imaging Data File\", got \"" + root.TextOf("formatName") + "\"");
-            Text(info, "guid", root, "guid");
-            Text(info, "library", root, "e57LibraryVersion");
+            info.FactIfAny("guid", root.TextOf("guid"));
+            info.FactIfAny("library", root.TextOf("e57LibraryVersion"));
             var created = root.Child("creationDateTime");
             double seconds = created?.NumberOf("dateTimeValue") ?? 0;
             if (seconds > 0)
@@ -50,7 +50,7 @@ namespace FastPoints.E57
             if (scan.Index >= MaxWholeScans)
                 return;
             foreach (string name in s_texts)
-                Text(info, "  " + name, node, name);
+                info.FactIfAny("  " + name, node.TextOf(name));
             foreach (string name in s_numbers)
                 if (node.Child(name) != null)
                     info.Fact("  " + name, NumberText.Of(node.NumberOf(name)));
@@ -151,13 +151,6 @@ namespace FastPoints.E57
             for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
                 info.Fact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
                     images.Children[i].TextOf("guid") ?? "without a name");
-        }
-
-        static void Text(SourceInfo info, string fact, E57Node node, string name)
-        {
-            string text = node.TextOf(name);
-            if (text != null)
-                info.Fact(fact, text);
         }
     }
 }

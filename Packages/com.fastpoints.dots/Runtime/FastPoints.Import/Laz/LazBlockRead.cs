@@ -147,22 +147,11 @@ namespace FastPoints.Laz
         {
             var layers = m_format.Layers;
             m_bytesPerPoint = OwnArray<int>(Math.Max(1, layers.Length), allocator, NativeArrayOptions.ClearMemory);
-            if (!m_format.IsLayered)
-            {
-                m_state = OwnArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator);
-                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
-                return true;
-            }
-            var isWanted = LazLayerChoice.Choose(layers, m_blocks.Las.Layout.Fields, wanted);
-            m_state = OwnArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator);
-            LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
-            bool needsAll = true;
-            for (int i = 0; i < layers.Length; i++)
-            {
+            var isWanted = m_format.IsLayered ? LazLayerChoice.Choose(layers, m_blocks.Las.Layout.Fields, wanted) : null;
+            m_state = Own(m_format.CreateDecoder(isWanted, allocator));
+            for (int i = 0; m_format.IsLayered && i < layers.Length; i++)
                 m_bytesPerPoint[i] = isWanted[i] ? layers[i].MaxInputBytesPerPoint : 0;
-                needsAll &= isWanted[i];
-            }
-            return needsAll;
+            return isWanted == null || Array.TrueForAll(isWanted, layer => layer);
         }
 
         public override bool TryKeepStates() => m_keepsStates = true;

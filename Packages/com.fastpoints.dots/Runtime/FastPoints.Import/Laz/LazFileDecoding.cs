@@ -55,7 +55,9 @@ namespace FastPoints.Laz
             int recordBytes = m_las.Header.RecordBytes;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / recordBytes));
             m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(m_las.Layout.Fields, batch), allocator);
-            ConfigureDecoder(batch.Schema, allocator);
+            bool isLayered = m_format != null && m_format.IsLayered;
+            var isWanted = isLayered ? LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, batch.Schema) : null;
+            m_decoder = m_format?.CreateDecoder(isWanted, allocator) ?? new NativeArray<byte>(1, allocator);
             m_items = new NativeArray<byte>(m_format?.ItemBytesOfVlr() ?? new byte[0], allocator);
             m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<LazFileState>(allocator);
@@ -105,26 +107,6 @@ namespace FastPoints.Laz
             m_tile.Dispose();
             m_copies.Dispose();
             m_state.Dispose();
-        }
-
-        void ConfigureDecoder(PointSchema wanted, Allocator allocator)
-        {
-            if (m_format == null)
-            {
-                m_decoder = new NativeArray<byte>(1, allocator);
-                return;
-            }
-            if (!m_format.IsLayered)
-            {
-                m_decoder = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
-                    NativeArrayOptions.UninitializedMemory);
-                PointwiseChunk.Configure((PointwiseChunk*)m_decoder.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
-                return;
-            }
-            var isWanted = LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, wanted);
-            long bytes = LayeredChunk.StateBytes(m_format.Layers, isWanted, m_format.RecordBytes);
-            m_decoder = new NativeArray<byte>((int)bytes, allocator, NativeArrayOptions.UninitializedMemory);
-            LayeredChunk.Configure((LayeredChunk*)m_decoder.GetUnsafePtr(), m_format.Layers, isWanted, m_format.RecordBytes);
         }
     }
 }

@@ -7,18 +7,42 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    static class PotreeIndexes
+    // What cloud.js and metadata.json have in common.
+    abstract class PotreeIndex
     {
-        public static PotreeAttribute ReadAttribute(JsonMembers item, string elementsName, SourceInfo info)
+        private protected PotreeIndex(JsonMembers json, string version, BoundsGeo box)
+        {
+            if (box.IsEmpty)
+                throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"", "a box",
+                    "a maximum below the minimum");
+            Info = new SourceInfo
+            {
+                Path = json.Path,
+                FileBytes = json.FileBytes,
+                Format = "Potree",
+                Version = version,
+                PointsClaimed = (ulong)Math.Max(0, json.Long("points", 0)),
+                HasBoundsClaimed = true,
+            };
+            Cube = box;
+            // Without one, 1/128 of the cube's edge, as converters use.
+            double spacing = json.Number("spacing", 0);
+            Spacing = spacing > 0 ? spacing : math.cmax(box.Size) / 128;
+        }
+
+        public SourceInfo Info { get; }
+        public BoundsGeo Cube { get; }
+        public double Spacing { get; }
+
+        private protected static PotreeAttribute ReadAttribute(JsonMembers item, string elementsName, SourceInfo info)
         {
             long bytes = item.Long("size");
             if (bytes < 1 || bytes > PotreeAttribute.MaxElements * 8)
                 throw item.Bad("size", "1 to " + PotreeAttribute.MaxElements * 8 + " bytes");
             long elements = item.Long(elementsName, 1);
-            double[] scales = item.IsNumbers("scale", (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements)))
-                ? item.Numbers("scale", (int)elements) : null;
-            double[] offsets = item.IsNumbers("offset", (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements)))
-                ? item.Numbers("offset", (int)elements) : null;
+            int numbers = (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements));
+            double[] scales = item.IsNumbers("scale", numbers) ? item.Numbers("scale", (int)elements) : null;
+            double[] offsets = item.IsNumbers("offset", numbers) ? item.Numbers("offset", (int)elements) : null;
             if (scales != null && Array.IndexOf(scales, 0.0) >= 0)
                 scales = null;
             var attribute = PotreeAttribute.Make(item.Text("name"), item.Text("type", ""), (int)bytes, scales, offsets,
@@ -32,49 +56,45 @@ namespace FastPoints.Octrees
         }
 
         // No writer produces zero or negative ones.
-        public static double3 UsableScale(double3 scale, JsonMembers json) =>
+        private protected static double3 UsableScale(double3 scale, JsonMembers json) =>
             math.all(scale > 0) ? scale : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"scale\"",
                 "numbers above 0", NumberText.Of(scale));
 
-        public static BoundsGeo Cube(BoundsGeo box, JsonMembers json) =>
-            !box.IsEmpty ? box : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"",
-                "a box", "a maximum below the minimum");
-
-        // Without one, 1/128 of the cube's edge, as converters use.
-        public static double Spacing(JsonMembers json, BoundsGeo cube)
-        {
-            double spacing = json.Number("spacing", 0);
-            return spacing > 0 ? spacing : math.cmax(cube.Size) / 128;
-        }
-
         // Any kind of text: well-known text, a PROJ string, a code.
-        public static void ReadProjection(JsonMembers json, SourceInfo info)
+        private protected void AddFacts(JsonMembers json)
         {
+            Info.Fact("spacing", NumberText.Of(Spacing));
             string text = json.Text("projection", "").Trim();
-            if (text.Length == 0 || WktCoordinateSystem.Read(text, info.Crs))
+            if (text.Length == 0 || WktCoordinateSystem.Read(text, Info.Crs))
                 return;
-            info.Crs.Name = text;
+            Info.Crs.Name = text;
             if (text.StartsWith("EPSG:", StringComparison.OrdinalIgnoreCase) && int.TryParse(text.Substring(5), NumberStyles.None,
                 CultureInfo.InvariantCulture, out int code))
-                info.Crs.Epsg = code;
-        }
-
-        public static void AddFact(JsonMembers json, string name, SourceInfo info)
-        {
-            string text = json.Text(name, "");
-            if (text.Length > 0)
-                info.Fact(name, text);
+                Info.Crs.Epsg = code;
         }
     }
 
-    sealed class Potree2Index
+    sealed class Potree2Index : PotreeIndex
     {
-        public SourceInfo Info { get; private set; }
-        public PotreeLayout Layout { get; private set; }
-        public BoundsGeo Cube { get; private set; }
-        public double Spacing { get; private set; }
-        public long FirstChunkBytes { get; private set; }
-        public bool IsBrotli { get; private set; }
+        Potree2Index(JsonMembers json, string encoding, BoundsGeo box) : base(json, json.Text("version", "2"), box)
+        {
+            Info.Transform.Scale = UsableScale(json.Vector("scale"), json);
+            Info.Transform.Offset = json.Vector("offset");
+            Info.BoundsClaimed = box;
+            IsBrotli = encoding == "BROTLI";
+            FirstChunkBytes = json.Object("hierarchy").Long("firstChunkSize");
+            Layout = new PotreeLayout(ReadAttributes(json), json.Path);
+            Info.Schema = Layout.Schema;
+            Info.RecordBytes = IsBrotli ? 0 : Layout.RecordBytes;
+            Info.FactIfAny("name", json.Text("name", ""));
+            Info.FactIfAny("description", json.Text("description", ""));
+            Info.Fact("encoding", encoding);
+            AddFacts(json);
+        }
+
+        public PotreeLayout Layout { get; }
+        public long FirstChunkBytes { get; }
+        public bool IsBrotli { get; }
 
         public static Potree2Index Read(JsonMembers json)
         {
@@ -82,47 +102,18 @@ namespace FastPoints.Octrees
             if (encoding != "DEFAULT" && encoding != "BROTLI" && encoding != "UNCOMPRESSED")
                 throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "encoding", "DEFAULT or BROTLI",
                     encoding);
-            var info = new SourceInfo
-            {
-                Path = json.Path,
-                FileBytes = json.FileBytes,
-                Format = "Potree",
-                Version = json.Text("version", "2"),
-                PointsClaimed = (ulong)System.Math.Max(0, json.Long("points", 0)),
-            };
-            info.Transform.Scale = PotreeIndexes.UsableScale(json.Vector("scale"), json);
-            info.Transform.Offset = json.Vector("offset");
             var box = json.Object("boundingBox");
-            var index = new Potree2Index
-            {
-                Info = info,
-                Cube = PotreeIndexes.Cube(new BoundsGeo(box.Vector("min"), box.Vector("max")), json),
-                IsBrotli = encoding == "BROTLI",
-                FirstChunkBytes = json.Object("hierarchy").Long("firstChunkSize"),
-            };
-            index.Spacing = PotreeIndexes.Spacing(json, index.Cube);
-            index.Layout = new PotreeLayout(ReadAttributes(json, info), json.Path);
-            info.Schema = index.Layout.Schema;
-            info.RecordBytes = index.IsBrotli ? 0 : index.Layout.RecordBytes;
-            info.HasBoundsClaimed = true;
-            PotreeIndexes.ReadProjection(json, info);
-            PotreeIndexes.AddFact(json, "name", info);
-            PotreeIndexes.AddFact(json, "description", info);
-            info.Fact("encoding", encoding);
-            info.Fact("spacing", NumberText.Of(index.Spacing));
-            return index;
+            return new Potree2Index(json, encoding, new BoundsGeo(box.Vector("min"), box.Vector("max")));
         }
 
-        static List<PotreeAttribute> ReadAttributes(JsonMembers json, SourceInfo info)
+        List<PotreeAttribute> ReadAttributes(JsonMembers json)
         {
             var attributes = new List<PotreeAttribute>();
-            var box = json.Object("boundingBox");
-            info.BoundsClaimed = new BoundsGeo(box.Vector("min"), box.Vector("max"));
             foreach (var item in json.Objects("attributes"))
             {
-                var attribute = PotreeIndexes.ReadAttribute(item, "numElements", info);
+                var attribute = ReadAttribute(item, "numElements", Info);
                 if (attribute.IsPosition && item.IsNumbers("min", 3) && item.IsNumbers("max", 3))
-                    TightenBounds(new BoundsGeo(item.Vector("min"), item.Vector("max")), info);
+                    TightenBounds(new BoundsGeo(item.Vector("min"), item.Vector("max")), Info);
                 attributes.Add(attribute);
             }
             return attributes;
@@ -138,7 +129,7 @@ namespace FastPoints.Octrees
         }
     }
 
-    sealed class Potree1Index
+    sealed class Potree1Index : PotreeIndex
     {
         // Elements and type of the attributes that versions before 1.8 only name.
         static readonly Dictionary<string, (int Bytes, string Type)> s_named = new Dictionary<string, (int, string)>
@@ -151,15 +142,12 @@ namespace FastPoints.Octrees
             { "SPACING", (4, "float") },
         };
 
-        public SourceInfo Info { get; private set; }
-        public BoundsGeo Cube { get; private set; }
-        public double Spacing { get; private set; }
-        public double Scale { get; private set; }
-        public string OctreeFolder { get; private set; }
-        public int StepSize { get; private set; }
+        public double Scale { get; }
+        public string OctreeFolder { get; }
+        public int StepSize { get; }
 
         // Names and counts, in versions up to 1.4; null if it is in files.
-        public List<object> Hierarchy { get; private set; }
+        public List<object> Hierarchy { get; }
 
         // Of nodes in files of their own: "LAS" or "LAZ"; null for BIN.
         public string NodeFormat { get; private set; }
@@ -169,37 +157,28 @@ namespace FastPoints.Octrees
 
         public string UnknownAttribute { get; private set; }
 
+        Potree1Index(JsonMembers json, string version, BoundsGeo box) : base(json, version, box)
+        {
+            Scale = UsableScale(json.Number("scale"), json).x;
+            Info.Transform.Scale = Scale;
+            Info.Transform.Offset = box.Min;
+            Info.BoundsClaimed = json.IsObject("tightBoundingBox") ? Box(json.Object("tightBoundingBox")) : box;
+            OctreeFolder = json.Text("octreeDir", "data");
+            long stepSize = json.Long("hierarchyStepSize", PotreeReader.MaxLevels);
+            StepSize = (int)Math.Max(1, Math.Min(PotreeReader.MaxLevels, stepSize));
+            Hierarchy = json.IsList("hierarchy") ? json.List("hierarchy") : null;
+            ReadAttributes(json);
+            Info.Fact("nodes", NodeFormat ?? "BIN");
+            AddFacts(json);
+        }
+
         public static Potree1Index Read(JsonMembers json)
         {
             string version = json.Text("version", "");
             if (!TryMinor(version, out int minor) || minor < 4 || minor > 8)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "version of cloud.js", "1.4 to 1.8",
                     version.Length > 0 ? version : "none");
-            var info = new SourceInfo
-            {
-                Path = json.Path,
-                FileBytes = json.FileBytes,
-                Format = "Potree",
-                Version = version,
-                PointsClaimed = (ulong)Math.Max(0, json.Long("points", 0)),
-            };
-            var box = Box(json.Object("boundingBox"));
-            var index = new Potree1Index { Info = info, Cube = PotreeIndexes.Cube(box, json) };
-            index.Spacing = PotreeIndexes.Spacing(json, index.Cube);
-            index.Scale = PotreeIndexes.UsableScale(json.Number("scale"), json).x;
-            info.Transform.Scale = index.Scale;
-            info.Transform.Offset = box.Min;
-            info.HasBoundsClaimed = true;
-            info.BoundsClaimed = json.IsObject("tightBoundingBox") ? Box(json.Object("tightBoundingBox")) : box;
-            index.OctreeFolder = json.Text("octreeDir", "data");
-            long stepSize = json.Long("hierarchyStepSize", PotreeReader.MaxLevels);
-            index.StepSize = (int)Math.Max(1, Math.Min(PotreeReader.MaxLevels, stepSize));
-            index.Hierarchy = json.IsList("hierarchy") ? json.List("hierarchy") : null;
-            index.ReadAttributes(json);
-            PotreeIndexes.ReadProjection(json, info);
-            info.Fact("nodes", index.NodeFormat ?? "BIN");
-            info.Fact("spacing", NumberText.Of(index.Spacing));
-            return index;
+            return new Potree1Index(json, version, Box(json.Object("boundingBox")));
         }
 
         void ReadAttributes(JsonMembers json)
@@ -216,7 +195,7 @@ namespace FastPoints.Octrees
             if (list.Count == 0 || !(list[0] is string))
             {
                 foreach (var item in json.Objects("pointAttributes"))
-                    Attributes.Add(PotreeIndexes.ReadAttribute(item, "elements", Info));
+                    Attributes.Add(ReadAttribute(item, "elements", Info));
                 return;
             }
             foreach (object item in list)

@@ -165,19 +165,12 @@ namespace FastPoints.Reading
     // earlier ones; whether it starts within a line does, and is settled here, in order.
     sealed class AsciiRowScan : IDisposable
     {
-        sealed class Slot
-        {
-            public NativeFileRead Read;
-            public NativeReference<AsciiRowCount> Count;
-            public JobHandle Counted;
-        }
-
         readonly SourceHandle m_file;
         readonly long m_fileBytes;
         readonly int m_blockBytes;
         readonly ulong m_rowsBefore;
         readonly ulong m_rowsEnd;
-        readonly Slot[] m_slots;
+        readonly AsciiSlot[] m_slots;
         readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
         long m_offset;
         SlotRing m_ring;
@@ -196,15 +189,11 @@ namespace FastPoints.Reading
             m_rowsEnd = rowsEnd;
             m_offset = offset;
             long segments = (fileBytes - offset) / blockBytes + 1;
-            m_slots = new Slot[(int)Math.Min(segments, maxJobs > 0 ? maxJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
+            m_slots = new AsciiSlot[(int)Math.Min(segments, maxJobs > 0 ? maxJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
             long bytes = Math.Min(blockBytes, fileBytes);
             m_ring = new SlotRing(m_slots.Length);
             for (int i = 0; i < m_slots.Length; i++)
-                m_slots[i] = new Slot
-                {
-                    Read = new NativeFileRead(bytes, Allocator.Persistent),
-                    Count = new NativeReference<AsciiRowCount>(Allocator.Persistent),
-                };
+                m_slots[i] = new AsciiSlot(bytes);
         }
 
         public long Points { get; private set; }
@@ -227,19 +216,16 @@ namespace FastPoints.Reading
             return true;
         }
 
-        void Start(Slot slot)
+        void Start(AsciiSlot slot)
         {
             int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
-            var read = slot.Read.Begin(m_file, m_offset, bytes);
-            slot.Counted = new CountAsciiRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
+            slot.Begin(m_file, m_offset, bytes);
             m_offset += bytes;
         }
 
-        void Finish(Slot slot)
+        void Finish(AsciiSlot slot)
         {
-            slot.Counted.Complete();
-            slot.Read.End();
-            var count = slot.Count.Value;
+            var count = slot.End();
             ulong rows = (ulong)count.RowsBehindFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
             ulong before = m_rowsBefore > m_rows ? Math.Min(m_rowsBefore - m_rows, rows) : 0;
             ulong left = m_rowsEnd > m_rows + before ? m_rowsEnd - m_rows - before : 0;
@@ -264,11 +250,38 @@ namespace FastPoints.Reading
         public void Dispose()
         {
             foreach (var slot in m_slots)
-            {
-                slot.Counted.Complete();
-                slot.Read.Dispose();
-                slot.Count.Dispose();
-            }
+                slot.Dispose();
+        }
+    }
+
+    // A segment whose lines are counted.
+    sealed class AsciiSlot : IDisposable
+    {
+        readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
+
+        public AsciiSlot(long maxBytes) => Read = new NativeFileRead(maxBytes, Allocator.Persistent);
+
+        public NativeFileRead Read { get; }
+        public JobHandle Counted { get; private set; }
+
+        public JobHandle Begin(SourceHandle file, long offset, int bytes)
+        {
+            var read = Read.Begin(file, offset, bytes);
+            return Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = bytes, Result = m_rows }.Schedule(read);
+        }
+
+        public AsciiRowCount End()
+        {
+            Counted.Complete();
+            Read.End();
+            return m_rows.Value;
+        }
+
+        public void Dispose()
+        {
+            Counted.Complete();
+            Read.Dispose();
+            m_rows.Dispose();
         }
     }
 }

@@ -72,13 +72,19 @@ namespace FastPoints.Reading
             if (wanted <= 0)
                 yield break;
             var order = new SampleOrder(Count, OrderSeed);
-            var slots = new Slot[Math.Min(Slots, wanted)];
+            var slots = new AsciiSlot[Math.Min(Slots, wanted)];
+            var parts = new int[slots.Length];
             try
             {
                 for (int i = 0; i < slots.Length; i++)
-                    slots[i] = new Slot();
-                yield return JobStep.Of(SlotRing.Run(slots.Length, wanted,
-                    (slot, i) => slots[slot].Begin(order.StratumAt(first + i), this), slot => Take(slots[slot])));
+                    slots[i] = new AsciiSlot(SegmentBytes);
+                yield return JobStep.Of(SlotRing.Run(slots.Length, wanted, (slot, i) =>
+                {
+                    parts[slot] = order.StratumAt(first + i);
+                    var counted = slots[slot].Begin(m_file, OffsetOf(parts[slot]), SegmentBytes);
+                    JobHandle.ScheduleBatchedJobs();
+                    return counted;
+                }, slot => Take(slots[slot], parts[slot])));
             }
             finally
             {
@@ -97,11 +103,11 @@ namespace FastPoints.Reading
             return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)places);
         }
 
-        void Take(Slot slot)
+        void Take(AsciiSlot slot, int part)
         {
-            int rows = slot.End();
+            int rows = slot.End().RowsBehindFirstEnd;
             m_found++;
-            m_rowsOfPart[slot.Part] = rows;
+            m_rowsOfPart[part] = rows;
             if (rows == 0)
                 return;
             m_blocks.Add(new SegmentBlock
@@ -113,38 +119,6 @@ namespace FastPoints.Reading
                 StartsInRow = true,
             });
             m_points += rows;
-        }
-
-        sealed class Slot : IDisposable
-        {
-            readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
-
-            public NativeFileRead Read { get; } = new NativeFileRead(SegmentBytes, Allocator.Persistent);
-            public int Part { get; private set; }
-            public JobHandle Counted { get; private set; }
-
-            public JobHandle Begin(int part, AsciiSegments segments)
-            {
-                Part = part;
-                var read = Read.Begin(segments.m_file, segments.OffsetOf(part), SegmentBytes);
-                Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = SegmentBytes, Result = m_rows }.Schedule(read);
-                JobHandle.ScheduleBatchedJobs();
-                return Counted;
-            }
-
-            public int End()
-            {
-                Counted.Complete();
-                Read.End();
-                return m_rows.Value.RowsBehindFirstEnd;
-            }
-
-            public void Dispose()
-            {
-                Counted.Complete();
-                Read.Dispose();
-                m_rows.Dispose();
-            }
         }
     }
 }

@@ -1,6 +1,7 @@
 using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
+using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -126,5 +127,121 @@ namespace FastPoints.Octrees
 
         // In that plane, of the next packed word.
         public long Word;
+    }
+
+    // Some blocks of a plane, behind those of the previous slice. The planes of a node come one behind the other.
+    [BurstCompile]
+    internal unsafe struct PackPlaneJob : IJob
+    {
+        // About 2 ms.
+        public const int BlocksOfSlice = 512;
+
+        [ReadOnly] public NativeArray<byte> Columns;
+        [ReadOnly] public NativeArray<byte> Offsets;
+        [ReadOnly] public NativeArray<uint> PointOfRank;
+        public PlaneShape Shape;
+
+        // In the batch; the position plane has none.
+        public PointColumn Column0;
+        public PointColumn Column1;
+        public PointColumn Column2;
+
+        // Among the streamed planes: 0 is the position's.
+        public int Plane;
+
+        public int Count;
+        public int FirstBlock;
+        public int Capacity;
+
+        // Room for the longest that the planes can be.
+        public NativeArray<byte> Packed;
+
+        public NativeArray<long> LengthOfPlane;
+        public NativeReference<PackState> State;
+
+        public void Execute()
+        {
+            var state = State.Value;
+            if (state.IsDamaged)
+                return;
+            int blocks = PlaneShape.BlocksOf(Count);
+            if (FirstBlock == 0)
+                state.Word = (long)blocks * Shape.DescriptorWords;
+            uint* plane = (uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart);
+            uint* descriptor = plane + (long)FirstBlock * Shape.DescriptorWords;
+            ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
+            ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
+            ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
+            int end = math.min(FirstBlock + BlocksOfSlice, blocks);
+            for (int block = FirstBlock; block < end; block++)
+            {
+                int first = block * PlaneShape.MaxPointsPerBlock, count = math.min(PlaneShape.MaxPointsPerBlock, Count - first);
+                Gather(first, count, values);
+                BlockWriting.Write(values, count, Shape, plane, ref descriptor, ref state.Word, min, max);
+            }
+            if (end == blocks)
+            {
+                long length = PlaneShape.LengthBytes(state.Word);
+                UnsafeUtility.MemClear(plane + state.Word, length - state.Word * sizeof(uint));
+                LengthOfPlane[Plane] = length;
+                state.PlaneStart += length;
+            }
+            State.Value = state;
+        }
+
+        void Gather(int first, int count, ulong* values)
+        {
+            uint* points = (uint*)PointOfRank.GetUnsafeReadOnlyPtr() + first;
+            for (int c = 0; c < Shape.ColumnCount; c++)
+            {
+                if (Plane == 0)
+                    GatherOffsets(points, count, c, values);
+                else
+                    GatherColumn(points, count, c == 0 ? Column0 : c == 1 ? Column1 : Column2, c, values);
+            }
+        }
+
+        void GatherOffsets(uint* points, int count, int axis, ulong* values)
+        {
+            if (Shape.IsWide(axis))
+            {
+                ulong* wide = (ulong*)Offsets.GetUnsafeReadOnlyPtr() + (long)axis * Capacity;
+                for (int i = 0; i < count; i++)
+                    BlockWriting.WideOf(values, axis)[i] = wide[points[i]];
+                return;
+            }
+            uint* narrow = (uint*)Offsets.GetUnsafeReadOnlyPtr() + (long)axis * Capacity;
+            uint* to = BlockWriting.NarrowOf(values, axis);
+            for (int i = 0; i < count; i++)
+                to[i] = narrow[points[i]];
+        }
+
+        void GatherColumn(uint* points, int count, PointColumn column, int c, ulong* values)
+        {
+            byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + column.OffsetBytes;
+            uint* to = BlockWriting.NarrowOf(values, c);
+            var type = column.Type;
+            if (type == AttributeType.UInt16)
+            {
+                for (int i = 0; i < count; i++)
+                    to[i] = ((ushort*)from)[points[i]];
+                return;
+            }
+            if (type == AttributeType.UInt8)
+            {
+                for (int i = 0; i < count; i++)
+                    to[i] = from[points[i]];
+                return;
+            }
+            int size = type.SizeOf();
+            for (int i = 0; i < count; i++)
+            {
+                ulong stored = OrderedBits.Load(from + (long)points[i] * size, type);
+                if (Shape.IsWide(c))
+                    BlockWriting.WideOf(values, c)[i] = stored;
+                else
+                    to[i] = (uint)stored;
+            }
+        }
     }
 }
