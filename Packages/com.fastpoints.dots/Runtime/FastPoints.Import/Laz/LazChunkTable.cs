@@ -89,8 +89,7 @@ namespace FastPoints.Laz
                 return "its offset was never written (" + NumberText.Of(start) + ")";
             if (start < FirstChunkOffset || start > m_source.Length - TableHeaderBytes)
                 return "wanted an offset of " + NumberText.Of(FirstChunkOffset) + " to "
-                    + NumberText.Of(m_source.Length - TableHeaderBytes)
-                    + ", got " + NumberText.Of(start);
+                    + NumberText.Of(m_source.Length - TableHeaderBytes) + ", got " + NumberText.Of(start);
 
             at = start;
             var header = m_source.Read(start, TableHeaderBytes, "chunk table");
@@ -153,8 +152,7 @@ namespace FastPoints.Laz
                                 + NumberText.Of(m_format.RecordBytes);
                         if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
                             return "chunk " + NumberText.Of(i) + " claims " + NumberText.Of(chunk.Points) + " points in "
-                                + NumberText.Of(chunk.Bytes)
-                                + " bytes";
+                                + NumberText.Of(chunk.Bytes) + " bytes";
                         offset += chunk.Bytes;
                         pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
                         if (chunk.Points > 0)
@@ -164,8 +162,7 @@ namespace FastPoints.Laz
                     }
                     if (offset < start)
                         m_info.Warn(offset, NumberText.Of(start - offset)
-                            + " bytes between the last chunk and the chunk table belong to "
-                            + "none");
+                            + " bytes between the last chunk and the chunk table belong to " + "none");
                 }
             return null;
         }
@@ -189,8 +186,7 @@ namespace FastPoints.Laz
             if (m_format.HasVariableChunks)
             {
                 m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
-                    + " points, the chunk table "
-                    + NumberText.Of(sum) + ": the table is believed");
+                    + " points, the chunk table " + NumberText.Of(sum) + ": the table is believed");
                 return;
             }
             // If all chunks have one size, only the header says how many points the last one has.

@@ -170,8 +170,7 @@ namespace FastPoints.Laz
                 if (stream.Point == chunk.Points)
                     continue;
                 m_blocks.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
-                    + " points, got "
-                    + NumberText.Of(stream.Point) + ": the others are not in the file");
+                    + " points, got " + NumberText.Of(stream.Point) + ": the others are not in the file");
                 m_chunks.SetPoints(c, stream.Point);
             }
         }
@@ -232,8 +231,7 @@ namespace FastPoints.Laz
             ulong points = (ulong)m_chunks.PointCount;
             if (points != m_blocks.Info.PointsClaimed)
                 m_blocks.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
-                    + NumberText.Of(m_blocks.Info.PointsClaimed) + " points, the file holds "
-                    + NumberText.Of(points));
+                    + NumberText.Of(m_blocks.Info.PointsClaimed) + " points, the file holds " + NumberText.Of(points));
         }
     }
 }

@@ -117,8 +117,7 @@ namespace FastPoints.Octrees
             {
                 if (bytes % CopcEntry.Bytes != 0)
                     Warn(at, "the page at byte " + NumberText.Of(offset) + " of the octree's hierarchy has "
-                        + NumberText.Of(bytes)
-                        + " bytes, wanted a multiple of " + NumberText.Of(CopcEntry.Bytes));
+                        + NumberText.Of(bytes) + " bytes, wanted a multiple of " + NumberText.Of(CopcEntry.Bytes));
                 m_pageBytesLeft -= bytes;
                 m_pages.Add(root, offset, bytes);
             }
@@ -138,8 +137,7 @@ namespace FastPoints.Octrees
             }
             if (bytes < entry.ByteSize)
                 Warn(at, Name(entry) + " would end at byte " + NumberText.Of((long)entry.Offset + entry.ByteSize)
-                    + ", the file has "
-                    + NumberText.Of(m_fileBytes) + ": cut there");
+                    + ", the file has " + NumberText.Of(m_fileBytes) + ": cut there");
             m_chunkBytesLeft -= bytes;
             AddBlocks(entry, bytes);
         }
@@ -181,8 +179,7 @@ namespace FastPoints.Octrees
         }
 
         static string Name(CopcEntry entry) => "node " + NumberText.Of(entry.Level) + "-" + NumberText.Of(entry.Cell.x) + "-"
-            + NumberText.Of(entry.Cell.y)
-            + "-" + NumberText.Of(entry.Cell.z);
+            + NumberText.Of(entry.Cell.y) + "-" + NumberText.Of(entry.Cell.z);
 
         // The first few; a hierarchy that is noise is not listed.
         void Warn(long at, string text)

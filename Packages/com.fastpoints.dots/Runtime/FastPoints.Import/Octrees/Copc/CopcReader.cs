@@ -28,8 +28,7 @@ namespace FastPoints.Octrees
             {
                 spacing = 2 * copc.HalfSize / DefaultPointsAcross;
                 Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing)
-                    + ": taken as the edge of its cube over "
-                    + DefaultPointsAcross);
+                    + ": taken as the edge of its cube over " + DefaultPointsAcross);
             }
             m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
             m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
