@@ -28,7 +28,7 @@ namespace FastPoints.Sampling
         Prefix m_begun;
 
         public PrefixSampler(PointReader reader, int wanted, uint seed)
-            : base(reader, reader.PrefixesAreSpread && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
+            : base(reader, reader is LineReader && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
                 reader.Tree == null ? "prefixes of blocks, in waves" : "levels of its octree, in waves")
         {
             m_plan = new PrefixPlan(reader, seed);
@@ -39,15 +39,15 @@ namespace FastPoints.Sampling
         {
             for (long places = wanted / PrefixPlan.MinPoints + 1L; ; places *= 2)
             {
-                yield return JobStep.Of(Reader.FindPrefixes((int)Math.Min(places, Reader.MaxPrefixes)));
-                if (Reader.PointCount >= wanted || places >= Reader.MaxPrefixes)
+                yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(places, LineReader.MaxPrefixes)));
+                if (Reader.PointCount >= wanted || places >= LineReader.MaxPrefixes)
                     break;
             }
         }
 
         private protected override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
         {
-            if (Reader.PrefixesAreSpread && !Reader.BlocksAreKnown)
+            if (Reader is LineReader && !Reader.BlocksAreKnown)
                 yield return JobStep.Of(FindPrefixes(wanted));
             var prefixes = m_plan.Next(wanted);
             int longest = 0;
@@ -106,7 +106,7 @@ namespace FastPoints.Sampling
                     pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
             double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
             // An end that is not read because another place was chosen by chance does not make a prefix.
-            bool isSpread = Reader.PrefixesAreSpread && !Reader.BlocksAreKnown;
+            bool isSpread = Reader is LineReader && !Reader.BlocksAreKnown;
             bool isOfPrefixes = false;
             runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);
             int segment = 0;

@@ -67,7 +67,7 @@ namespace FastPoints.Sampling
         public static PreviewSampler Create(PointReader reader, int wanted, uint seed)
         {
             wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
-            return reader.HasRunReads ? (PreviewSampler)new RunSampler(reader, wanted, seed)
+            return reader is RecordReader ? (PreviewSampler)new RunSampler(reader, wanted, seed)
                 : new PrefixSampler(reader, wanted, seed);
         }
 

@@ -97,7 +97,7 @@ namespace FastPoints.Sampling
                     continue;
                 m_plan.RunOf(stratum, rank, out var run, out _);
                 m_runs.Add(run);
-                m_reads[rank] = Reader.CreateRunRead(Buffer.Points, 1, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes,
+                m_reads[rank] = ((RecordReader)Reader).CreateRunRead(Buffer.Points, 1, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes,
                     Allocator.Persistent);
                 m_reads[rank].Begin(m_runs.AsArray(), rank, 1, 0);
                 rank++;
@@ -176,7 +176,7 @@ namespace FastPoints.Sampling
                     continue;
                 }
                 int slot = m_ring.Begin();
-                var read = m_reads[slot] ??= Reader.CreateRunRead(Buffer.Points, MaxRunsPerRequest, slotBytes,
+                var read = m_reads[slot] ??= ((RecordReader)Reader).CreateRunRead(Buffer.Points, MaxRunsPerRequest, slotBytes,
                     Allocator.Persistent);
                 next += read.Begin(runs, next, max, m_gapBytes);
                 Filling = JobHandle.CombineDependencies(Filling, read.Decoded);

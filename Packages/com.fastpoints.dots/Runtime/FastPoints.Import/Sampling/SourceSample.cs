@@ -57,17 +57,17 @@ namespace FastPoints.Sampling
             var measured = default(JobHandle);
             try
             {
-                if (reader.HasRunReads)
+                if (reader is RecordReader records)
                 {
-                    yield return JobStep.Of(sample.ReadRuns(reader, runs, positions, measure));
+                    yield return JobStep.Of(sample.ReadRuns(records, runs, positions, measure));
                 }
                 else
                 {
                     int longest = LongestOf(runs);
                     var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
                     using var consumer = new Appending(sample, reader, runs, longest);
-                    yield return JobStep.Of(SourceScan.Run(reader, positions, consumer, limit, chains, 0, runs.Count,
-                        r => runs[r], longest, null));
+                    yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), positions, consumer, limit,
+                        chains, null));
                     measured = measure(sample.Stored, default);
                     yield return measured;
                 }
@@ -91,7 +91,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions,
+        IEnumerator<JobStep> ReadRuns(RecordReader reader, List<BlockRange> runs, PointSchema positions,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
             int points = 0;
