@@ -120,7 +120,7 @@ namespace FastPoints.Sampling
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
-            using var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed);
+            using var sampler = new PreviewSampler(m_reader, wanted, m_options.Seed);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
             yield return JobStep.Of(sampler.Run(0, progress));
             Sample = sampler.TakeSample();
@@ -143,9 +143,8 @@ namespace FastPoints.Sampling
             yield return JobStep.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
             yield return JobStep.Of(Take(m_options.Points, progress));
             var estimate = m_reader.EstimatedPoints;
-            Sample.SetPointsInSource((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
+            Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
             Sample.IsOfPrefix = !Sample.IsWhole && !m_reader.PrefixesAreSpread;
-            Sample.HasKnownWeights &= !Sample.IsOfPrefix;
             if (m_reader.PrefixesAreSpread)
             {
                 Sample.Method = "lines of stretches all over the file";

@@ -58,7 +58,7 @@ namespace FastPoints.Sampling
         public int RunsFor(int points) => points >= PlaceCount ? RunCount : m_places.StratumOf(points - 1) + 1;
 
         /// <summary>Points of a stratum's run.</summary>
-        public int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
+        int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
             m_strata.FirstOf(stratum + 1) - m_strata.FirstOf(stratum));
 
         /// <summary>The run of a stratum in the file's order: one segment, or two if it wraps around at its stratum's
