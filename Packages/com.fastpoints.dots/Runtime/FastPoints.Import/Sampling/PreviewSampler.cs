@@ -43,13 +43,11 @@ namespace FastPoints.Sampling
         /// from then on.</summary>
         public event Action<SampleWave> WaveReady;
 
-        /// <summary>The waves so far.</summary>
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
-        /// <summary>The sample so far.</summary>
         public PreviewSample Sample => m_sample;
 
-        /// <summary>Takes the sample as a coroutine.</summary>
+        /// <summary>Coroutine.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {

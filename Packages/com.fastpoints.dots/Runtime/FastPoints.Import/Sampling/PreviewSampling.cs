@@ -61,7 +61,6 @@ namespace FastPoints.Sampling
             progress?.End();
         }
 
-        /// <summary>The state of the source's own file; a default if there is none.</summary>
         (long Bytes, DateTime WrittenUtc) FileNow()
         {
             var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
@@ -115,7 +114,6 @@ namespace FastPoints.Sampling
             Sample = sampler.TakeSample();
         }
 
-        /// <summary>Takes a sample of the known blocks.</summary>
         IEnumerator<JobStep> Take(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;

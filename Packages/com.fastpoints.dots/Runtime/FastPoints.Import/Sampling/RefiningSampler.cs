@@ -73,7 +73,6 @@ namespace FastPoints.Sampling
             reader.BlockCount <= DepthPlan.MaxSlicedBlocks ? MinPointsBefore
                 : Math.Max(MinPointsBefore, reader.PointCount / PointsPerPointBefore));
 
-        /// <summary>Raised after each wave.</summary>
         public event Action<SampleWave> WaveReady;
 
         public IReadOnlyList<SampleWave> Waves => m_waves;
@@ -86,7 +85,7 @@ namespace FastPoints.Sampling
 
         bool IThrottledConsumer.IsReady => !IsPaused;
 
-        /// <summary>Takes the sample as a coroutine, once.</summary>
+        /// <summary>Coroutine, once.</summary>
         /// <param name="slots">Blocks in flight; 0 for what <see cref="WaveReads.LimitFor"/> says.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
@@ -206,7 +205,6 @@ namespace FastPoints.Sampling
             m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
         }
 
-        /// <summary>Closes the full scan's sample.</summary>
         IEnumerator<JobStep> Close()
         {
             yield return JobStep.Of(m_buffer.Close(0, m_buffer.Places));

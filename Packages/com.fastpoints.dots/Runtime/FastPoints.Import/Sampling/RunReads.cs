@@ -18,7 +18,7 @@ namespace FastPoints.Sampling
         /// thread as long to begin as any other.</summary>
         const int MaxRunsPerRequest = 1536, MinRunsPerRequest = 16;
 
-        /// <summary>Runs in one slice of planning and listing them: about 2 ms of managed code.</summary>
+        /// <summary>Runs in one slice of planning them: about 2 ms of managed code.</summary>
         const int RunsPerSlice = 1 << 14;
 
         /// <summary>Bytes of a slot's buffer, of which only what is read takes memory.</summary>
@@ -159,7 +159,6 @@ namespace FastPoints.Sampling
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Begins to read the planned runs into their places.</summary>
         IEnumerator<JobStep> BeginReads()
         {
             var runs = m_runs.AsArray();

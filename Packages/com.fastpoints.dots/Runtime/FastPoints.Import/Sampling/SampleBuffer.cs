@@ -78,7 +78,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Coroutine: closes the gaps between the filled places from <paramref name="begin"/> to before
-        /// <paramref name="end"/>, behind those that are closed.</summary>
+        /// <paramref name="end"/>, behind those that are closed before.</summary>
         /// <param name="after">What its jobs come behind; it is complete in the end.</param>
         public IEnumerator<JobStep> Close(int begin, int end, JobHandle after = default) => Append(this, begin, end, after);
 

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Octrees;
 using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;
@@ -12,10 +11,9 @@ using Unity.Mathematics;
 namespace FastPoints.Sampling
 {
     /// <summary>Presents a preview's sample as a source with an octree: one node, in blocks whose points are each spread over all
-    /// of the sample. <see cref="TreeSource"/> can thus stream it like any other cloud, before there is another.</summary>
+    /// of the sample. <c>TreeSource</c> can thus stream it like any other cloud, before there is another.</summary>
     internal sealed class SampleReader : PointReader
     {
-        /// <summary>The most points in a block.</summary>
         public const int PointsPerBlock = 1 << 15;
 
         readonly SourceTree m_tree;
@@ -26,7 +24,6 @@ namespace FastPoints.Sampling
         bool m_isDisposed;
 
         /// <summary>Copies a sample, with which its sampler continues: about a millisecond for ten megabytes.</summary>
-        /// <param name="path">Path of the source, for messages.</param>
         public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path) { }
 
         /// <param name="points">All points of the sample, which this reader owns.</param>
@@ -67,7 +64,6 @@ namespace FastPoints.Sampling
             m_tree = TreeOf(other.m_tree.Cube, other.m_tree.Spacing);
         }
 
-        /// <summary>Whether it has all points of its source.</summary>
         public bool IsWhole { get; }
 
         internal PointBatch Points { get; }
@@ -85,7 +81,6 @@ namespace FastPoints.Sampling
             return (long)block * (Points.Count / m_blocks) + Math.Min(block, longer);
         }
 
-        /// <summary>Nothing has to be read any more.</summary>
         public override long BytesOfRange(BlockRange range) => 0;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
@@ -162,7 +157,7 @@ namespace FastPoints.Sampling
                         To = to.Bytes,
                         FirstByteOfFrom = sample.Points.Column(c).OffsetBytes + first * size,
                         FirstByteOfTo = to.Column(c).OffsetBytes + first * size,
-                        Count = Math.Min(pointsOfSlice, to.Count - first) * size,
+                        Bytes = Math.Min(pointsOfSlice, to.Count - first) * size,
                     };
             }
         }
@@ -179,12 +174,10 @@ namespace FastPoints.Sampling
         public NativeArray<byte> To;
         public int FirstByteOfFrom;
         public int FirstByteOfTo;
-
-        /// <summary>Number of bytes.</summary>
-        public int Count;
+        public int Bytes;
 
         public void Execute() => UnsafeUtility.MemCpy((byte*)To.GetUnsafePtr() + FirstByteOfTo,
-            (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, Count);
+            (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, Bytes);
     }
 
     /// <summary>A slot for blocks of a sample that is in memory.</summary>

@@ -32,7 +32,7 @@ namespace FastPoints.Sampling
             m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
         }
 
-        /// <summary>Takes the sample as a coroutine; call <see cref="TakeSample"/> afterwards.</summary>
+        /// <summary>Coroutine; <see cref="TakeSample"/> comes afterwards.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {

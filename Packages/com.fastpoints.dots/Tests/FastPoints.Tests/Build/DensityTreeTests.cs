@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Build;
 using FastPoints.Core;
+using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -15,7 +16,7 @@ namespace FastPoints.Tests.Build
     [Category("Smoke")]
     public class DensityTreeTests
     {
-        const int Points = 200_000, Lines = 800, PatchPoints = 250, RunPoints = 16;
+        const int Points = 200_000, Lines = 800, PatchPoints = 250, RecordBytes = 24, MinRuns = 32;
         const double Size = 100;
 
         public enum Order
@@ -55,36 +56,46 @@ namespace FastPoints.Tests.Build
                 .ToArray();
         }
 
-        /// <summary>By runs at hashed places in equal parts of the file.</summary>
-        /// <param name="maxRuns">Cells with as many points as so many runs stand for are not divided.</param>
-        static DensityTree Estimate(uint[] cloud, int wanted, uint seed, int maxRuns = 32)
+        /// <summary>By runs of evenly spaced points at hashed places in equal parts of the file; cells of more points than one
+        /// stands for are divided.</summary>
+        static DensityTree Estimate(uint[] cloud, int wanted, uint seed)
         {
-            var strata = new SampleStrata(Points, wanted / RunPoints, seed);
-            using var codes = new NativeArray<uint>(strata.Count * RunPoints, Allocator.TempJob);
-            using var runs = new NativeArray<SampleRun>(strata.Count, Allocator.TempJob);
-            var (allCodes, allRuns) = (codes, runs);
-            for (int i = 0; i < strata.Count; i++)
+            var plan = new RunPlan(Points, wanted, RecordBytes, seed);
+            var codes = new List<uint>();
+            var runs = new List<SampleRun>();
+            for (int i = 0; i < plan.RunCount; i++)
             {
-                long first = strata.ChosenRun(i, RunPoints);
-                for (int p = 0; p < RunPoints; p++)
-                    allCodes[i * RunPoints + p] = cloud[first + p];
-                double stoodFor = strata.FirstOf(i + 1) - strata.FirstOf(i);
-                allRuns[i] = new SampleRun { First = i * RunPoints, Count = RunPoints, Weight = stoodFor / RunPoints };
+                int before = codes.Count;
+                bool isSplit = plan.RunOf(i, i, out var run, out var second);
+                Take(run);
+                if (isSplit)
+                    Take(second);
+                int count = codes.Count - before;
+                runs.Add(new SampleRun { First = before, Count = count, Weight = Points / ((double)plan.RunCount * count) });
             }
+            using var codeOfPoint = new NativeArray<uint>(codes.ToArray(), Allocator.TempJob);
+            using var allRuns = new NativeArray<SampleRun>(runs.ToArray(), Allocator.TempJob);
             DensityTree tree = null;
-            JobCoroutine.RunToEnd(DensityTree.Count(codes, runs, codes.Length / (double)Points,
-                maxRuns * (double)Points / strata.Count, default, t => tree = t));
+            JobCoroutine.RunToEnd(DensityTree.Count(codeOfPoint, allRuns, codes.Count / (double)Points,
+                (double)Points / plan.RunCount, default, t => tree = t));
             return tree;
+
+            void Take(PointRun run)
+            {
+                for (int i = 0; i < run.Count; i++)
+                    codes.Add(cloud[run.First + (long)i * run.Step]);
+            }
         }
 
-        /// <summary>All cells that are not divided, each with the cloud's points in it.</summary>
+        /// <summary>All cells that are not divided, or of so few runs that these say little of the parts, each with the cloud's
+        /// points in it.</summary>
         static IEnumerable<(DensityCell Cell, int Truth)> Leaves(DensityTree tree, uint[] cloud) =>
             Leaves(tree, DensityNumbers.Root, 0, cloud);
 
         static IEnumerable<(DensityCell Cell, int Truth)> Leaves(DensityTree tree, int cell, int level, uint[] inside)
         {
             int parts = tree.FirstPartOf(cell);
-            if (parts < 0)
+            if (parts < 0 || tree[cell].Runs < MinRuns)
                 return new[] { (tree[cell], inside.Length) };
             var inPart = inside.ToLookup(code => (int)(code >> 3 * (DensityNumbers.Levels - 1 - level) & 7));
             return Enumerable.Range(0, 8).SelectMany(o => Leaves(tree, parts + o, level + 1, inPart[o].ToArray()));
