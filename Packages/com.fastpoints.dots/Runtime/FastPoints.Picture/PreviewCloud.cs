@@ -5,7 +5,6 @@ using FastPoints.Drawing;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using Unity.Collections;
-using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
@@ -13,10 +12,6 @@ namespace FastPoints.Picture
     /// it. Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
     public sealed class PreviewCloud : IDisposable
     {
-        /// <summary>From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they
-        /// gain.</summary>
-        const float MinSparsePx = 2;
-
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
         readonly PreviewSampling m_sampling;
@@ -43,10 +38,6 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>The estimated density with its error, as of the sample at that time; null before
-        /// <see cref="EstimateDensity"/>, and for sources whose sample does not show it.</summary>
-        internal DensityEstimate Density { get; private set; }
-
         /// <summary>The chosen camera, colours and size, and what was assumed.</summary>
         internal PicturePlan Plan { get; private set; }
 
@@ -68,14 +59,6 @@ namespace FastPoints.Picture
             {
                 yield return default;
                 yield return JobStep.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
-                // Degrees are not lengths of a cube's edge.
-                if (Plan.UsesAutoSize && Plan.SizePx >= MinSparsePx && math.all(Ranges.LengthsPerUnit == 1))
-                {
-                    yield return JobStep.Of(EstimateDensity());
-                    if (Density != null)
-                        yield return JobStep.Of(SamplePicture.CloseSurfaces(canvas, Density,
-                            (Sample.Count - Sample.Placeholders) / (double)Math.Max(1, Sample.PointsInSource), Plan));
-                }
                 yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
                     progress));
                 Image = canvas.ToImage();
@@ -107,26 +90,13 @@ namespace FastPoints.Picture
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
         }
 
-        /// <summary>Coroutine, with a sample: fills <see cref="Density"/>.</summary>
-        public IEnumerator<JobStep> EstimateDensity()
-        {
-            Density?.Dispose();
-            Density = null;
-            return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
-        }
-
         IEnumerator<JobStep> MeasureSample()
         {
             Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
         }
 
-        public void Dispose()
-        {
-            m_sampling.Dispose();
-            Density?.Dispose();
-            Density = null;
-        }
+        public void Dispose() => m_sampling.Dispose();
     }
 
     /// <summary>Options of a <see cref="PreviewCloud"/>.</summary>

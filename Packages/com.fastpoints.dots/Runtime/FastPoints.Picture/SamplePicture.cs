@@ -1,9 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Drawing;
-using FastPoints.Sampling;
-using Unity.Collections;
 using Unity.Jobs;
 
 namespace FastPoints.Picture
@@ -48,40 +45,6 @@ namespace FastPoints.Picture
                 drawn => canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, drawn)));
             plan.SizePx = canvas.TypicalSizePx;
             canvas.Clear();
-        }
-
-        /// <summary>Coroutine, after <see cref="ChooseSize"/>: enlarges points that leave a surface open.</summary>
-        /// <param name="density">The density of the cloud.</param>
-        /// <param name="share">The drawn share of the cloud's points.</param>
-        public static IEnumerator<JobStep> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
-            PicturePlan plan)
-        {
-            var cells = new NativeList<SparseCell>(Allocator.Persistent);
-            JobHandle closed = default;
-            try
-            {
-                foreach (var leaf in density.Leaves())
-                    if (leaf.Cell.IsKnown)
-                        cells.Add(new SparseCell
-                        {
-                            Center = leaf.Min + leaf.Edge / 2,
-                            Edge = leaf.Edge,
-                            PointsDrawn = leaf.Cell.Points * share,
-                        });
-                closed = new CloseSurfacesJob
-                {
-                    Cells = cells.AsArray(),
-                    Projection = new PointProjection(plan.Camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
-                    TypicalPx = canvas.TypicalSizePx,
-                    SizeOfTile = canvas.SizeOfTile,
-                }.Schedule();
-                yield return closed;
-            }
-            finally
-            {
-                closed.Complete();
-                cells.Dispose();
-            }
         }
 
         /// <summary>Coroutine: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>

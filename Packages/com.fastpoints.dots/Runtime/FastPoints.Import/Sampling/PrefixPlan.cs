@@ -39,7 +39,6 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>Points taken in the waves so far.</summary>
         public int Taken { get; private set; }
 
         /// <summary>Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in

@@ -61,7 +61,6 @@ namespace FastPoints.Sampling
             progress?.End();
         }
 
-        /// <summary>The state of the source's own file; a default if there is none.</summary>
         (long Bytes, DateTime WrittenUtc) FileNow()
         {
             var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
@@ -115,12 +114,11 @@ namespace FastPoints.Sampling
             Sample = sampler.TakeSample();
         }
 
-        /// <summary>Takes a sample of the known blocks.</summary>
         IEnumerator<JobStep> Take(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
-            using var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed);
+            using var sampler = new PreviewSampler(m_reader, wanted, m_options.Seed);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
             yield return JobStep.Of(sampler.Run(0, progress));
             Sample = sampler.TakeSample();
@@ -143,9 +141,8 @@ namespace FastPoints.Sampling
             yield return JobStep.Of(((IPrefixSource)m_reader).FindPrefixes(1));
             yield return JobStep.Of(Take(m_options.Points, progress));
             var estimate = ((IPrefixSource)m_reader).EstimatedPoints;
-            Sample.SetPointsInSource((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
+            Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
             Sample.IsOfPrefix = !Sample.IsWhole && !(m_reader is LineReader);
-            Sample.HasKnownWeights &= !Sample.IsOfPrefix;
             if (m_reader is LineReader)
             {
                 Sample.Method = "lines of stretches all over the file";

@@ -12,13 +12,13 @@ namespace FastPoints.Sampling
     /// which.</summary>
     /// <remarks>The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's
     /// reads decides which gaps between runs are read along.</remarks>
-    sealed class RunSampler : PreviewSampler
+    sealed class RunReads : WaveReads
     {
         /// <summary>Runs in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
         /// thread as long to begin as any other.</summary>
         const int MaxRunsPerRequest = 1536, MinRunsPerRequest = 16;
 
-        /// <summary>Runs in one slice of planning and listing them: about 2 ms of managed code.</summary>
+        /// <summary>Runs in one slice of planning them: about 2 ms of managed code.</summary>
         const int RunsPerSlice = 1 << 14;
 
         /// <summary>Bytes of a slot's buffer, of which only what is read takes memory.</summary>
@@ -45,10 +45,10 @@ namespace FastPoints.Sampling
         long m_waveBegun;
         long m_waveEnded;
 
-        public RunSampler(PointReader reader, int wanted, uint seed)
+        public RunReads(PointReader reader, int wanted, uint seed)
             : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
 
-        RunSampler(PointReader reader, int wanted, uint seed, RunPlan plan)
+        RunReads(PointReader reader, int wanted, uint seed, RunPlan plan)
             : base(reader, plan.PlaceCount,
                 plan.RunCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
         {
@@ -57,7 +57,7 @@ namespace FastPoints.Sampling
             m_plan = plan;
         }
 
-        private protected override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
+        public override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
         {
             if (m_reads == null)
             {
@@ -116,7 +116,7 @@ namespace FastPoints.Sampling
             if (!m_pace.IsSlow)
                 yield break;
             m_plan = new RunPlan(Reader.PointCount, m_wanted, Reader.Info.RecordBytes, m_seed, m_pace.PointsPerRun);
-            Sample.Method = m_plan.RunCount + " long runs of evenly spaced points, as reads take long, one in each stratum of " +
+            Method = m_plan.RunCount + " long runs of evenly spaced points, as reads take long, one in each stratum of " +
                 "the file, in waves";
         }
 
@@ -159,7 +159,6 @@ namespace FastPoints.Sampling
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Begins to read the planned runs into their places.</summary>
         IEnumerator<JobStep> BeginReads()
         {
             var runs = m_runs.AsArray();
@@ -197,8 +196,9 @@ namespace FastPoints.Sampling
             Report(m_progress);
         }
 
-        private protected override void EndReads()
+        public override void EndReads()
         {
+            base.EndReads();
             while (!m_ring.IsEmpty)
                 EndRead();
             // The first wave is measured, whose runs lie far apart: when gaps are read along, a segment takes longer for its
@@ -208,23 +208,7 @@ namespace FastPoints.Sampling
             m_isFirstWave = false;
         }
 
-        private protected override IEnumerator<JobStep> ListRuns(NativeList<SampleRun> runs, JobHandle after,
-            Action<JobHandle> scheduled)
-        {
-            runs.Capacity = Math.Max(runs.Capacity, m_endRank);
-            return Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, before) => new ListRunsJob
-            {
-                Plan = m_plan,
-                Ranks = m_ranks,
-                First = first,
-                End = end,
-                RunCount = m_endRank,
-                PointsInSource = Reader.PointCount,
-                Runs = runs,
-            }.Schedule(before), 1, after, scheduled);
-        }
-
-        private protected override void Free()
+        public override void Free()
         {
             Filling.Complete();
             if (m_reads != null)
@@ -270,6 +254,49 @@ namespace FastPoints.Sampling
                     Ranks[stratum] = ++rank;
             }
             NextPlace.Value = place;
+        }
+    }
+
+    /// <summary>Plans the runs of one wave, in the file's order, for the strata examined.</summary>
+    [BurstCompile]
+    struct PlanWaveJob : IJob
+    {
+        public RunPlan Plan;
+
+        /// <summary>Number of runs in earlier waves.</summary>
+        public int FirstRank;
+
+        /// <summary>See <see cref="RankStrataJob.Ranks"/>.</summary>
+        [ReadOnly] public NativeArray<int> Ranks;
+
+        /// <summary>Range of the strata to examine.</summary>
+        public int First;
+        public int End;
+
+        public NativeList<PointRun> Runs;
+
+        /// <summary>One for each place of the sample; those of the runs become 1.</summary>
+        public NativeArray<byte> Filled;
+
+        public void Execute()
+        {
+            for (int stratum = First; stratum < End; stratum++)
+            {
+                int rank = Ranks[stratum] - 1;
+                if (rank < FirstRank)
+                    continue;
+                bool isSplit = Plan.RunOf(stratum, rank, out var run, out var second);
+                Add(run);
+                if (isSplit)
+                    Add(second);
+            }
+        }
+
+        void Add(in PointRun run)
+        {
+            Runs.Add(run);
+            for (int i = 0; i < run.Count; i++)
+                Filled[run.Place + i] = 1;
         }
     }
 }

@@ -2,8 +2,11 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
@@ -12,14 +15,13 @@ namespace FastPoints.Sampling
     /// <remarks>A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten
     /// times as large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many
     /// points.</remarks>
-    sealed class PrefixSampler : PreviewSampler, IBlockConsumer
+    sealed class PrefixReads : WaveReads, IBlockConsumer
     {
         /// <summary>Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a
         /// slow disk needs as well. A LAZ slot takes 1.5 MB.</summary>
         const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
 
         readonly PrefixPlan m_plan;
-        readonly List<Prefix> m_taken = new List<Prefix>();
         readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
         ReadSlots m_slots;
         StageProgress m_progress;
@@ -27,7 +29,7 @@ namespace FastPoints.Sampling
         /// <summary>The one that begins.</summary>
         Prefix m_begun;
 
-        public PrefixSampler(PointReader reader, int wanted, uint seed)
+        public PrefixReads(PointReader reader, int wanted, uint seed)
             : base(reader, reader is LineReader && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
                 reader.Tree == null ? "prefixes of blocks, in waves" : "levels of its octree, in waves")
         {
@@ -45,7 +47,7 @@ namespace FastPoints.Sampling
             }
         }
 
-        private protected override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
+        public override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
         {
             if (Reader is LineReader && !Reader.BlocksAreKnown)
                 yield return JobStep.Of(FindPrefixes(wanted));
@@ -68,7 +70,6 @@ namespace FastPoints.Sampling
             yield return JobStep.Of(m_slots.Free());
             Free();
             EndPlace = m_plan.Taken;
-            m_taken.AddRange(prefixes);
         }
 
         JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)
@@ -80,7 +81,7 @@ namespace FastPoints.Sampling
                 Decoded = read.Points.Bytes,
                 ColumnsOfDecoded = m_columnsOfSlot[slot],
                 Result = read.Result,
-                End = m_begun.Count,
+                MaxPoints = m_begun.Count,
                 ColumnsOfSample = Buffer.Columns,
                 FirstPlace = m_begun.Place,
                 Sample = Buffer.Points.Bytes,
@@ -94,48 +95,49 @@ namespace FastPoints.Sampling
             Report(m_progress);
         }
 
-        private protected override IEnumerator<JobStep> ListRuns(NativeList<SampleRun> runs, JobHandle after,
-            Action<JobHandle> scheduled)
-        {
-            // This is the file's order, which is not that in which lines were found by jumping.
-            m_taken.Sort((a, b) => a.Block == b.Block ? a.First.CompareTo(b.First)
-                : Reader.PlaceOfBlock(a.Block).CompareTo(Reader.PlaceOfBlock(b.Block)));
-            double pointsOfBlocks = 0;
-            for (int i = 0; i < m_taken.Count; i++)
-                if (i == 0 || m_taken[i].Block != m_taken[i - 1].Block)
-                    pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
-            double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
-            // An end that is not read because another place was chosen by chance does not make a prefix.
-            bool isSpread = Reader is LineReader && !Reader.BlocksAreKnown;
-            bool isOfPrefixes = false;
-            runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);
-            int segment = 0;
-            for (int first = 0, end; first < m_taken.Count; first = end, segment++)
-            {
-                int block = m_taken[first].Block, taken = 0;
-                for (end = first; end < m_taken.Count && m_taken[end].Block == block; end++)
-                    taken += m_taken[end].Count;
-                isOfPrefixes |= !isSpread && taken < Reader.PointsInBlock(block);
-                for (int i = first; i < end; i++)
-                    runs.Add(new SampleRun
-                    {
-                        Segment = segment,
-                        First = m_taken[i].Place,
-                        Count = m_taken[i].Count,
-                        Weight = scale * Reader.PointsInBlock(block) / taken,
-                    });
-            }
-            Sample.IsOfBlockPrefixes = isOfPrefixes;
-            yield break;
-        }
-
-        private protected override void Free()
+        public override void Free()
         {
             m_slots?.Dispose();
             m_slots = null;
             foreach (var columns in m_columnsOfSlot)
                 columns.Dispose();
             m_columnsOfSlot.Clear();
+        }
+    }
+
+    /// <summary>Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so
+    /// any number of these may run at the same time.</summary>
+    [BurstCompile]
+    struct CopyPrefixJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Decoded;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfDecoded;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+        public int MaxPoints;
+
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
+        public int FirstPlace;
+
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
+
+        /// <summary>Set to 1 at each place that is written.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+
+        public unsafe void Execute()
+        {
+            int count = math.min(MaxPoints, Result.Value.Points);
+            if (count <= 0)
+                return;
+            byte* from = (byte*)Decoded.GetUnsafeReadOnlyPtr();
+            byte* to = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample);
+            for (int column = 0; column < ColumnsOfSample.Length; column++)
+            {
+                int size = ColumnsOfSample[column].Type.SizeOf();
+                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstPlace * size,
+                    from + ColumnsOfDecoded[column].OffsetBytes, (long)count * size);
+            }
+            var filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
+            UnsafeUtility.MemSet(filled + FirstPlace, 1, count);
         }
     }
 }
