@@ -85,10 +85,10 @@ namespace FastPoints.Editor
             CloudFolderWriter.DeleteUnfinished(path);
             if (!Directory.Exists(path))
                 return;
-            StreamFiles.Release(path);
+            FolderReleases.Release(path);
             FileChanges.BeginDelete(path, failure =>
             {
-                StreamFiles.Reacquire(path);
+                FolderReleases.Reacquire(path);
                 if (failure != null)
                     Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
             });

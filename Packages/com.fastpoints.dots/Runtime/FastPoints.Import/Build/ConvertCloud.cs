@@ -149,9 +149,9 @@ namespace FastPoints.Build
         {
             var manifest = m_octree.Manifest;
             using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
-            using var selection = new NodeSelection(folder);
+            using var nodes = new ChosenNodes(folder);
             var ranges = new DisplayRanges();
-            yield return JobStep.Of(StoredRanges.Measure(folder, selection,
+            yield return JobStep.Of(LoadNodes.MeasureRanges(folder, nodes,
                 LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
             manifest.Shown = ranges.ToShown();
         }

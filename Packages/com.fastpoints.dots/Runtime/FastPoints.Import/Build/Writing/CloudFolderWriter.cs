@@ -7,7 +7,6 @@ using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
-using FastPoints.Streaming;
 using Unity.Collections;
 
 namespace FastPoints.Build
@@ -176,20 +175,20 @@ namespace FastPoints.Build
         /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
         public IEnumerator<JobStep> Complete()
         {
-            StreamFiles.Release(m_part);
-            StreamFiles.Release(m_target);
+            FolderReleases.Release(m_part);
+            FolderReleases.Release(m_target);
             try
             {
                 for (var watch = Stopwatch.StartNew();
-                    !StreamFiles.HasReleased && watch.ElapsedMilliseconds < FileChanges.RetryTimeoutMs;)
+                    !FolderReleases.HasReleased && watch.ElapsedMilliseconds < FileChanges.RetryTimeoutMs;)
                     yield return default;
                 yield return JobStep.Of(Await(m_queue.Run(m_target, Finish)));
             }
             finally
             {
                 m_queue.End();
-                StreamFiles.Reacquire(m_part);
-                StreamFiles.Reacquire(m_target);
+                FolderReleases.Reacquire(m_part);
+                FolderReleases.Reacquire(m_target);
             }
         }
 
@@ -230,10 +229,10 @@ namespace FastPoints.Build
         /// <summary>The lock goes with the folder. One that cannot be moved is cleared by the next build of the target.</summary>
         static void Delete(string part, FolderLock taken)
         {
-            StreamFiles.Release(part);
+            FolderReleases.Release(part);
             FileChanges.BeginDelete(part, failure =>
             {
-                StreamFiles.Reacquire(part);
+                FolderReleases.Reacquire(part);
                 if (failure != null)
                     taken.Dispose();
             });

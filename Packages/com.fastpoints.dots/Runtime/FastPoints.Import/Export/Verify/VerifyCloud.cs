@@ -25,8 +25,6 @@ namespace FastPoints.Export
         readonly VerifyResult m_result;
         readonly NativeStoreLayout m_store;
 
-        /// <summary>For each level, sampled points that other chunks' points may be close to.</summary>
-        readonly List<NativeList<double3>> m_atSides = new List<NativeList<double3>>();
         ulong m_firstSum;
         ulong m_secondSum;
         long m_nodes;
@@ -63,8 +61,6 @@ namespace FastPoints.Export
             {
                 progress?.Begin("verify");
                 yield return JobStep.Of(verify.CheckFiles(progress));
-                if (result.Ok)
-                    yield return JobStep.Of(CrossCheck.Run(verify.m_atSides, result.Levels));
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
@@ -75,13 +71,7 @@ namespace FastPoints.Export
             }
         }
 
-        public void Dispose()
-        {
-            foreach (var points in m_atSides)
-                points.Dispose();
-            m_atSides.Clear();
-            m_store.Dispose();
-        }
+        public void Dispose() => m_store.Dispose();
 
         /// <summary>Checks the files in their order, several ahead of the one whose result is taken next.</summary>
         IEnumerator<JobStep> CheckFiles(StageProgress progress)
@@ -180,8 +170,6 @@ namespace FastPoints.Export
             int node = 0;
             foreach (var result in check.NodeResults())
                 Take(check.Path, node++, check.Table, result);
-            if (m_result.Ok)
-                check.TakeDistances(m_result.Levels, m_atSides);
         }
 
         void Take(string path, int index, NodeTable table, in NodeCheckResult result)
@@ -200,7 +188,7 @@ namespace FastPoints.Export
             m_secondSum += result.SecondSum;
             int level = m_folder.Manifest.Root.SideLog2 - node.SideLog2;
             while (m_result.Levels.Count <= level)
-                m_result.Levels.Add(VerifyResult.Level.None);
+                m_result.Levels.Add(default);
             var at = m_result.Levels[level];
             at.Nodes++;
             at.Points += node.PointCount;

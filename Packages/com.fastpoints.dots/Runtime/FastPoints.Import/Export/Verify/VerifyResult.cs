@@ -16,22 +16,6 @@ namespace FastPoints.Export
 
             /// <summary>Number of points in nodes that have a spacing: neither leaves nor chains at one place.</summary>
             public long SampledPoints;
-
-            /// <summary>Smallest distance between two points that were sampled together, in one chunk or in one go of the upper
-            /// levels, across nodes; in CRS units, infinity if there are no two.</summary>
-            public double MinDistance;
-
-            /// <summary>The same for sampled points of any chunks.</summary>
-            public double MinDistanceAcrossChunks;
-
-            /// <summary>Number of sampled points at the sides of chunks with another one nearer than the spacing.</summary>
-            public long NearAcrossChunks;
-
-            public static Level None => new Level
-            {
-                MinDistance = double.PositiveInfinity,
-                MinDistanceAcrossChunks = double.PositiveInfinity,
-            };
         }
 
         /// <summary>Whether the cloud is in the making, so that only finished parts were verified.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Jobs;
@@ -13,6 +14,8 @@ namespace FastPoints.Build
         /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
         /// scattered over upper.bin, which grows with the cloud.</summary>
         public const long MaxBytesPerRead = 4 << 20;
+
+        const int PointsToMeasure = 200_000;
 
         /// <summary>Parts that are read while others are decoded.</summary>
         const int PartsInFlight = 4;
@@ -30,13 +33,29 @@ namespace FastPoints.Build
             return new PointSchema(attributes);
         }
 
+        /// <summary>Coroutine: measures what a display needs to know of a stored cloud, from the points of its upper
+        /// levels.</summary>
+        /// <param name="nodes">Of the folder; its choice changes.</param>
+        /// <param name="schema">See <see cref="SchemaFor"/>.</param>
+        /// <param name="ranges">The ranges to fill.</param>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
+            UpAxis upAxis, DisplayRanges ranges)
+        {
+            nodes.ChooseEvenly(PointsToMeasure);
+            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            using var batch = new PointBatch(schema, nodes.CheckedPoints, Allocator.Persistent);
+            yield return JobStep.Of(Run(folder, nodes, batch, null));
+            yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
+        }
+
         /// <summary>Reads the nodes as a coroutine. Positions come as grid steps from the root's corner: see
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
         /// selection.</param>
         /// <param name="maxBytes">The most bytes that are read at once.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
-        public static IEnumerator<JobStep> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+        public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
         {
             var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
@@ -84,7 +103,7 @@ namespace FastPoints.Build
         /// <summary>Ends the oldest part.</summary>
         /// <returns>Its read, which is free.</returns>
         static StoreRead Complete(Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
-            NodeSelection selection, StageProgress progress)
+            ChosenNodes selection, StageProgress progress)
         {
             // It stays in the queue, whose reads are disposed, until it is known to be sound.
             var (load, part, read, decoded) = inFlight.Peek();
@@ -112,7 +131,7 @@ namespace FastPoints.Build
         /// <summary>The nodes of one file, part by part.</summary>
         sealed class FileLoad : IDisposable
         {
-            readonly NodeSelection m_selection;
+            readonly ChosenNodes m_selection;
             readonly int m_file;
             readonly PointBatch m_batch;
 
@@ -127,7 +146,7 @@ namespace FastPoints.Build
             /// <summary>For each part that was scheduled.</summary>
             readonly NativeArray<bool>[] m_isDamaged;
 
-            public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
+            public FileLoad(CloudFolder folder, ChosenNodes selection, int file, PointBatch batch, int firstPoint,
                 long maxBytes)
             {
                 m_selection = selection;
