@@ -1,9 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
 using System.Text;
 using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Store;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
@@ -133,6 +137,37 @@ namespace FastPoints.Build
                 foreach (var chunk in m_chunks.Chunks)
                     Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
             return Journal.ToJson();
+        }
+    }
+
+    /// <summary>Decides whether a killed build had the same input as this one.</summary>
+    internal static class BuildIdentity
+    {
+        /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>
+        public static unsafe ulong Of(BuildContext build)
+        {
+            var plan = build.Plan;
+            var map = build.Map;
+            var settings = build.Settings;
+            var text = new StringBuilder();
+            foreach (var reader in build.Readers)
+            {
+                string path = reader.Info.Path;
+                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
+                    .Append(reader.PointCount)
+                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
+            }
+            foreach (var attribute in build.Attributes)
+                text.Append(attribute).Append('\n');
+            text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.Rules)
+                .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
+                .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2)
+                .Append('|').Append(settings.MaxPointsPerLeaf);
+            string all = text.ToString();
+            fixed (char* first = all)
+                return ContentHash.Of(first, all.Length * sizeof(char)) ^
+                    ContentHash.Of(map.ChunkOfCell.GetUnsafeReadOnlyPtr(), map.ChunkOfCell.Length * sizeof(int));
         }
     }
 }

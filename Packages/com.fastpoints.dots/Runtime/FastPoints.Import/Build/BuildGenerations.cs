@@ -63,16 +63,15 @@ namespace FastPoints.Build
             manifest.Generation = ++m_generation;
             manifest.Points = 0;
             manifest.Checksum = 0;
-            var results = new ChunkResult[finished.Count];
+            var results = new List<ChunkResult>(finished).ToArray();
             var tops = (NativeArray<byte>[])topRecords.Clone();
             var provisional = new List<int>();
             try
             {
-                yield return JobStep.Of(MakeTops(manifest, store, cubes, finished, results, tops, provisional));
+                yield return JobStep.Of(MakeTops(manifest, store, cubes, results, tops, provisional));
                 var chunks = new List<ChunkResult>();
-                for (int i = 0; i < results.Length; i++)
+                foreach (var result in results)
                 {
-                    var result = finished[i] ?? results[i];
                     if (result == null)
                         continue;
                     chunks.Add(result);
@@ -97,11 +96,9 @@ namespace FastPoints.Build
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
         IEnumerator<JobStep> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
-            IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
+            ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
         {
-            var all = new GridCube[cubes.Count];
-            for (int i = 0; i < all.Length; i++)
-                all[i] = cubes[i];
+            var all = new List<GridCube>(cubes).ToArray();
             var native = new NativeArray<GridCube>(all, Allocator.Persistent);
             var parts = new NativeArray<RecordPages>(all.Length, Allocator.Persistent);
             var job = default(JobHandle);
@@ -121,7 +118,7 @@ namespace FastPoints.Build
                 {
                     if (i < all.Length && inWork.Count < MaxTopsInFlight)
                     {
-                        if (finished[i] == null && parts[i].Count > 0)
+                        if (results[i] == null && parts[i].Count > 0)
                         {
                             var next = spare.Count > 0 ? spare.Pop() : m_build.CreateIndexer(store, manifest);
                             next.BeginTop(all[i], parts[i], i, workspace);

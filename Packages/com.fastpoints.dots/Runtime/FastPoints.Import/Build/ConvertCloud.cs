@@ -102,8 +102,8 @@ namespace FastPoints.Build
         IEnumerator<JobStep> Partition()
         {
             m_build.Choose(m_sampleStatistics);
-            var cube = FirstCube.Of(m_build.Readers, m_sampleStatistics, m_build.Grid);
-            yield return JobStep.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Points, m_build.Plan, m_build.Slices,
+            var cube = RootCube.Guess(m_build.Readers, m_sampleStatistics, m_build.Grid);
+            yield return JobStep.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Plan, m_build.Slices,
                 map => m_build.Map = map));
             foreach (var sample in m_samples)
                 sample.Dispose();

@@ -25,34 +25,33 @@ namespace FastPoints.Build
             var before = new long[items.Count + 1];
             for (int i = 0; i < items.Count; i++)
                 before[i + 1] = before[i] + pointsOf(items[i]);
-            Descend(root, 0, items.Count, items, cubeOf, before, target, groups);
+            Descend(root, 0, items.Count);
             return groups;
-        }
 
-        static void Descend<T>(GridCube cube, int first, int end, IReadOnlyList<T> items, Func<T, GridCube> cubeOf, long[] before,
-            long target, List<Group> groups)
-        {
-            if (first == end)
-                return;
-            if (end - first == 1 || before[end] - before[first] <= target)
+            void Descend(GridCube cube, int first, int end)
             {
-                groups.Add(new Group { Cube = cube, First = first, Count = end - first });
-                return;
-            }
-            if (cube.SideLog2 == 0)
-            {
-                // There are several at one place.
-                for (int i = first; i < end; i++)
-                    groups.Add(new Group { Cube = cube, First = i, Count = 1 });
-                return;
-            }
-            for (int octant = 0; octant < 8; octant++)
-            {
-                int next = first;
-                while (next < end && cube.OctantOf(cubeOf(items[next]).Corner) == octant)
-                    next++;
-                Descend(cube.Child(octant), first, next, items, cubeOf, before, target, groups);
-                first = next;
+                if (first == end)
+                    return;
+                if (end - first == 1 || before[end] - before[first] <= target)
+                {
+                    groups.Add(new Group { Cube = cube, First = first, Count = end - first });
+                    return;
+                }
+                if (cube.SideLog2 == 0)
+                {
+                    // There are several at one place.
+                    for (int i = first; i < end; i++)
+                        groups.Add(new Group { Cube = cube, First = i, Count = 1 });
+                    return;
+                }
+                for (int octant = 0; octant < 8; octant++)
+                {
+                    int next = first;
+                    while (next < end && cube.OctantOf(cubeOf(items[next]).Corner) == octant)
+                        next++;
+                    Descend(cube.Child(octant), first, next);
+                    first = next;
+                }
             }
         }
     }

@@ -97,10 +97,9 @@ namespace FastPoints.Build
         /// <returns>False if some of the points are outside the cube: nothing is done.</returns>
         bool FindChunksInside(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
         {
-            uint* x = stackalloc uint[RunPoints];
-            uint* y = stackalloc uint[RunPoints];
-            uint* z = stackalloc uint[RunPoints];
-            LoadOffsets(bytes, first, count, x, y, z);
+            uint* x = stackalloc uint[3 * RunPoints];
+            uint* y = x + RunPoints, z = y + RunPoints;
+            LoadOffsets(bytes, first, count, x);
             Store.BlockCodec.FindRange(x, count, out uint minX, out uint maxX);
             Store.BlockCodec.FindRange(y, count, out uint minY, out uint maxY);
             Store.BlockCodec.FindRange(z, count, out uint minZ, out uint maxZ);
@@ -109,17 +108,16 @@ namespace FastPoints.Build
                 return false;
             statistics.Min = Grid3.Min(statistics.Min, min);
             statistics.Max = Grid3.Max(statistics.Max, max);
-            Chunks.ChunksOf(chunkOfCell, x, y, z, count, Layout.Base, chunks);
+            Chunks.ChunksOf(chunkOfCell, x, RunPoints, count, Layout.Base, chunks);
             return true;
         }
 
         /// <summary>The same for any points; -1 for those without a position.</summary>
         void FindChunksAnywhere(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
         {
-            long* x = stackalloc long[RunPoints];
-            long* y = stackalloc long[RunPoints];
-            long* z = stackalloc long[RunPoints];
-            LoadRun(bytes, first, count, x, y, z, ref statistics.WorstLossSteps);
+            long* x = stackalloc long[3 * RunPoints];
+            long* y = x + RunPoints, z = y + RunPoints;
+            LoadRun(bytes, first, count, x, ref statistics.WorstLossSteps);
             for (int i = 0; i < count; i++)
             {
                 chunks[i] = -1;
@@ -169,7 +167,7 @@ namespace FastPoints.Build
             {
                 var field = Fields[f];
                 var type = field.Column.Type;
-                byte* values = bytes + field.Column.OffsetBytes + (long)first * type.SizeOf();
+                byte* values = field.Column.At(bytes, first);
                 CopyColumn(values, type.SizeOf(), count, attributes + field.RecordOffset, stride);
                 found[field.Attribute].Include(AttributeStatistics.Of(values, type, count));
             }
@@ -182,15 +180,14 @@ namespace FastPoints.Build
             {
                 long* wide = stackalloc long[3 * RunPoints];
                 double ignored = 0;
-                LoadRun(bytes, first, count, wide, wide + RunPoints, wide + 2 * RunPoints, ref ignored);
+                LoadRun(bytes, first, count, wide, ref ignored);
                 for (int i = 0; i < count; i++)
                     Layout.SetPosition(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
                 return;
             }
-            uint* x = stackalloc uint[RunPoints];
-            uint* y = stackalloc uint[RunPoints];
-            uint* z = stackalloc uint[RunPoints];
-            LoadOffsets(bytes, first, count, x, y, z);
+            uint* x = stackalloc uint[3 * RunPoints];
+            uint* y = x + RunPoints, z = y + RunPoints;
+            LoadOffsets(bytes, first, count, x);
             for (int i = 0; i < count; i++, records += stride)
             {
                 ((uint*)records)[0] = x[i];
@@ -199,11 +196,11 @@ namespace FastPoints.Build
             }
         }
 
-        void LoadOffsets(byte* bytes, int first, int count, uint* x, uint* y, uint* z)
+        void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
         {
-            SourceGrid.ToOffsets(Grid.X, bytes, X, first, count, Layout.Base.X, x);
-            SourceGrid.ToOffsets(Grid.Y, bytes, Y, first, count, Layout.Base.Y, y);
-            SourceGrid.ToOffsets(Grid.Z, bytes, Z, first, count, Layout.Base.Z, z);
+            SourceGrid.ToOffsets(Grid.X, X.At(bytes, first), X.Type, count, Layout.Base.X, offsets);
+            SourceGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + RunPoints);
+            SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * RunPoints);
         }
 
         /// <summary>Moves records to their places.</summary>
@@ -221,11 +218,11 @@ namespace FastPoints.Build
             return sum;
         }
 
-        void LoadRun(byte* bytes, int first, int count, long* x, long* y, long* z, ref double worstLoss)
+        void LoadRun(byte* bytes, int first, int count, long* places, ref double worstLoss)
         {
-            SourceGrid.ToGrid(Grid.X, bytes, X, first, count, x, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Y, bytes, Y, first, count, y, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Z, bytes, Z, first, count, z, ref worstLoss);
+            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, places, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, places + RunPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, places + 2 * RunPoints, ref worstLoss);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)

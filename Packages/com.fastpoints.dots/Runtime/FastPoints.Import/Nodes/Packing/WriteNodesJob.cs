@@ -355,7 +355,7 @@ namespace FastPoints.Nodes
         {
             ulong* min = Allocate<ulong>(3 * runCount);
             ulong* max = Allocate<ulong>(3 * runCount);
-            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[planeNode].Corner, nodes[planeNode].IsWide, min, max);
+            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[planeNode], min, max);
             BytesOfPlane[0] += ranges[0].LengthBytes;
             for (int r = 0; r < runCount; r++)
                 SetBounds(ref nodes[nodeOfRun[r]], nodes[planeNode].Corner, min + 3 * r, max + 3 * r);

@@ -34,21 +34,19 @@ namespace FastPoints.Nodes
         /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="InvalidPosition"/> for numbers that are
         /// not finite or too far out.</summary>
         /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
-        public static unsafe void ToGrid(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long* grid,
+        public static unsafe void ToGrid(in SourceAxis axis, byte* stored, AttributeType type, int count, long* grid,
             ref double worstLoss)
         {
             if (axis.IsInteger)
             {
-                IntegersToGrid(bytes + column.OffsetBytes, column.Type, first, count, axis.Factor, axis.Shift, grid);
+                IntegersToGrid(stored, type, count, axis.Factor, axis.Shift, grid);
                 return;
             }
             double perStep = 1 / axis.Step;
             for (int i = 0; i < count; i++)
             {
-                double stored = column.Type == AttributeType.Float32
-                    ? ((float*)(bytes + column.OffsetBytes))[first + i]
-                    : ((double*)(bytes + column.OffsetBytes))[first + i];
-                double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * perStep;
+                double value = type == AttributeType.Float32 ? ((float*)stored)[i] : ((double*)stored)[i];
+                double steps = (value * axis.Scale + axis.Offset - axis.Origin) * perStep;
                 if (!(math.abs(steps) < Limit))
                 {
                     grid[i] = InvalidPosition;
@@ -61,22 +59,21 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>The same for whole numbers whose grid numbers are less than 2^32 above an origin: offsets from it.</summary>
-        public static unsafe void ToOffsets(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count,
-            long origin, uint* offsets)
+        public static unsafe void ToOffsets(in SourceAxis axis, byte* stored, AttributeType type, int count, long origin,
+            uint* offsets)
         {
-            if (column.Type == AttributeType.Int32)
+            if (type == AttributeType.Int32)
             {
                 // Modulo 2^32, which loses nothing of the result.
                 uint factor = (uint)axis.Factor, shift = (uint)(axis.Shift - origin);
-                uint* stored = (uint*)(bytes + column.OffsetBytes) + first;
                 for (int i = 0; i < count; i++)
-                    offsets[i] = stored[i] * factor + shift;
+                    offsets[i] = ((uint*)stored)[i] * factor + shift;
                 return;
             }
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < count; i++, stored += type.SizeOf())
             {
                 long grid;
-                IntegersToGrid(bytes + column.OffsetBytes, column.Type, first + i, 1, axis.Factor, axis.Shift, &grid);
+                IntegersToGrid(stored, type, 1, axis.Factor, axis.Shift, &grid);
                 offsets[i] = (uint)(grid - origin);
             }
         }
@@ -90,8 +87,7 @@ namespace FastPoints.Nodes
             return math.abs(steps) < Limit ? (long)math.round(steps) : InvalidPosition;
         }
 
-        static unsafe void IntegersToGrid(byte* column, AttributeType type, int first, int count, long factor, long shift,
-            long* grid)
+        static unsafe void IntegersToGrid(byte* column, AttributeType type, int count, long factor, long shift, long* grid)
         {
             switch (type)
             {
@@ -99,37 +95,37 @@ namespace FastPoints.Nodes
                     if (factor == 1 && shift == 0)
                     {
                         for (int i = 0; i < count; i++)
-                            grid[i] = ((int*)column)[first + i];
+                            grid[i] = ((int*)column)[i];
                         return;
                     }
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((int*)column)[first + i] * factor + shift;
+                        grid[i] = ((int*)column)[i] * factor + shift;
                     return;
                 case AttributeType.UInt32:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((uint*)column)[first + i] * factor + shift;
+                        grid[i] = ((uint*)column)[i] * factor + shift;
                     return;
                 case AttributeType.Int16:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((short*)column)[first + i] * factor + shift;
+                        grid[i] = ((short*)column)[i] * factor + shift;
                     return;
                 case AttributeType.UInt16:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((ushort*)column)[first + i] * factor + shift;
+                        grid[i] = ((ushort*)column)[i] * factor + shift;
                     return;
                 case AttributeType.Int8:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((sbyte*)column)[first + i] * factor + shift;
+                        grid[i] = ((sbyte*)column)[i] * factor + shift;
                     return;
                 case AttributeType.UInt8:
                     for (int i = 0; i < count; i++)
-                        grid[i] = column[first + i] * factor + shift;
+                        grid[i] = column[i] * factor + shift;
                     return;
                 case AttributeType.Int64:
                     long max = Limit / math.max(1, math.abs(factor));
                     for (int i = 0; i < count; i++)
                     {
-                        long stored = ((long*)column)[first + i];
+                        long stored = ((long*)column)[i];
                         grid[i] = stored > -max && stored < max ? stored * factor + shift : InvalidPosition;
                     }
                     return;
@@ -137,7 +133,7 @@ namespace FastPoints.Nodes
                     ulong unsignedMax = (ulong)(Limit / math.max(1, math.abs(factor)));
                     for (int i = 0; i < count; i++)
                     {
-                        ulong stored = ((ulong*)column)[first + i];
+                        ulong stored = ((ulong*)column)[i];
                         grid[i] = stored < unsignedMax ? (long)stored * factor + shift : InvalidPosition;
                     }
                     return;

@@ -1,3 +1,5 @@
+using FastPoints.Store;
+
 namespace FastPoints.Nodes
 {
     /// <summary>How the points of a cube are chosen that represent the others.</summary>
@@ -12,5 +14,37 @@ namespace FastPoints.Nodes
         /// <summary>Like <see cref="Poisson"/>, with colour and intensity averaged over the points that each point represents, in
         /// planes of their own.</summary>
         Average,
+    }
+
+    /// <summary>The size of nodes and how finely they are sampled. Blittable.</summary>
+    internal struct NodeSizes
+    {
+        /// <summary>Another number where the same points, settings and chunks give other nodes than before: killed builds are
+        /// not continued, and clouds not taken for one another.</summary>
+        public const int Rules = 2;
+
+        /// <summary>log2 of the sampling cells along an edge of a node that is not a leaf; it has fewer if the node became too
+        /// large.</summary>
+        public int CellsLog2;
+
+        /// <summary>A leaf has about this many points that no node above has taken; see <see cref="IsLeaf"/>.</summary>
+        public int MaxPointsPerLeaf;
+
+        /// <summary>At most <see cref="StoreFormat.MaxPointsPerNode"/>.</summary>
+        public int MaxPointsPerNode;
+
+        /// <summary>Whether a cube becomes a leaf: if its points are few, of which nodes above take about a fifth, or if a node
+        /// that samples it would take most of them, and its children a few each.</summary>
+        /// <param name="points">The number of its points.</param>
+        /// <param name="cells">The number of cells with points, at the finest size that a node may have.</param>
+        public readonly bool IsLeaf(int points, int cells) => points <= MaxPointsPerNode &&
+            (points <= MaxPointsPerLeaf / 4 * 5 || cells >= points - points / 4);
+
+        public static NodeSizes Default => new NodeSizes
+        {
+            CellsLog2 = 7,
+            MaxPointsPerLeaf = 20000,
+            MaxPointsPerNode = StoreFormat.MaxPointsPerNode,
+        };
     }
 }

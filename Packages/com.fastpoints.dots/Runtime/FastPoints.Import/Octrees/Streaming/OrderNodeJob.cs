@@ -80,9 +80,9 @@ namespace FastPoints.Octrees
             for (int at = 0; at < count; at += RunLength)
             {
                 int run = math.min(RunLength, count - at);
-                SourceGrid.ToGrid(Grid.X, columns, Positions.X, First + at, run, x, ref loss);
-                SourceGrid.ToGrid(Grid.Y, columns, Positions.Y, First + at, run, y, ref loss);
-                SourceGrid.ToGrid(Grid.Z, columns, Positions.Z, First + at, run, z, ref loss);
+                SourceGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, run, x, ref loss);
+                SourceGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, run, y, ref loss);
+                SourceGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, run, z, ref loss);
                 isValid &= Store(x, Corner.X, 0, First + at, run) & Store(y, Corner.Y, 1, First + at, run) &
                     Store(z, Corner.Z, 2, First + at, run);
                 for (int i = 0; i < run; i++)

@@ -53,8 +53,7 @@ namespace FastPoints.Octrees
             int blocks = PlaneShape.BlocksOf(Count);
             if (FirstBlock == 0)
                 state.Word = (long)blocks * Shape.DescriptorWords;
-            uint* plane = (uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart);
-            uint* descriptor = plane + (long)FirstBlock * Shape.DescriptorWords;
+            var writer = new BlockWriter((uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart), Shape, FirstBlock, state.Word);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
@@ -63,12 +62,12 @@ namespace FastPoints.Octrees
             {
                 int first = block * PlaneShape.MaxPointsPerBlock, count = math.min(PlaneShape.MaxPointsPerBlock, Count - first);
                 Gather(first, count, values);
-                BlockWriting.Write(values, count, Shape, plane, ref descriptor, ref state.Word, min, max);
+                writer.Write(values, count, min, max);
             }
+            state.Word = writer.Word;
             if (end == blocks)
             {
-                long length = PlaneShape.LengthBytes(state.Word);
-                UnsafeUtility.MemClear(plane + state.Word, length - state.Word * sizeof(uint));
+                long length = writer.End();
                 LengthOfPlane[Plane] = length;
                 state.PlaneStart += length;
             }
@@ -93,11 +92,11 @@ namespace FastPoints.Octrees
             {
                 ulong* wide = (ulong*)Offsets.GetUnsafeReadOnlyPtr() + (long)axis * Capacity;
                 for (int i = 0; i < count; i++)
-                    BlockWriting.WideOf(values, axis)[i] = wide[points[i]];
+                    BlockWriter.WideOf(values, axis)[i] = wide[points[i]];
                 return;
             }
             uint* narrow = (uint*)Offsets.GetUnsafeReadOnlyPtr() + (long)axis * Capacity;
-            uint* to = BlockWriting.NarrowOf(values, axis);
+            uint* to = BlockWriter.NarrowOf(values, axis);
             for (int i = 0; i < count; i++)
                 to[i] = narrow[points[i]];
         }
@@ -105,7 +104,7 @@ namespace FastPoints.Octrees
         void GatherColumn(uint* points, int count, PointColumn column, int c, ulong* values)
         {
             byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + column.OffsetBytes;
-            uint* to = BlockWriting.NarrowOf(values, c);
+            uint* to = BlockWriter.NarrowOf(values, c);
             var type = column.Type;
             if (type == AttributeType.UInt16)
             {
@@ -124,7 +123,7 @@ namespace FastPoints.Octrees
             {
                 ulong stored = OrderedBits.Load(from + (long)points[i] * size, type);
                 if (Shape.IsWide(c))
-                    BlockWriting.WideOf(values, c)[i] = stored;
+                    BlockWriter.WideOf(values, c)[i] = stored;
                 else
                     to[i] = (uint)stored;
             }
