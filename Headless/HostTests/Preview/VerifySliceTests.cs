@@ -1,4 +1,3 @@
-using FastPoints.Build;
 using FastPoints.Evaluation;
 using FastPoints.Export;
 using FastPoints.Nodes;

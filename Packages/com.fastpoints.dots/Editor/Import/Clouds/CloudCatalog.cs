@@ -5,7 +5,6 @@ using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Store;
-using FastPoints.Streaming;
 using UnityEngine;
 
 namespace FastPoints.Editor

@@ -42,8 +42,6 @@ namespace FastPoints.Build
 
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
         /// on disk.</summary>
-        /// <param name="scatter">Knows afterwards what the build before this one has read.</param>
-        /// <param name="chunks">What the journal tells of, from <see cref="BuildJournal.Stage.Split"/> on.</param>
         public static BuildCheckpoints Resume(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
         {
             var checkpoints = new BuildCheckpoints(build, scatter, chunks);
@@ -91,7 +89,6 @@ namespace FastPoints.Build
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
-        /// <summary>Coroutine: waits until the last journal is on disk.</summary>
         public IEnumerator<JobStep> End()
         {
             while (m_ticket != null && !m_ticket.IsDone(1))
@@ -99,7 +96,6 @@ namespace FastPoints.Build
             Dispose();
         }
 
-        /// <summary>Coroutine: writes the journal and waits until it is on disk.</summary>
         public IEnumerator<JobStep> Write()
         {
             yield return JobStep.Of(Begin());
@@ -140,7 +136,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Decides whether a killed build had the same input as this one.</summary>
     internal static class BuildIdentity
     {
         /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>

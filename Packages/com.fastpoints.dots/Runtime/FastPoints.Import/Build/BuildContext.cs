@@ -19,14 +19,12 @@ namespace FastPoints.Build
         /// <summary>May be null.</summary>
         public readonly StageProgress Progress;
 
-        /// <summary>The folder to be.</summary>
         public readonly string Target;
 
         /// <summary>Those that the cloud keeps, beside the position.</summary>
         public readonly PointSchema Attributes;
         public readonly CloudFolderWriter Folder;
 
-        /// <summary>Takes in how long the jobs ran.</summary>
         public readonly SliceTimes Slices;
 
         /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
@@ -41,7 +39,6 @@ namespace FastPoints.Build
             Slices = new SliceTimes(Allocator.Persistent);
         }
 
-        /// <summary>Points of all sources.</summary>
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }
         public RecordLayout Records => Grid.Records;
@@ -70,17 +67,14 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The sampler's name in the manifest.</summary>
         public string SamplerName => Settings.Sampler.ToString().ToLowerInvariant();
 
-        /// <summary>See <see cref="ConvertSettings.InFlightMs"/>.</summary>
         public double InFlightMs() => Settings.InFlightMs;
 
         /// <summary>Slots that may be at work at once, of so many that would be of use.</summary>
         public int MaxSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
 
         /// <summary>Chooses the grid, and plans memory and files. The readers' blocks are known.</summary>
-        /// <param name="samples">By source.</param>
         public void Choose(IReadOnlyList<SampleStatistics> samples)
         {
             var infos = new List<SourceInfo>();
@@ -98,7 +92,6 @@ namespace FastPoints.Build
                 UseFiles();
         }
 
-        /// <summary>From now on records go to files.</summary>
         public void UseFiles() => Files ??= new RecordFiles(Folder, Records.StrideBytes);
 
         /// <summary>The same where all stay in memory, if the disk has room for all of them.</summary>
@@ -143,7 +136,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Chooses which attributes of its sources a cloud keeps.</summary>
     internal static class AttributeChoice
     {
         /// <summary>The first source's attributes except its position. Every source must have the same ones.</summary>

@@ -36,7 +36,6 @@ namespace FastPoints.Build
         /// before has no use for it.</summary>
         public bool IsFirstDue => m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
 
-        /// <summary>Coroutine: makes the sample a cloud.</summary>
         public IEnumerator<JobStep> WriteFirst()
         {
             if (!m_sample.IsRead)
@@ -49,9 +48,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: the next generation.</summary>
-        /// <param name="whole">Of the cloud when it is whole: nothing of it is changed.</param>
         /// <param name="cubes">By chunk, in Morton order.</param>
-        /// <param name="finished">By chunk: what lies on disk of it; null where it is not finished.</param>
         /// <param name="topRecords">By chunk: as in <see cref="UpperMerge.Run"/>.</param>
         public IEnumerator<JobStep> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             IReadOnlyList<ChunkResult> finished, NativeArray<byte>[] topRecords)

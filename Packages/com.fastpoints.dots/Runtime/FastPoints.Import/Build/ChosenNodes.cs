@@ -9,7 +9,6 @@ namespace FastPoints.Build
     /// <summary>Nodes of a stored cloud that were chosen, by file. Chunks' tables are loaded as a choice reaches them.</summary>
     internal class ChosenNodes : IDisposable
     {
-        /// <summary>The file of the upper levels.</summary>
         public const int UpperFile = -1;
 
         protected CloudFolder Folder { get; }
@@ -21,13 +20,11 @@ namespace FastPoints.Build
         public int NodeCount { get; private set; }
         public long Points { get; private set; }
 
-        /// <exception cref="PointCloudException">There are more points than a batch takes.</exception>
         public int CheckedPoints => Points <= int.MaxValue / 64
             ? (int)Points
             : throw PointCloudException.Wanted(FailureCode.Unsupported, Folder.FolderPath, -1, "points of one picture",
                 "at most " + int.MaxValue / 64, Points);
 
-        /// <summary>The files with chosen nodes.</summary>
         public IEnumerable<int> Files => m_nodesOfFile.Keys;
 
         /// <summary>Chosen nodes of a file, in the order of its table.</summary>

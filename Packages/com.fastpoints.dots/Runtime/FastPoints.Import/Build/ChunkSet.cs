@@ -13,12 +13,10 @@ namespace FastPoints.Build
         const int SplitLevels = 3;
         const int PagesPerBatch = 64;
 
-        /// <summary>One chunk.</summary>
         public sealed class Chunk
         {
             public GridCube Cube;
 
-            /// <summary>Its records in memory.</summary>
             public RecordPages Pages;
 
             /// <summary>Its records in files; either these or the pages are empty.</summary>
@@ -60,7 +58,6 @@ namespace FastPoints.Build
         /// no longer needed exist until it has ended.</summary>
         public Func<IEnumerator<JobStep>> Rebalanced { get; set; }
 
-        /// <summary>Takes over a chunk's records.</summary>
         public void Add(GridCube cube, ref RecordPages pages)
         {
             if (pages.Count > 0)
@@ -72,14 +69,12 @@ namespace FastPoints.Build
             pages = default;
         }
 
-        /// <summary>Takes over a chunk's file.</summary>
         public void Add(GridCube cube, int file)
         {
             if (Files.RecordsOf(file) > 0)
                 Add(cube, new RecordRange { File = file, Count = Files.RecordsOf(file) });
         }
 
-        /// <summary>Takes over a chunk's records in files.</summary>
         public void Add(GridCube cube, params RecordRange[] runs)
         {
             var chunk = new Chunk { Cube = cube };
@@ -89,8 +84,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
-        /// <param name="shells">The root's doublings, the smallest first.</param>
-        /// <param name="outside">The chunk of all of them, which its parts replace.</param>
         public IEnumerator<JobStep> SplitOutside(GridCube[] shells, Chunk outside)
         {
             var root = shells[shells.Length - 1];
@@ -247,8 +240,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Distributes a chunk's records over parts that replace it.</summary>
-        /// <param name="cubes">See <see cref="RegroupCubesJob.Cubes"/>.</param>
-        /// <param name="corner">The octree's corner.</param>
         IEnumerator<JobStep> Regroup(Chunk chunk, GridCube[] cubes, Grid3 corner)
         {
             var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
@@ -362,7 +353,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Joins the list that was cut.</summary>
         public static RecordPages Join(List<RecordPages> batches)
         {
             var all = default(RecordPages);

@@ -30,7 +30,6 @@ namespace FastPoints.Build
             return manifest;
         }
 
-        /// <summary>The manifest of a sample alone.</summary>
         public static CloudManifest OfSample(BuildContext build, PlaceholderSample sample)
         {
             var found = sample.Statistics;
@@ -47,7 +46,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>One entry a file, tiles of a reader apart.</summary>
-        /// <param name="statistics">By reader.</param>
         static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
         {
@@ -70,7 +68,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
-        /// <param name="statistics">One for each reader.</param>
         static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)
@@ -89,8 +86,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
-        /// <param name="found">Statistics of all points.</param>
-        /// <param name="values">The values of each attribute.</param>
         static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
             var crs = build.Readers[0].Info.Crs;
@@ -121,7 +116,6 @@ namespace FastPoints.Build
     /// <summary>Turns statistics of a cloud's attributes into the manifest's description of them.</summary>
     internal static unsafe class AttributeSummary
     {
-        /// <summary>Sets divisors and ranges.</summary>
         public static void Describe(PointSchema attributes, AttributeStatistics[] found, CloudManifest manifest)
         {
             manifest.Divisors = new int[attributes.Count];

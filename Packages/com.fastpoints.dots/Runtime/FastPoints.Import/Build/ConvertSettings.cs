@@ -95,21 +95,11 @@ namespace FastPoints.Build
     /// <summary>The stages of a conversion in their order, as its progress names them.</summary>
     internal static class BuildStages
     {
-        /// <summary>A sample of the source decides on the partition.</summary>
         public const string Sample = "sample";
-
-        /// <summary>All points go to their chunks.</summary>
         public const string Read = "read";
-
-        /// <summary>Chunks that are too large or too small are split or merged.</summary>
         public const string Split = "split";
-
-        /// <summary>Chunks become nodes.</summary>
         public const string Index = "index";
-
-        /// <summary>The levels above the chunks are made.</summary>
         public const string Merge = "merge";
-
         public const string Finish = "finish";
     }
 }

@@ -19,7 +19,6 @@ namespace FastPoints.Build
 
         const int PointsToMeasure = 200_000;
 
-        /// <summary>Parts that are read while others are decoded.</summary>
         const int PartsInFlight = 4;
 
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
@@ -37,9 +36,6 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: measures what a display needs to know of a stored cloud, from the points of its upper
         /// levels.</summary>
-        /// <param name="nodes">Of the folder; its choice changes.</param>
-        /// <param name="schema">See <see cref="SchemaFor"/>.</param>
-        /// <param name="ranges">The ranges to fill.</param>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
         public static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
             UpAxis upAxis, DisplayRanges ranges)
@@ -55,7 +51,6 @@ namespace FastPoints.Build
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
         /// selection.</param>
-        /// <param name="maxBytes">The most bytes that are read at once.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
         public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
@@ -121,7 +116,6 @@ namespace FastPoints.Build
             return read;
         }
 
-        /// <summary>Nodes whose planes lie near one another: one read around all of them, and one job.</summary>
         struct Part
         {
             public int FirstNode;
@@ -130,7 +124,6 @@ namespace FastPoints.Build
             public long ByteCount;
         }
 
-        /// <summary>The nodes of one file, part by part.</summary>
         sealed class FileLoad : IDisposable
         {
             readonly ChosenNodes m_selection;
@@ -232,10 +225,8 @@ namespace FastPoints.Build
             public List<Part> Parts { get; }
             public int Points { get; }
 
-            /// <summary>The end of its points in the batch.</summary>
             public int EndPoint { get; }
 
-            /// <param name="bytes">The part's bytes, after <paramref name="inputDeps"/>.</param>
             public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
             {
                 var part = Parts[number];
@@ -308,7 +299,6 @@ namespace FastPoints.Build
     {
         [ReadOnly] public NativeArray<byte> File;
 
-        /// <summary>Where the bytes begin in the file.</summary>
         public long FileOffset;
         [ReadOnly] public NativeArray<ChosenNode> Nodes;
 

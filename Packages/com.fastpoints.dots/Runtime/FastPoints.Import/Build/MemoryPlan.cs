@@ -32,7 +32,6 @@ namespace FastPoints.Build
 
         MemoryPlan() { }
 
-        /// <summary>The most that all sources have.</summary>
         public long Points { get; private set; }
 
         /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>

@@ -19,7 +19,6 @@ namespace FastPoints.Build
 
         /// <summary>Makes the partition as a coroutine.</summary>
         /// <param name="samples">Samples of the sources, in the order of the grid's.</param>
-        /// <param name="slices">Takes in how long the jobs ran.</param>
         /// <param name="take">Receives the partition, which the caller disposes.</param>
         public static IEnumerator<JobStep> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, MemoryPlan plan,
             SliceTimes slices, Action<PartitionMap> take)

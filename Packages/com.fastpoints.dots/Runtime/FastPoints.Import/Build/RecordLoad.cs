@@ -21,7 +21,6 @@ namespace FastPoints.Build
         NativeArray<ReadCommand> m_commands;
         RecordPages m_pages;
 
-        /// <param name="build">Has the files, and gives the pages.</param>
         public RecordLoad(BuildContext build) => m_build = build;
 
         /// <summary>Completes when everything is read; then call <see cref="Complete"/>.</summary>
@@ -96,7 +95,6 @@ namespace FastPoints.Build
             return pages;
         }
 
-        /// <summary>Returns pages that nobody took to their pool.</summary>
         public void Dispose()
         {
             foreach (var read in m_reads)
@@ -130,7 +128,6 @@ namespace FastPoints.Build
         public RecordLayout Layout;
         public GridCube Cube;
 
-        /// <summary>Records outside so far.</summary>
         public NativeReference<int> Outside;
 
         public SliceTimes Slices;

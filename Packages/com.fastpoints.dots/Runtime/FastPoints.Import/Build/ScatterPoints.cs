@@ -39,7 +39,6 @@ namespace FastPoints.Build
         /// <summary>Of all that <see cref="TakeStatistics"/> took.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
 
-        /// <summary>By attribute, the same.</summary>
         public AttributeStatistics[] Attributes { get; }
 
         /// <summary>Records by chunk of the partition, the last those outside. Elements may be taken over and emptied.</summary>
@@ -58,7 +57,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Before a source's scan.</summary>
         public void BeginSource(PointReader reader, in SourceGrid grid)
         {
             m_grid = grid;
@@ -182,10 +180,8 @@ namespace FastPoints.Build
         public NativeArray<RecordPages> Chunks;
         public NativeReference<RecordPagePool> Pool;
 
-        /// <summary>Pages that may be reused.</summary>
         public RecordPages Returned;
 
-        /// <summary>The most pages that the chunks may hold.</summary>
         public long MaxPages;
 
         /// <summary>Number of pages held elsewhere, on their way to a disk.</summary>
@@ -217,7 +213,6 @@ namespace FastPoints.Build
             Slices.End(begin);
         }
 
-        /// <returns>The number of detached pages.</returns>
         long Detach(RecordPages* chunks, long wanted)
         {
             long done = 0;

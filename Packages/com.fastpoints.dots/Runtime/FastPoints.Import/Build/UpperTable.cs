@@ -13,7 +13,6 @@ namespace FastPoints.Build
         /// <summary>Joins them in breadth-first order, a node's children one after the other.</summary>
         /// <param name="regions">The regions, each after the one above it, the root first. Their first nodes' numbers are set
         /// here.</param>
-        /// <param name="planeCount">Number of planes of each node.</param>
         /// <param name="placeOfNode">Index in the table for each node number of <see cref="UpperRegion.NodeOf"/>.</param>
         /// <returns>Records and planes; the caller disposes it.</returns>
         public static NativeArray<byte> Join(IReadOnlyList<UpperRegion> regions, int planeCount, out int[] placeOfNode)
@@ -106,7 +105,6 @@ namespace FastPoints.Build
         public int[] NodeOfDraft;
         public int NodeCount;
 
-        /// <summary>Added to the planes' offsets.</summary>
         public long PlaneShift;
 
         /// <summary>The region above, and the draft there that this region's parentless nodes are attached to. Null for the

@@ -142,7 +142,6 @@ namespace FastPoints.Export
             done(new ExportResult(m_format, state, buffers.Bytes));
         }
 
-        /// <summary>Copies a part of the source's file, in pieces.</summary>
         IEnumerator<JobStep> CopyTail(ExportBuffers buffers, long offset, long bytes)
         {
             const int pieceBytes = 4 << 20;
@@ -267,7 +266,6 @@ namespace FastPoints.Export
 
             public JobHandle Done { get; private set; }
 
-            /// <param name="job">What is the same for all.</param>
             public JobHandle Begin(in ExportRange range, MakeRecordsJob job, JobHandle after)
             {
                 Read.Begin(range.Range);
@@ -293,7 +291,6 @@ namespace FastPoints.Export
                 return Done;
             }
 
-            /// <returns>Points that are written by it and all before.</returns>
             public long Complete()
             {
                 Done.Complete();

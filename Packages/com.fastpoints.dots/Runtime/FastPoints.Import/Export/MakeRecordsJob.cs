@@ -37,7 +37,6 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<ulong> Classes;
         public PointColumn Classification;
 
-        /// <summary>Share of the range's points that are taken, evenly.</summary>
         public double Share;
         public PositionChange Position;
 

@@ -40,13 +40,11 @@ namespace FastPoints.Build
         /// <summary>The chunks' cubes, in Morton order; they fill the cube.</summary>
         public GridCube[] Chunks { get; }
 
-        /// <summary>The number of the chunk for all positions outside.</summary>
         public int Outside => Chunks.Length;
 
         /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
-        /// <summary>Finds the chunk of a position in <see cref="ChunkOfCell"/>.</summary>
         public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_partLevels, Outside);
 
         /// <summary>The number of levels of cells that a cube of this side can have.</summary>
@@ -160,7 +158,6 @@ namespace FastPoints.Build
             m_outside = outside;
         }
 
-        /// <param name="chunkOfCell">See <see cref="PartitionMap.ChunkOfCell"/>.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public unsafe int ChunkOf(int* chunkOfCell, long x, long y, long z)
         {
@@ -224,6 +221,58 @@ namespace FastPoints.Build
             if ((dx | dy | dz) >> SideLog2 != 0)
                 return -1;
             return Morton.EncodeShort((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
+        }
+    }
+
+    /// <summary>Groups neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest
+    /// cubes that have no more than some number of points.</summary>
+    internal static class CubeGroups
+    {
+        /// <summary>Consecutive items. A group of one keeps its own cube.</summary>
+        public struct Group
+        {
+            public GridCube Cube;
+            public int First;
+            public int Count;
+        }
+
+        /// <param name="items">Items in Morton order, all inside <paramref name="root"/>.</param>
+        /// <param name="target">The most points of a group of several.</param>
+        public static List<Group> Of<T>(GridCube root, IReadOnlyList<T> items, Func<T, GridCube> cubeOf, Func<T, long> pointsOf,
+            long target)
+        {
+            var groups = new List<Group>();
+            var before = new long[items.Count + 1];
+            for (int i = 0; i < items.Count; i++)
+                before[i + 1] = before[i] + pointsOf(items[i]);
+            Descend(root, 0, items.Count);
+            return groups;
+
+            void Descend(GridCube cube, int first, int end)
+            {
+                if (first == end)
+                    return;
+                if (end - first == 1 || before[end] - before[first] <= target)
+                {
+                    groups.Add(new Group { Cube = cube, First = first, Count = end - first });
+                    return;
+                }
+                if (cube.SideLog2 == 0)
+                {
+                    // There are several at one place.
+                    for (int i = first; i < end; i++)
+                        groups.Add(new Group { Cube = cube, First = i, Count = 1 });
+                    return;
+                }
+                for (int octant = 0; octant < 8; octant++)
+                {
+                    int next = first;
+                    while (next < end && cube.OctantOf(cubeOf(items[next]).Corner) == octant)
+                        next++;
+                    Descend(cube.Child(octant), first, next);
+                    first = next;
+                }
+            }
         }
     }
 }

@@ -26,7 +26,6 @@ namespace FastPoints.Build
         /// <summary>Cubes of one octree in Morton order, which are equal or do not overlap.</summary>
         [ReadOnly] public NativeArray<GridCube> Cubes;
 
-        /// <summary>The octree's corner.</summary>
         public Grid3 Corner;
 
         /// <summary>Lists for the cubes; of equal cubes the last one gets the records.</summary>

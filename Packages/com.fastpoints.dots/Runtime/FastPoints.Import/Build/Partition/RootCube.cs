@@ -56,7 +56,6 @@ namespace FastPoints.Build
 
         /// <summary>The cube around the sample, and around what the headers claim unless that is far larger: claims may be
         /// anything.</summary>
-        /// <param name="found">Statistics of each reader's sample.</param>
         public static GridCube Guess(IReadOnlyList<PointReader> readers, IReadOnlyList<SampleStatistics> found, GridChoice grid)
         {
             var min = PointStatistics.None.Min;

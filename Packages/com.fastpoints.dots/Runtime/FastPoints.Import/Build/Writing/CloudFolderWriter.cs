@@ -123,17 +123,11 @@ namespace FastPoints.Build
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
 
-        /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it. The bytes belong to the
-        /// writer until the ticket is done.</summary>
-        /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
             m_queue.WritePiece(PathOf(name), bytes, offset);
 
-        /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
         public WriteTicket Seal(string name, NativeArray<byte> bytes) => m_queue.Seal(PathOf(name), bytes);
 
-        /// <summary>Queues records for a temporary file. The pages belong to the writer until the ticket is done.</summary>
-        /// <param name="offset">The file's size so far.</param>
         public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
             m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
 
@@ -141,14 +135,12 @@ namespace FastPoints.Build
         /// survives a loss of power.</summary>
         public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
 
-        /// <summary>Path of a file of the folder while it is in the making.</summary>
         public string PathOf(string name) => Path.Combine(m_part, name);
 
         /// <summary>Deletes a file that the build no longer needs, behind everything queued. What somebody has open is deleted at
         /// the end.</summary>
         public void Delete(string name) => m_queue.Run(PathOf(name), () => FileChanges.TryDelete(PathOf(name), () => false));
 
-        /// <summary>Deletes the files of one generation of the cloud in the making, if they exist.</summary>
         public void DeleteGeneration(long generation)
         {
             Delete(StoreFormat.GenerationName(StoreFormat.UpperName, generation));
@@ -193,7 +185,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Keeps what was written when the writer is disposed, as if the process had been killed.</summary>
         public void Keep() => m_isKept = true;
 
         public void Dispose()

@@ -76,7 +76,6 @@ namespace FastPoints.Build
         public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
 
         /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it.</summary>
-        /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string path, NativeArray<byte> bytes, long offset) =>
             Enqueue(OrderKind.Piece, path, bytes, offset);
 
@@ -84,7 +83,6 @@ namespace FastPoints.Build
         public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, path, bytes, 0);
 
         /// <summary>Queues records at the end of a file that only the build reads.</summary>
-        /// <param name="offset">The file's size so far.</param>
         public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
         {
             Kind = OrderKind.Records,
@@ -104,7 +102,6 @@ namespace FastPoints.Build
         });
 
         /// <summary>Queues something else that is to be done with files.</summary>
-        /// <param name="path">For messages.</param>
         public WriteTicket Run(string path, Action act) => Enqueue(new Order
         {
             Kind = OrderKind.Call,
@@ -233,7 +230,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>One file that waits to be written to disk.</summary>
     internal sealed class WriteTicket
     {
         readonly object m_lock = new object();
@@ -241,11 +237,10 @@ namespace FastPoints.Build
         bool m_isDone;
         Exception m_failure;
 
-        /// <param name="stopRetrying">Called where somebody waits for what is not done yet.</param>
         public WriteTicket(Action stopRetrying) => m_stopRetrying = stopRetrying;
 
         /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
-        /// <exception cref="Base.PointCloudException">It could not be written.</exception>
+        /// <exception cref="FastPoints.Core.PointCloudException">It could not be written.</exception>
         public bool IsDone(int waitMs)
         {
             lock (m_lock)

@@ -44,7 +44,6 @@ namespace FastPoints.Export
         public NodeTable Table { get; }
         public JobHandle Done { get; private set; }
 
-        /// <summary>Memory that it takes, about.</summary>
         public long Bytes => m_fileBytes;
 
         /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
@@ -93,7 +92,6 @@ namespace FastPoints.Export
                 (header.CloudId != m_manifest.CloudId ? "is of another cloud" : null);
         }
 
-        /// <summary>What each node's points showed, in the nodes' order.</summary>
         public IEnumerable<NodeCheckResult> NodeResults()
         {
             int part = 0;

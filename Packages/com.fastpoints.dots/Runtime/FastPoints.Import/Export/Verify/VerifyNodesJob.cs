@@ -41,7 +41,6 @@ namespace FastPoints.Export
         /// <summary>Indexed by node: what its own planes showed.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> PlaneResults;
 
-        /// <summary>Indexed by part.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> Results;
 
         public void Execute()
@@ -189,7 +188,6 @@ namespace FastPoints.Export
 
         public Fault What;
 
-        /// <summary>The faulty plane.</summary>
         public int Plane;
 
         /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
@@ -206,7 +204,6 @@ namespace FastPoints.Export
             Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
         };
 
-        /// <summary>Takes the next part of the same node along.</summary>
         public void Include(in NodeCheckResult part)
         {
             if (What == Fault.None)
@@ -220,7 +217,6 @@ namespace FastPoints.Export
             Max = Grid3.Max(Max, part.Max);
         }
 
-        /// <summary>Whether the node claims these bounds.</summary>
         public bool HasBoundsOf(in NodeRecord node)
         {
             int shift = node.BoundsShift;

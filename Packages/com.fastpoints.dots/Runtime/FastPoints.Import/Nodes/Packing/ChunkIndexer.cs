@@ -69,7 +69,6 @@ namespace FastPoints.Nodes
         /// <summary>Times of the jobs so far; code that takes them empties them.</summary>
         public SliceTimes Slices => m_slices;
 
-        /// <summary>Bytes of each plane in the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
         /// <summary>Begins a chunk, behind those that are in the workspace. The caller owns its pages again when the job is
@@ -110,7 +109,6 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Begins upper nodes: those above some tops, which come in Morton order.</summary>
-        /// <param name="records">The records of all tops.</param>
         /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
         /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
         /// does.</param>
@@ -222,7 +220,6 @@ namespace FastPoints.Nodes
             return job.Schedule(inputDeps);
         }
 
-        /// <param name="job">What it writes; where to is filled in here.</param>
         JobHandle Write(WriteNodesJob job, JobHandle inputDeps)
         {
             job.Slices = m_slices;
@@ -242,11 +239,11 @@ namespace FastPoints.Nodes
             job.BytesOfPlane = m_bytesOfPlane;
             job.Points = m_workspace.Numbers;
             job.Scratch = m_workspace.Writing;
-            job.ValuesPerSlice = WriteNodesJob.ValuesOfSlice;
-            for (long done = 0; done < job.Cost; done += job.ValuesPerSlice)
+            job.CostPerSlice = WriteNodesJob.CostOfSlice;
+            for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             // Slices end at planes: what they leave.
-            job.ValuesPerSlice = int.MaxValue;
+            job.CostPerSlice = int.MaxValue;
             return m_workspace.Last = job.Schedule(inputDeps);
         }
 
@@ -291,7 +288,6 @@ namespace FastPoints.Nodes
     {
         [ReadOnly] public NativeList<byte> Records;
 
-        /// <summary>The layout of tops.</summary>
         public RecordLayout Layout;
         public NativeReference<ulong> Sum;
 

@@ -10,7 +10,6 @@ namespace FastPoints.Nodes
     /// <summary>Some points of one node that become blocks of their own.</summary>
     internal unsafe struct PackedRun
     {
-        /// <summary>Numbers of the records.</summary>
         [NativeDisableUnsafePtrRestriction] public uint* Points;
         public int Count;
     }
@@ -21,7 +20,6 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] public byte* Records;
         public RecordLayout Layout;
 
-        /// <summary>All columns of all attribute planes.</summary>
         [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
 
         /// <summary>Writes the position plane of a node at the end of a list.</summary>
@@ -55,7 +53,6 @@ namespace FastPoints.Nodes
             return End(file, writer, start);
         }
 
-        /// <summary>Writes one attribute plane of a node at the end of a list.</summary>
         public PlaneRange WriteAttributes(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape, int firstColumn)
         {
             var writer = Begin(file, shape, runs, runCount, out long start);
@@ -215,8 +212,6 @@ namespace FastPoints.Nodes
         readonly PlaneShape m_shape;
         uint* m_descriptor;
 
-        /// <param name="firstBlock">The first that is written.</param>
-        /// <param name="word">The plane's word where its packed words go.</param>
         public BlockWriter(uint* plane, PlaneShape shape, int firstBlock, long word)
         {
             Plane = plane;

@@ -63,7 +63,6 @@ namespace FastPoints.Nodes
         /// <summary>Scratch: the bucket of each record, as they came.</summary>
         public NativeArray<uint> BucketOfPoint;
 
-        /// <summary>About this much is done in one run.</summary>
         public int CostPerSlice;
 
         /// <summary>Out: the records in order.</summary>
@@ -173,7 +172,6 @@ namespace FastPoints.Nodes
             m_now.Stage = Stage.Count;
         }
 
-        /// <summary>Finds and counts the records' buckets.</summary>
         void CountBuckets()
         {
             int shift = Cube.SideLog2 - BucketLevels, stride = Layout.StrideBytes;
@@ -303,7 +301,6 @@ namespace FastPoints.Nodes
                 m_now.Stage = Stage.Sort;
         }
 
-        /// <summary>Finds the order of the current bucket.</summary>
         void SortBucket()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
@@ -349,7 +346,6 @@ namespace FastPoints.Nodes
 
         static int NumberBitsOf(int count) => 32 - math.lzcnt((uint)count);
 
-        /// <summary>Copies some of the current bucket's records in order.</summary>
         void Emit()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();

@@ -72,7 +72,6 @@ namespace FastPoints.Nodes
             ((uint*)record)[2] = (uint)(z - Base.Z);
         }
 
-        /// <summary>Loads positions of narrow records.</summary>
         public void LoadPositions(byte* records, int count, uint* x, uint* y, uint* z)
         {
             int stride = StrideBytes;
@@ -84,7 +83,6 @@ namespace FastPoints.Nodes
             }
         }
 
-        /// <summary>The record's attributes.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public byte* AttributesOf(byte* record) => record + PositionBytes;
 

@@ -12,7 +12,6 @@ namespace FastPoints.Nodes
     /// time may change a list.</summary>
     internal unsafe struct RecordPages
     {
-        /// <summary>Records of one page.</summary>
         public const int RecordsPerPage = 1 << 11;
 
         /// <summary>The header of a page; its records follow it in memory.</summary>
@@ -31,13 +30,11 @@ namespace FastPoints.Nodes
         /// <summary>Pages in the list, of which the last few may not be full.</summary>
         public int PageCount;
 
-        /// <summary>Bytes of a page in memory.</summary>
         public static long PageBytes(int strideBytes) => HeaderBytes + ((long)RecordsPerPage * strideBytes + 63 & ~63L);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static byte* RecordsOf(Page* page) => (byte*)page + HeaderBytes;
 
-        /// <summary>Appends a page, with the records that it holds.</summary>
         public void AddPage(Page* page)
         {
             page->Next = null;
@@ -123,7 +120,6 @@ namespace FastPoints.Nodes
         int m_pagesLeft;
         readonly int m_pagesPerSlab;
 
-        /// <param name="strideBytes">Bytes of a record.</param>
         /// <param name="expectedPages">The expected number of pages: small clouds take small slabs.</param>
         public RecordPagePool(int strideBytes, long expectedPages)
         {
@@ -148,7 +144,6 @@ namespace FastPoints.Nodes
         /// <summary>Pages that were taken and not given back.</summary>
         public long PagesInUse { get; private set; }
 
-        /// <summary>Takes an empty page.</summary>
         public RecordPages.Page* Take()
         {
             var page = m_free;

@@ -1,4 +1,8 @@
+using System;
+using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Sampling;
 using Unity.Mathematics;
 
 namespace FastPoints.Nodes
@@ -143,5 +147,146 @@ namespace FastPoints.Nodes
                     return;
             }
         }
+    }
+
+    /// <summary>Chooses the one grid of a cloud and how each source's numbers map to it. Whole numbers keep every digit if their
+    /// scales and offsets have a common step; floats get a step that is a power of two.</summary>
+    internal sealed class GridChoice
+    {
+        /// <summary>A float source's extent takes at most 2^31 steps, so that offsets in the octree fit 32 bits.</summary>
+        const int FloatExtentLog2 = 31;
+
+        public CloudGrid Grid;
+
+        public SourceGrid[] Sources;
+
+        /// <summary>The layout for the most that the sources' numbers can be on the grid: wide if they do not fit 32
+        /// bits.</summary>
+        public RecordLayout Records;
+
+        /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>
+        public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
+            int attributeBytes)
+        {
+            var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
+            bool isNarrow = true;
+            var origin = default(Grid3);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                string name = axis == 0 ? AttributeNames.X : axis == 1 ? AttributeNames.Y : AttributeNames.Z;
+                var axes = ChooseAxis(infos, samples, axis, name, out double step, out double axisOrigin);
+                choice.Grid.Step[axis] = step;
+                choice.Grid.Origin[axis] = axisOrigin;
+                long lowest = long.MaxValue, highest = long.MinValue;
+                for (int i = 0; i < axes.Length; i++)
+                {
+                    if (axis == 0)
+                        choice.Sources[i].X = axes[i];
+                    else if (axis == 1)
+                        choice.Sources[i].Y = axes[i];
+                    else
+                        choice.Sources[i].Z = axes[i];
+                    var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
+                    isNarrow &= axes[i].IsInteger && type.SizeOf() <= 4;
+                    type.RangeOf(out long min, out long max);
+                    long a = min * axes[i].Factor + axes[i].Shift, b = max * axes[i].Factor + axes[i].Shift;
+                    lowest = Math.Min(lowest, Math.Min(a, b));
+                    highest = Math.Max(highest, Math.Max(a, b));
+                }
+                isNarrow = isNarrow && highest - lowest <= uint.MaxValue;
+                if (axis == 0)
+                    origin.X = lowest;
+                else if (axis == 1)
+                    origin.Y = lowest;
+                else
+                    origin.Z = lowest;
+            }
+            choice.Records = new RecordLayout(!isNarrow, origin, attributeBytes);
+            return choice;
+        }
+
+        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis,
+            string name,
+            out double step, out double origin)
+        {
+            bool isInteger = true;
+            foreach (var info in infos)
+                isInteger &= !info.Schema[info.Schema.IndexOf(name)].Type.IsFloat();
+            step = isInteger ? CommonStep(infos, axis) : FloatStep(infos, samples, axis, name);
+            origin = isInteger ? infos[0].Transform.Offset[axis] : 0;
+
+            var axes = new SourceAxis[infos.Count];
+            for (int i = 0; i < axes.Length; i++)
+                axes[i] = AxisOf(infos[i], axis, name, step, origin);
+            return axes;
+        }
+
+        /// <summary>Maps one source's numbers to a given grid: that of a stored cloud, to compare it with its source.</summary>
+        /// <exception cref="PointCloudException">The grid has no room for the source's scales and offsets.</exception>
+        public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
+        {
+            SourceAxis On(int axis, string name) => AxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
+            return new SourceGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
+        }
+
+        static SourceAxis AxisOf(SourceInfo info, int axis, string name, double step, double origin)
+        {
+            double scale = info.Transform.Scale[axis], offset = info.Transform.Offset[axis];
+            var result = new SourceAxis { Scale = scale, Offset = offset, Origin = origin, Step = step };
+            if (info.Schema[info.Schema.IndexOf(name)].Type.IsFloat())
+                return result;
+            if (!CommonGrid.TryPlace(scale, offset, step, origin, out result.Factor, out result.Shift, out double loss))
+            {
+                throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
+                    "scale and offset of " + name + ": no grid holds them together with the other files'");
+            }
+            result.IsInteger = true;
+            if (loss > 0)
+                info.Warn(-1, name + " does not fit the common grid: moved by up to " + NumberText.Of(loss));
+            return result;
+        }
+
+        static double CommonStep(IReadOnlyList<SourceInfo> infos, int axis)
+        {
+            var scales = new double[infos.Count];
+            var offsets = new double[infos.Count];
+            for (int i = 0; i < scales.Length; i++)
+            {
+                scales[i] = infos[i].Transform.Scale[axis];
+                offsets[i] = infos[i].Transform.Offset[axis];
+            }
+            return CommonGrid.StepOf(scales, offsets);
+        }
+
+        /// <summary>A power of two that keeps all digits of the sample if its extent then fits 31 bits.</summary>
+        static double FloatStep(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis, string name)
+        {
+            double min = double.PositiveInfinity, max = double.NegativeInfinity, finestScale = double.PositiveInfinity;
+            int digit = int.MaxValue;
+            for (int i = 0; i < infos.Count; i++)
+            {
+                double scale = infos[i].Transform.Scale[axis], offset = infos[i].Transform.Offset[axis];
+                double a = samples[i].Min[axis] * scale + offset, b = samples[i].Max[axis] * scale + offset;
+                min = Math.Min(min, Math.Min(a, b));
+                max = Math.Max(max, Math.Max(a, b));
+                if (infos[i].Schema[infos[i].Schema.IndexOf(name)].Type.IsFloat())
+                    digit = Math.Min(digit, samples[i].LowestDigit[axis]);
+                else
+                    finestScale = Math.Min(finestScale, Math.Abs(scale));
+            }
+            if (!(min <= max))
+                return 1;
+            if (finestScale < double.PositiveInfinity)
+                return finestScale;
+            double largest = Math.Max(Math.Abs(min), Math.Abs(max));
+            if (digit == int.MaxValue || largest == 0)
+                return 1;
+            digit = Math.Max(digit, Exponent(max - min) + 1 - FloatExtentLog2);
+            digit = Math.Max(digit, Exponent(largest) + 1 - 58);
+            return math.pow(2.0, Math.Max(-1000, Math.Min(900, digit)));
+        }
+
+        /// <summary>The power of two at or below a positive number; very low for zero.</summary>
+        static int Exponent(double value) => value > 0 ? (int)Math.Floor(Math.Log(value, 2)) : -1000;
     }
 }

@@ -72,7 +72,6 @@ namespace FastPoints.Nodes
 
         DartGrid Grid => Scratch.Grid.For(m_now.Cell, Averaged.IsOn);
 
-        /// <summary>Gathers the candidates of one tile.</summary>
         void Gather()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);

@@ -79,7 +79,6 @@ namespace FastPoints.Nodes
         /// <summary>Its <see cref="SampleScratch.Progress"/> is reset before the first slice.</summary>
         public SampleScratch Scratch;
 
-        /// <summary>About this much is done in one run.</summary>
         public int CostPerSlice;
         public SliceTimes Slices;
 
@@ -307,7 +306,6 @@ namespace FastPoints.Nodes
             BeginPlan(m_now.Range + 1);
         }
 
-        /// <summary>Begins the next spacing that ranges have, if there is one.</summary>
         void NextSpacing()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
@@ -350,7 +348,6 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Begins the next range of the current spacing, or what follows the last one.</summary>
-        /// <param name="number">The range before it, or -1.</param>
         void BeginRange(int number)
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
