@@ -112,7 +112,8 @@ namespace FastPoints.Evaluation
             foreach (int n in nodes.NodesOf(file))
             {
                 var node = nodes.TableOf(file).Nodes[n];
-                var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0, node.SampledWith);
+                var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0,
+                    node.SampledWith);
                 if (!ranges.TryGetValue(key, out var ofGroup))
                     ranges.Add(key, ofGroup = new List<NodeRange>());
                 double spacing = math.cmin(m_folder.Manifest.Grid.Step) * math.pow(2.0, node.CellLog2);
@@ -277,8 +278,8 @@ namespace FastPoints.Evaluation
             var bytes = (byte*)Batch.GetUnsafeReadOnlyPtr();
             var points = (double3*)Points.GetUnsafePtr();
             int at = 0;
-            foreach (var node in Nodes)
-                for (int i = node.First; i < node.First + node.Count; i++)
+            for (int n = 0; n < Nodes.Length; n++)
+                for (int i = Nodes[n].First; i < Nodes[n].First + Nodes[n].Count; i++)
                     points[at++] = new double3(((double*)(bytes + X.OffsetBytes))[i], ((double*)(bytes + Y.OffsetBytes))[i],
                         ((double*)(bytes + Z.OffsetBytes))[i]) * Step;
             for (int g = 0; g < Groups.Length; g++)

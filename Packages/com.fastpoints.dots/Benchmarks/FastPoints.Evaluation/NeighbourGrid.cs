@@ -64,7 +64,7 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>A point's distance to its nearest neighbour in the grid; infinity if there is none within the limit.</summary>
+        /// <summary>A point's distance to its nearest neighbour in the grid; infinity if none is within the limit.</summary>
         public double DistanceOf(int point)
         {
             double nearestSq = m_limit * m_limit;

@@ -36,10 +36,10 @@ namespace FastPoints.Build
                 for (int i = 0; i < samples.Count; i++)
                 {
                     var stored = samples[i].Stored;
-                    for (int begin = 0; begin < stored.Length; begin += CodeSampleJob.PointsOfSlice)
+                    for (int begin = 0; begin < stored.Length; begin += CodeSampleJob.PointsPerSlice)
                         coded = new CodeSampleJob
                         {
-                            Stored = stored.GetSubArray(begin, Math.Min(CodeSampleJob.PointsOfSlice, stored.Length - begin)),
+                            Stored = stored.GetSubArray(begin, Math.Min(CodeSampleJob.PointsPerSlice, stored.Length - begin)),
                             Grid = grid.Sources[i],
                             Cube = cube,
                             CodeOfPoint = codes,
@@ -91,7 +91,7 @@ namespace FastPoints.Build
     internal struct CodeSampleJob : IJob
     {
         /// <summary>Points of one run of the job.</summary>
-        public const int PointsOfSlice = 1 << 16;
+        public const int PointsPerSlice = 1 << 16;
 
         /// <summary>A slice of a sample.</summary>
         [ReadOnly] public NativeArray<double3> Stored;

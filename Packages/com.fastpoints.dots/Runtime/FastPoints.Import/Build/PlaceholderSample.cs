@@ -72,7 +72,7 @@ namespace FastPoints.Build
                 Slices = m_slices,
             };
             var all = default(JobHandle);
-            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesOfSlice)
+            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesPerSlice)
                 all = job.Schedule(all);
             return all;
         }

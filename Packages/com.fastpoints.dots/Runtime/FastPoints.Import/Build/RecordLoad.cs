@@ -122,7 +122,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct CheckRecordsJob : IJob
     {
-        const int PagesOfSlice = 64;
+        const int PagesPerSlice = 64;
 
         public RecordPages Pages;
         public RecordLayout Layout;
@@ -135,10 +135,10 @@ namespace FastPoints.Build
         /// <summary>Schedules the check of a list. All its pages are there already, and may get their records later.</summary>
         public static JobHandle Schedule(CheckRecordsJob job, JobHandle loaded)
         {
-            for (var rest = job.Pages; rest.PageCount > 0; rest.PageCount -= PagesOfSlice)
+            for (var rest = job.Pages; rest.PageCount > 0; rest.PageCount -= PagesPerSlice)
             {
                 job.Pages = rest;
-                job.Pages.PageCount = System.Math.Min(PagesOfSlice, rest.PageCount);
+                job.Pages.PageCount = System.Math.Min(PagesPerSlice, rest.PageCount);
                 loaded = job.Schedule(loaded);
                 for (int i = 0; i < job.Pages.PageCount; i++)
                     rest.First = rest.First->Next;

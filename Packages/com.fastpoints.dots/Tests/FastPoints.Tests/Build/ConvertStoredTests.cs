@@ -157,7 +157,8 @@ namespace FastPoints.Tests.Build
             var result = Verified("cloud");
             int levels = 0;
             double ofAll = double.PositiveInfinity;
-            foreach (var (level, near) in result.Levels.Zip(ConvertCloudTests.Spacings(Target("cloud")), (level, near) => (level, near)))
+            var spacings = ConvertCloudTests.Spacings(Target("cloud"));
+            foreach (var (level, near) in result.Levels.Zip(spacings, (level, near) => (level, near)))
             {
                 TestContext.WriteLine(level.SampledPoints + " of " + level.Points + " points sampled, " +
                     near.MinDistance / level.Spacing + " spacings, " +

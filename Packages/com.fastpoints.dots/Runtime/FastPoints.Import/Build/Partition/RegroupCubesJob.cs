@@ -12,7 +12,7 @@ namespace FastPoints.Build
     internal unsafe struct RegroupCubesJob : IJob
     {
         /// <summary>Pages of one run that keeps them: a millisecond or so.</summary>
-        public const int PagesOfSlice = 8;
+        public const int PagesPerSlice = 8;
 
         /// <summary>The records, which stay unchanged.</summary>
         public RecordPages Pages;
@@ -42,7 +42,7 @@ namespace FastPoints.Build
             var page = Pages.First;
             for (int p = 0; p < FirstPage; p++)
                 page = page->Next;
-            for (int p = 0; (p < PagesOfSlice || TakesPages) && page != null; p++)
+            for (int p = 0; (p < PagesPerSlice || TakesPages) && page != null; p++)
             {
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)

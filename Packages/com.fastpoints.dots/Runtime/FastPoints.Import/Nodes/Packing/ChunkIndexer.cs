@@ -134,7 +134,7 @@ namespace FastPoints.Nodes
             while (prepare.End < count)
             {
                 prepare.First = prepare.End;
-                prepare.End = Math.Min(count, prepare.First + PrepareUpperJob.PointsOfSlice);
+                prepare.End = Math.Min(count, prepare.First + PrepareUpperJob.PointsPerSlice);
                 prepared = prepare.Schedule(prepared);
             }
             var sampled = Sample(count, cube, layout, records, tops, prepared);
@@ -260,7 +260,7 @@ namespace FastPoints.Nodes
     internal unsafe struct PrepareUpperJob : IJob
     {
         /// <summary>A slice takes about 4 ms.</summary>
-        public const int PointsOfSlice = 100000;
+        public const int PointsPerSlice = 100000;
 
         /// <summary>The points of this slice. The slices of one cloud follow one another.</summary>
         public int First;

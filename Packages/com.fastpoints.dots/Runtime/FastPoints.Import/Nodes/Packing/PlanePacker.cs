@@ -23,8 +23,8 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
 
         /// <summary>Writes the position plane of a node at the end of a list.</summary>
-        /// <param name="min">Receives the smallest offset from the node's corner, three numbers for each run; <paramref name="max"/>
-        /// receives the largest.</param>
+        /// <param name="min">Receives the smallest offset from the node's corner, three numbers for each run;
+        /// <paramref name="max"/> receives the largest.</param>
         public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, in NodeRecord node, ulong* min,
             ulong* max)
         {
