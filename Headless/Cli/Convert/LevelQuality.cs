@@ -27,6 +27,9 @@ namespace FastPoints.Cli.Convert
         {
             var verified = new VerifyResult();
             run.RunSteps(VerifyCloud.Run(cloud, Array.Empty<PointReader>(), verified, run.Progress));
+            var spacings = new List<LevelSpacing>();
+            if (verified.Ok)
+                run.RunSteps(MeasureSpacing.Run(cloud, spacings));
             var result = new List<LevelQuality>();
             using var folder = CloudFolder.Open(cloud);
             for (int level = 0; level < verified.Levels.Count; level++)
@@ -34,14 +37,15 @@ namespace FastPoints.Cli.Convert
                 var at = verified.Levels[level];
                 if (at.SampledPoints < 2)
                     continue;
+                var near = level < spacings.Count ? spacings[level] : LevelSpacing.None;
                 result.Add(new LevelQuality
                 {
                     Level = level,
                     Nodes = at.Nodes,
                     Points = at.SampledPoints,
                     Spacing = at.Spacing,
-                    MinDistance = at.MinDistance,
-                    ShareNearAcrossChunks = at.NearAcrossChunks / (double)at.SampledPoints,
+                    MinDistance = near.MinDistance,
+                    ShareNearAcrossChunks = near.NearAcrossChunks / (double)at.SampledPoints,
                     Variation = VariationOf(folder, level, at.Spacing, run),
                 });
             }
@@ -55,10 +59,9 @@ namespace FastPoints.Cli.Convert
             int own = points.Count;
             Load(folder, level, level, points, run);
             using var all = new NativeArray<double3>(points.ToArray(), Allocator.Persistent);
-            using var scratch = new NativeArray<int>((int)ClosestPair.ScratchOf(points.Count), Allocator.Persistent);
-            var near = new NearestNeighbours((double3*)all.GetUnsafeReadOnlyPtr(), points.Count, FarthestSpacings * spacing,
+            using var scratch = new NativeArray<int>(NeighbourGrid.ScratchOf(points.Count), Allocator.Persistent);
+            var near = new NeighbourGrid((double3*)all.GetUnsafeReadOnlyPtr(), points.Count, FarthestSpacings * spacing,
                 (int*)scratch.GetUnsafePtr());
-            near.Clear(0, NearestNeighbours.Cells(points.Count));
             near.Add(0, points.Count);
             double sum = 0, squares = 0;
             long count = 0;
@@ -77,7 +80,7 @@ namespace FastPoints.Cli.Convert
 
         static unsafe void Load(CloudFolder folder, int first, int last, List<double3> points, CliRun run)
         {
-            using var selection = new NodeSelection(folder);
+            using var selection = new ChosenNodes(folder);
             selection.ChooseSampled(first, last);
             if (selection.Points == 0)
                 return;

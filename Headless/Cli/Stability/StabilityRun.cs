@@ -108,12 +108,14 @@ public sealed class StabilityRun
         var verified = new VerifyResult();
         JobCoroutine.RunToEnd(VerifyCloud.Run(target, [reader], verified, null));
         Problems.AddRange(verified.Problems);
-        if (m_sampler != Sampler.Random)
+        if (m_sampler != Sampler.Random && verified.Ok)
         {
-            foreach (var level in verified.Levels)
-                if (level.MinDistance < 0.99 * level.Spacing)
+            var spacings = new List<LevelSpacing>();
+            JobCoroutine.RunToEnd(MeasureSpacing.Run(target, spacings));
+            foreach (var (near, level) in spacings.Zip(verified.Levels))
+                if (near.MinDistance < 0.99 * level.Spacing)
                     Problems.Add(string.Format(CultureInfo.InvariantCulture, "points at {0} where the spacing is {1}",
-                        level.MinDistance, level.Spacing));
+                        near.MinDistance, level.Spacing));
         }
         return Math.Abs(made!.Manifest.Points + input.LeftOut - input.Points)
             + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);

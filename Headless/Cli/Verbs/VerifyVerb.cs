@@ -35,7 +35,8 @@ public sealed class VerifyVerb : Verb
         run.Begin([cloud]);
         var result = new VerifyResult();
         var readers = new List<PointReader>();
-        run.WriteKeys = json => WriteKeys(json, result);
+        var spacings = new List<LevelSpacing>();
+        run.WriteKeys = json => WriteKeys(json, result, spacings);
         try
         {
             if (parsed.GetValue(m_against) is { Length: > 0 } files)
@@ -45,6 +46,8 @@ public sealed class VerifyVerb : Verb
                 run.Warn(readers[0].Info);
             }
             run.RunSteps(VerifyCloud.Run(cloud, readers, result, run.Progress));
+            if (result.Ok)
+                run.RunSteps(MeasureSpacing.Run(cloud, spacings));
             foreach (var reader in readers)
                 run.Points.Add(reader.Info, reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable);
         }
@@ -61,13 +64,14 @@ public sealed class VerifyVerb : Verb
         for (int level = 0; level < result.Levels.Count; level++)
         {
             var at = result.Levels[level];
+            var near = SpacingOf(spacings, level);
             if (at.Nodes > 0)
                 table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points),
                     at.Spacing > 0 ? Human.Value(at.Spacing) : "",
-                    double.IsFinite(at.MinDistance) ? Human.Value(at.MinDistance) : "",
-                    double.IsFinite(at.MinDistanceAcrossChunks) ? Human.Value(at.MinDistanceAcrossChunks) : "",
+                    double.IsFinite(near.MinDistance) ? Human.Value(near.MinDistance) : "",
+                    double.IsFinite(near.MinDistanceAcrossChunks) ? Human.Value(near.MinDistanceAcrossChunks) : "",
                     at.SampledPoints > 0
-                        ? Human.Value(Math.Round(100.0 * at.NearAcrossChunks / at.SampledPoints, 3)) + " %"
+                        ? Human.Value(Math.Round(100.0 * near.NearAcrossChunks / at.SampledPoints, 3)) + " %"
                         : "");
         }
         table.Write(run.Out, "  ");
@@ -79,7 +83,11 @@ public sealed class VerifyVerb : Verb
             + (readers.Count > 0 ? ", the same as in the source" : ""));
     }
 
-    static void WriteKeys(Utf8JsonWriter json, VerifyResult result)
+    // Levels of leaves alone have no spacing; that of a damaged cloud is not measured.
+    static LevelSpacing SpacingOf(List<LevelSpacing> spacings, int level) =>
+        level < spacings.Count ? spacings[level] : LevelSpacing.None;
+
+    static void WriteKeys(Utf8JsonWriter json, VerifyResult result, List<LevelSpacing> spacings)
     {
         json.WriteBoolean("ok", result.Ok);
         json.WriteStartArray("problems");
@@ -91,6 +99,7 @@ public sealed class VerifyVerb : Verb
         for (int level = 0; level < result.Levels.Count; level++)
         {
             var at = result.Levels[level];
+            var near = SpacingOf(spacings, level);
             if (at.Nodes == 0)
                 continue;
             json.WriteStartObject();
@@ -98,10 +107,10 @@ public sealed class VerifyVerb : Verb
             json.WriteInteger("nodes", at.Nodes);
             json.WriteInteger("points", at.Points);
             WriteLength(json, "spacing", at.Spacing > 0 ? at.Spacing : double.NaN);
-            WriteLength(json, "minDistance", at.MinDistance);
-            WriteLength(json, "minDistanceAcrossChunks", at.MinDistanceAcrossChunks);
+            WriteLength(json, "minDistance", near.MinDistance);
+            WriteLength(json, "minDistanceAcrossChunks", near.MinDistanceAcrossChunks);
             WriteLength(json, "shareNearAcrossChunks",
-                at.SampledPoints > 0 ? at.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
+                at.SampledPoints > 0 ? near.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
             json.WriteEndObject();
         }
         json.WriteEndArray();

@@ -1,4 +1,4 @@
-using FastPoints.Build;
+using FastPoints.Evaluation;
 using FastPoints.Export;
 using FastPoints.Nodes;
 using FastPoints.Scenes;
@@ -25,7 +25,7 @@ namespace FastPoints.HostTests.Preview
         [Test]
         public void Verify_IsCut()
         {
-            const int points = 400_000, maxPoints = 1 << 13, maxSearched = 1 << 12;
+            const int points = 400_000, maxPoints = 1 << 13;
             string las = Path.Combine(m_folder, "a.las"), cloud = Path.Combine(m_folder, "a.fastpoints");
             JobCoroutine.RunToEnd(LasScan.Run(las, points, 1, ScanOrder.Strip, null));
             using (var reader = PointReaders.Open(las))
@@ -46,29 +46,21 @@ namespace FastPoints.HostTests.Preview
             }
             Assert.That(result.Problems, Is.Empty);
             Assert.That(runs[typeof(VerifyNodesJob)].Count, Is.GreaterThanOrEqualTo(points / maxPoints));
-            long sampled = result.Levels.Sum(level => level.SampledPoints);
-            Assert.That(runs[typeof(MeasureSpacingJob)].Count, Is.GreaterThanOrEqualTo(sampled / maxSearched));
         }
 
         /// <param name="spacing">Less than between most neighbours, more than between many, and more than between all.</param>
         [TestCase(0.001)]
         [TestCase(0.02)]
         [TestCase(2)]
-        public void CrossCheck_OfAnySpacing_IsAllAgainstAll(double spacing)
+        public void CountNear_OfAnySpacing_IsAllAgainstAll(double spacing)
         {
-            const int count = 9000, maxSearched = 1 << 12;
+            const int count = 9000;
             var random = new Unity.Mathematics.Random(7);
             using var points = new NativeList<double3>(Allocator.Persistent);
             for (int i = 0; i < count; i++)
                 points.Add(random.NextDouble3());
             using var none = new NativeList<double3>(Allocator.Persistent);
             using var equal = new NativeList<double3>(Allocator.Persistent) { points[0], points[1], points[0] };
-            var levels = new List<VerifyResult.Level>();
-            for (int i = 0; i < 3; i++)
-                levels.Add(new VerifyResult.Level { Spacing = spacing });
-            JobTimes.Begin();
-            JobCoroutine.RunToEnd(CrossCheck.Run([none, points, equal], levels));
-            var runs = JobTimes.End();
             double smallest = double.PositiveInfinity;
             int near = 0;
             for (int i = 0; i < count; i++)
@@ -80,11 +72,16 @@ namespace FastPoints.HostTests.Preview
                 smallest = Math.Min(smallest, Math.Sqrt(nearest));
                 near += Math.Sqrt(nearest) < spacing * (1 - 1e-9) ? 1 : 0;
             }
-            Assert.That(levels[0].MinDistanceAcrossChunks, Is.EqualTo(double.PositiveInfinity));
-            Assert.That(levels[1].MinDistanceAcrossChunks, Is.EqualTo(smallest));
-            Assert.That(levels[1].NearAcrossChunks, Is.EqualTo(near));
-            Assert.That(levels[2].MinDistanceAcrossChunks, Is.Zero);
-            Assert.That(runs[typeof(CountNearJob)].Count, Is.GreaterThan(count / maxSearched));
+            Assert.That(CountNear(none, spacing), Is.EqualTo((double.PositiveInfinity, 0L)));
+            Assert.That(CountNear(points, spacing), Is.EqualTo((smallest, (long)near)));
+            Assert.That(CountNear(equal, spacing).Smallest, Is.Zero);
+        }
+
+        static (double Smallest, long Near) CountNear(NativeList<double3> points, double spacing)
+        {
+            (double, long) found = default;
+            JobCoroutine.RunToEnd(MeasureSpacing.CountNear(points, spacing, (smallest, near) => found = (smallest, near)));
+            return found;
         }
     }
 }

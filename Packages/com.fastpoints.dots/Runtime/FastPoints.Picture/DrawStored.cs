@@ -52,12 +52,11 @@ namespace FastPoints.Picture
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)
-                    yield return JobStep.Of(StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges));
+                    yield return JobStep.Of(LoadNodes.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
 
                 selection.Choose(Plan.Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx), m_budget);
-                int points = StoredRanges.CheckedCount(m_folder, selection.Points);
-                using var batch = new PointBatch(schema, points, Allocator.Persistent);
+                using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
                 using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;

@@ -5,7 +5,6 @@ using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Store;
-using FastPoints.Streaming;
 using UnityEngine;
 
 namespace FastPoints.Editor
@@ -85,10 +84,10 @@ namespace FastPoints.Editor
             CloudFolderWriter.DeleteUnfinished(path);
             if (!Directory.Exists(path))
                 return;
-            StreamFiles.Release(path);
+            FolderReleases.Release(path);
             FileChanges.BeginDelete(path, failure =>
             {
-                StreamFiles.Reacquire(path);
+                FolderReleases.Reacquire(path);
                 if (failure != null)
                     Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
             });

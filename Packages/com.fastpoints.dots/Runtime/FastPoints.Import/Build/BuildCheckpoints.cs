@@ -1,9 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
 using System.Text;
 using FastPoints.Core;
+using FastPoints.Nodes;
+using FastPoints.Store;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
@@ -38,8 +42,6 @@ namespace FastPoints.Build
 
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
         /// on disk.</summary>
-        /// <param name="scatter">Knows afterwards what the build before this one has read.</param>
-        /// <param name="chunks">What the journal tells of, from <see cref="BuildJournal.Stage.Split"/> on.</param>
         public static BuildCheckpoints Resume(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
         {
             var checkpoints = new BuildCheckpoints(build, scatter, chunks);
@@ -87,7 +89,6 @@ namespace FastPoints.Build
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
-        /// <summary>Coroutine: waits until the last journal is on disk.</summary>
         public IEnumerator<JobStep> End()
         {
             while (m_ticket != null && !m_ticket.IsDone(1))
@@ -95,7 +96,6 @@ namespace FastPoints.Build
             Dispose();
         }
 
-        /// <summary>Coroutine: writes the journal and waits until it is on disk.</summary>
         public IEnumerator<JobStep> Write()
         {
             yield return JobStep.Of(Begin());
@@ -133,6 +133,36 @@ namespace FastPoints.Build
                 foreach (var chunk in m_chunks.Chunks)
                     Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
             return Journal.ToJson();
+        }
+    }
+
+    internal static class BuildIdentity
+    {
+        /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>
+        public static unsafe ulong Of(BuildContext build)
+        {
+            var plan = build.Plan;
+            var map = build.Map;
+            var settings = build.Settings;
+            var text = new StringBuilder();
+            foreach (var reader in build.Readers)
+            {
+                string path = reader.Info.Path;
+                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
+                    .Append(reader.PointCount)
+                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
+            }
+            foreach (var attribute in build.Attributes)
+                text.Append(attribute).Append('\n');
+            text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.Rules)
+                .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
+                .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2)
+                .Append('|').Append(settings.MaxPointsPerLeaf);
+            string all = text.ToString();
+            fixed (char* first = all)
+                return ContentHash.Of(first, all.Length * sizeof(char)) ^
+                    ContentHash.Of(map.ChunkOfCell.GetUnsafeReadOnlyPtr(), map.ChunkOfCell.Length * sizeof(int));
         }
     }
 }

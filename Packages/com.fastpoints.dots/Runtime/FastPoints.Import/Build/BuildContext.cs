@@ -19,14 +19,12 @@ namespace FastPoints.Build
         /// <summary>May be null.</summary>
         public readonly StageProgress Progress;
 
-        /// <summary>The folder to be.</summary>
         public readonly string Target;
 
         /// <summary>Those that the cloud keeps, beside the position.</summary>
         public readonly PointSchema Attributes;
         public readonly CloudFolderWriter Folder;
 
-        /// <summary>Takes in how long the jobs ran.</summary>
         public readonly SliceTimes Slices;
 
         /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
@@ -41,7 +39,6 @@ namespace FastPoints.Build
             Slices = new SliceTimes(Allocator.Persistent);
         }
 
-        /// <summary>Points of all sources.</summary>
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }
         public RecordLayout Records => Grid.Records;
@@ -70,17 +67,14 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The sampler's name in the manifest.</summary>
         public string SamplerName => Settings.Sampler.ToString().ToLowerInvariant();
 
-        /// <summary>See <see cref="ConvertSettings.InFlightMs"/>.</summary>
         public double InFlightMs() => Settings.InFlightMs;
 
         /// <summary>Slots that may be at work at once, of so many that would be of use.</summary>
         public int MaxSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
 
         /// <summary>Chooses the grid, and plans memory and files. The readers' blocks are known.</summary>
-        /// <param name="samples">By source.</param>
         public void Choose(IReadOnlyList<SampleStatistics> samples)
         {
             var infos = new List<SourceInfo>();
@@ -98,7 +92,6 @@ namespace FastPoints.Build
                 UseFiles();
         }
 
-        /// <summary>From now on records go to files.</summary>
         public void UseFiles() => Files ??= new RecordFiles(Folder, Records.StrideBytes);
 
         /// <summary>The same where all stay in memory, if the disk has room for all of them.</summary>
@@ -140,6 +133,41 @@ namespace FastPoints.Build
             if (Settings.KeepUnfinished)
                 Folder.Keep();
             Folder.Dispose();
+        }
+    }
+
+    internal static class AttributeChoice
+    {
+        /// <summary>The first source's attributes except its position. Every source must have the same ones.</summary>
+        /// <param name="names">Names of the wanted ones; null for all.</param>
+        /// <exception cref="PointCloudException">A source has no position, or lacks one of the attributes.</exception>
+        public static PointSchema Of(IReadOnlyList<PointReader> readers, string[] names)
+        {
+            var chosen = new List<PointAttribute>();
+            foreach (var attribute in readers[0].Info.Schema)
+            {
+                bool isPosition = attribute.Name == AttributeNames.X || attribute.Name == AttributeNames.Y ||
+                    attribute.Name == AttributeNames.Z;
+                if (!isPosition && (names == null || Array.IndexOf(names, attribute.Name) >= 0))
+                    chosen.Add(attribute);
+            }
+            foreach (var reader in readers)
+            {
+                var schema = reader.Info.Schema;
+                foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
+                {
+                    if (!schema.Has(axis))
+                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis);
+                }
+                foreach (var attribute in chosen)
+                {
+                    int column = schema.IndexOf(attribute.Name);
+                    if (column < 0 || !schema[column].Equals(attribute))
+                        throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1,
+                            "an attribute of the first file", attribute, column < 0 ? "none" : schema[column].ToString());
+                }
+            }
+            return new PointSchema(chosen);
         }
     }
 }

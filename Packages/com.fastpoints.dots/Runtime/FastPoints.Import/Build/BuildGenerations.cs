@@ -36,7 +36,6 @@ namespace FastPoints.Build
         /// before has no use for it.</summary>
         public bool IsFirstDue => m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
 
-        /// <summary>Coroutine: makes the sample a cloud.</summary>
         public IEnumerator<JobStep> WriteFirst()
         {
             if (!m_sample.IsRead)
@@ -49,9 +48,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: the next generation.</summary>
-        /// <param name="whole">Of the cloud when it is whole: nothing of it is changed.</param>
         /// <param name="cubes">By chunk, in Morton order.</param>
-        /// <param name="finished">By chunk: what lies on disk of it; null where it is not finished.</param>
         /// <param name="topRecords">By chunk: as in <see cref="UpperMerge.Run"/>.</param>
         public IEnumerator<JobStep> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             IReadOnlyList<ChunkResult> finished, NativeArray<byte>[] topRecords)
@@ -63,16 +60,15 @@ namespace FastPoints.Build
             manifest.Generation = ++m_generation;
             manifest.Points = 0;
             manifest.Checksum = 0;
-            var results = new ChunkResult[finished.Count];
+            var results = new List<ChunkResult>(finished).ToArray();
             var tops = (NativeArray<byte>[])topRecords.Clone();
             var placeholders = new List<int>();
             try
             {
-                yield return JobStep.Of(MakeTops(manifest, store, cubes, finished, results, tops, placeholders));
+                yield return JobStep.Of(MakeTops(manifest, store, cubes, results, tops, placeholders));
                 var chunks = new List<ChunkResult>();
-                for (int i = 0; i < results.Length; i++)
+                foreach (var result in results)
                 {
-                    var result = finished[i] ?? results[i];
                     if (result == null)
                         continue;
                     chunks.Add(result);
@@ -97,11 +93,9 @@ namespace FastPoints.Build
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
         IEnumerator<JobStep> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
-            IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> placeholders)
+            ChunkResult[] results, NativeArray<byte>[] tops, List<int> placeholders)
         {
-            var all = new GridCube[cubes.Count];
-            for (int i = 0; i < all.Length; i++)
-                all[i] = cubes[i];
+            var all = new List<GridCube>(cubes).ToArray();
             var native = new NativeArray<GridCube>(all, Allocator.Persistent);
             var parts = new NativeArray<RecordPages>(all.Length, Allocator.Persistent);
             var job = default(JobHandle);
@@ -121,7 +115,7 @@ namespace FastPoints.Build
                 {
                     if (i < all.Length && inWork.Count < MaxTopsInFlight)
                     {
-                        if (finished[i] == null && parts[i].Count > 0)
+                        if (results[i] == null && parts[i].Count > 0)
                         {
                             var next = spare.Count > 0 ? spare.Pop() : m_build.CreateIndexer(store, manifest);
                             next.BeginTop(all[i], parts[i], i, workspace);

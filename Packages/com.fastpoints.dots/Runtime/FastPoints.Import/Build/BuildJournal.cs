@@ -8,7 +8,6 @@ namespace FastPoints.Build
     /// to text, without I/O.</summary>
     internal sealed class BuildJournal
     {
-        /// <summary>The stages in which a build can be resumed.</summary>
         public enum Stage
         {
             /// <summary>Sources are read: up to <see cref="Source"/> and <see cref="Block"/>.</summary>
@@ -21,7 +20,6 @@ namespace FastPoints.Build
             Done,
         }
 
-        /// <summary>A chunk's cube and its records.</summary>
         public struct Chunk
         {
             public GridCube Cube;
@@ -38,7 +36,6 @@ namespace FastPoints.Build
         public int Source;
         public int Block;
 
-        /// <summary>Statistics of each source that was begun.</summary>
         public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
         public AttributeStatistics[] Attributes = new AttributeStatistics[0];
 

@@ -13,7 +13,6 @@ namespace FastPoints.Build
     {
         struct Header
         {
-            /// <summary>Hash of everything after it.</summary>
             public ulong Hash;
             public ulong CloudId;
             public ulong Checksum;
@@ -28,17 +27,14 @@ namespace FastPoints.Build
         public ChunkRecord Record;
         public ChunkTop Top;
 
-        /// <summary>Points of the top node.</summary>
         public int TopPoints;
 
-        /// <summary>Sum of the hashes of all of the chunk's points.</summary>
         public ulong Checksum;
 
         /// <summary>Side of the smallest node.</summary>
         public int LowestSideLog2;
         public long[] BytesOfPlane;
 
-        /// <summary>The result of a chunk whose job is done.</summary>
         public static ChunkResult Of(ChunkIndexer indexer)
         {
             var result = OfTop(indexer);

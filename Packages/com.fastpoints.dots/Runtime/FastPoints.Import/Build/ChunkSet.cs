@@ -13,12 +13,10 @@ namespace FastPoints.Build
         const int SplitLevels = 3;
         const int PagesPerBatch = 64;
 
-        /// <summary>One chunk.</summary>
         public sealed class Chunk
         {
             public GridCube Cube;
 
-            /// <summary>Its records in memory.</summary>
             public RecordPages Pages;
 
             /// <summary>Its records in files; either these or the pages are empty.</summary>
@@ -60,7 +58,6 @@ namespace FastPoints.Build
         /// no longer needed exist until it has ended.</summary>
         public Func<IEnumerator<JobStep>> Rebalanced { get; set; }
 
-        /// <summary>Takes over a chunk's records.</summary>
         public void Add(GridCube cube, ref RecordPages pages)
         {
             if (pages.Count > 0)
@@ -72,14 +69,12 @@ namespace FastPoints.Build
             pages = default;
         }
 
-        /// <summary>Takes over a chunk's file.</summary>
         public void Add(GridCube cube, int file)
         {
             if (Files.RecordsOf(file) > 0)
                 Add(cube, new RecordRange { File = file, Count = Files.RecordsOf(file) });
         }
 
-        /// <summary>Takes over a chunk's records in files.</summary>
         public void Add(GridCube cube, params RecordRange[] runs)
         {
             var chunk = new Chunk { Cube = cube };
@@ -89,30 +84,20 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
-        /// <param name="shells">The root's doublings, the smallest first.</param>
-        /// <param name="outside">The chunk of all of them, which its parts replace.</param>
         public IEnumerator<JobStep> SplitOutside(GridCube[] shells, Chunk outside)
         {
-            var cubes = new NativeArray<GridCube>(shells, Allocator.Persistent);
-            var parts = new GridCube[shells.Length * 8];
-            for (int i = 0; i < parts.Length; i++)
-                parts[i] = shells[i / 8].Child(i % 8);
-            try
+            var root = shells[shells.Length - 1];
+            var parts = new List<GridCube>();
+            var inner = outside.Cube;
+            foreach (var shell in shells)
             {
-                yield return JobStep.Of(Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
-                {
-                    Slices = m_build.Slices,
-                    Pages = pages,
-                    Layout = m_build.Records,
-                    Shells = cubes,
-                    Chunks = lists,
-                    Pool = m_build.Pool,
-                }.Schedule(before)));
+                for (int octant = 0; octant < 8; octant++)
+                    if (!shell.Child(octant).Contains(inner))
+                        parts.Add(shell.Child(octant));
+                inner = shell;
             }
-            finally
-            {
-                cubes.Dispose();
-            }
+            parts.Sort((a, b) => MortonOrder.Compare(a.Corner - root.Corner, b.Corner - root.Corner));
+            return Regroup(outside, parts.ToArray(), root.Corner);
         }
 
         /// <summary>Coroutine: splits every chunk of more than <paramref name="limit"/> points until none is larger than
@@ -174,7 +159,6 @@ namespace FastPoints.Build
         {
             var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
             var counts = default(NativeArray<long>);
-            PartitionMap map = null;
             try
             {
                 bounds[0] = PointStatistics.None.Min;
@@ -206,22 +190,11 @@ namespace FastPoints.Build
                     Cells = cells,
                     PointsOfCell = counts,
                 }.Schedule(before)));
-                map = PartitionMap.Plan(cube, levels, counts, target);
-                var chunkOfCell = map.ChunkOfCell;
-                yield return JobStep.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupRecordsJob
-                {
-                    Slices = m_build.Slices,
-                    Pages = pages,
-                    Layout = m_build.Records,
-                    Cells = cells,
-                    ChunkOfCell = chunkOfCell,
-                    Chunks = lists,
-                    Pool = m_build.Pool,
-                }.Schedule(before)));
+                using var map = PartitionMap.Plan(cube, levels, counts, target);
+                yield return JobStep.Of(Regroup(chunk, map.Chunks, cube.Corner));
             }
             finally
             {
-                map?.Dispose();
                 if (counts.IsCreated)
                     counts.Dispose();
                 bounds.Dispose();
@@ -267,13 +240,24 @@ namespace FastPoints.Build
         }
 
         /// <summary>Distributes a chunk's records over parts that replace it.</summary>
-        IEnumerator<JobStep> Regroup(Chunk chunk, GridCube[] cubes,
-            Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
+        IEnumerator<JobStep> Regroup(Chunk chunk, GridCube[] cubes, Grid3 corner)
         {
+            var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
             var fileOfPart = new int[cubes.Length];
             bool isStored = chunk.Runs.Count > 0;
             var job = default(JobHandle);
+            JobHandle Schedule(RecordPages pages, JobHandle before) => new RegroupCubesJob
+            {
+                Pages = pages,
+                TakesPages = true,
+                Layout = m_build.Records,
+                Cubes = cubesOfLists,
+                Corner = corner,
+                Chunks = lists,
+                Pool = m_build.Pool,
+                Slices = m_build.Slices,
+            }.Schedule(before);
             try
             {
                 for (int i = 0; i < fileOfPart.Length && isStored; i++)
@@ -283,7 +267,7 @@ namespace FastPoints.Build
                     var batches = SplitBatches(chunk.Pages);
                     chunk.Pages = default;
                     foreach (var batch in batches)
-                        job = schedule(batch, lists, job);
+                        job = Schedule(batch, job);
                     yield return job;
                     job.Complete();
                 }
@@ -291,7 +275,7 @@ namespace FastPoints.Build
                 {
                     BeginBatch(chunk, first);
                     yield return m_load.Done;
-                    job = schedule(m_load.Complete(), lists, default);
+                    job = Schedule(m_load.Complete(), default);
                     yield return job;
                     job.Complete();
                     if (m_build.Pool.Value.PagesInUse > m_maxPages)
@@ -330,6 +314,7 @@ namespace FastPoints.Build
             {
                 job.Complete();
                 lists.Dispose();
+                cubesOfLists.Dispose();
             }
         }
 
@@ -368,7 +353,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Joins the list that was cut.</summary>
         public static RecordPages Join(List<RecordPages> batches)
         {
             var all = default(RecordPages);

@@ -30,7 +30,6 @@ namespace FastPoints.Build
             return manifest;
         }
 
-        /// <summary>The manifest of a sample alone.</summary>
         public static CloudManifest OfSample(BuildContext build, PlaceholderSample sample)
         {
             var found = sample.Statistics;
@@ -47,7 +46,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>One entry a file, tiles of a reader apart.</summary>
-        /// <param name="statistics">By reader.</param>
         static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
         {
@@ -70,7 +68,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
-        /// <param name="statistics">One for each reader.</param>
         static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)
@@ -89,8 +86,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
-        /// <param name="found">Statistics of all points.</param>
-        /// <param name="values">The values of each attribute.</param>
         static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
             var crs = build.Readers[0].Info.Crs;
@@ -116,5 +111,42 @@ namespace FastPoints.Build
                 FileBytes = fileBytes,
                 Points = points
             });
+    }
+
+    /// <summary>Turns statistics of a cloud's attributes into the manifest's description of them.</summary>
+    internal static unsafe class AttributeSummary
+    {
+        public static void Describe(PointSchema attributes, AttributeStatistics[] found, CloudManifest manifest)
+        {
+            manifest.Divisors = new int[attributes.Count];
+            manifest.Ranges = new CloudManifest.Range[attributes.Count];
+            for (int a = 0; a < attributes.Count; a++)
+            {
+                var attribute = attributes[a];
+                manifest.Divisors[a] = attribute.Type == AttributeType.UInt16 ? DivisorOf(found[a]) : 1;
+                manifest.Ranges[a] = found[a].IsEmpty
+                    ? new CloudManifest.Range { Min = double.NaN, Max = double.NaN }
+                    : new CloudManifest.Range
+                    {
+                        Min = ValueOf(found[a].Min, attribute.Type) * attribute.Scale + attribute.Offset,
+                        Max = ValueOf(found[a].Max, attribute.Type) * attribute.Scale + attribute.Offset,
+                    };
+            }
+        }
+
+        /// <summary>The divisor, if 8-bit colours fill 16-bit fields in one of two ways: shifted up, or doubled.</summary>
+        static int DivisorOf(in AttributeStatistics found)
+        {
+            if (found.Or == 0)
+                return 1;
+            return found.NotDoubled == 0 ? 257 : 1 << math.tzcnt((uint)found.Or);
+        }
+
+        static double ValueOf(ulong ordered, AttributeType type)
+        {
+            ulong bits = 0;
+            OrderedBits.Store(ordered, type, (byte*)&bits);
+            return ColumnValues.ToDouble((byte*)&bits, type, 0);
+        }
     }
 }

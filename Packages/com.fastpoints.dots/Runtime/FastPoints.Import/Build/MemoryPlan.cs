@@ -32,6 +32,8 @@ namespace FastPoints.Build
 
         MemoryPlan() { }
 
+        public long Points { get; private set; }
+
         /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>
         public long PointsPerChunk { get; private set; }
 
@@ -71,13 +73,13 @@ namespace FastPoints.Build
         public static long ReadBytesOf(ConvertSettings settings) =>
             Math.Min(SourceScan.MaxSlotBytes, settings.MemoryBytes / 4);
 
-        /// <param name="points">The most points that all sources have.</param>
         public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings)
         {
             long pointsPerChunk = settings.PointsPerChunk, memoryBytes = settings.MemoryBytes;
             long pageBytes = RecordPages.PageBytes(strideBytes);
             var plan = new MemoryPlan
             {
+                Points = points,
                 ReadBytes = ReadBytesOf(settings),
                 IndexBytes = memoryBytes / 10 * 9,
                 PointsPerChunk = pointsPerChunk,

@@ -14,7 +14,6 @@ namespace FastPoints.Build
     /// levels.</summary>
     internal sealed class OctreeBuild : IDisposable
     {
-        /// <summary>A chunk in work, and what comes of it.</summary>
         sealed class Slot : IDisposable
         {
             public ChunkIndexer Indexer;
@@ -56,8 +55,6 @@ namespace FastPoints.Build
         long m_points;
         long m_pointsDone;
 
-        /// <param name="manifest">Of the whole cloud; gets to know of its nodes.</param>
-        /// <param name="generations">Shows what is finished meanwhile.</param>
         public OctreeBuild(BuildContext build, ChunkSet chunks, CloudManifest manifest, BuildGenerations generations)
         {
             m_build = build;
@@ -73,7 +70,6 @@ namespace FastPoints.Build
         /// <summary>Complete when all work is done, but for what the finished nodes show.</summary>
         public CloudManifest Manifest { get; }
 
-        /// <summary>Sum of the hashes of all points that were written.</summary>
         public ulong Checksum { get; private set; }
         public int LevelCount { get; private set; }
         public long[] BytesOfPlane { get; }
@@ -284,7 +280,6 @@ namespace FastPoints.Build
             return tops > 0 && merged + inWork <= plan.IndexBytes;
         }
 
-        /// <summary>Makes what is finished a cloud that can be opened.</summary>
         IEnumerator<JobStep> WriteGeneration()
         {
             var cubes = new GridCube[m_results.Length];
@@ -352,6 +347,98 @@ namespace FastPoints.Build
                 m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
             indexer.File = m_writes.Write(slot.Chunk, indexer.File,
                 m_build.Files == null ? default : result.ToBytes(indexer.Top.AsArray(), Manifest.CloudId));
+        }
+    }
+
+    /// <summary>Files of finished chunks that wait to be written, so that the next chunks need not wait for the disk. There are
+    /// as many as memory allows: the writing code gets an empty list in exchange.</summary>
+    sealed class ChunkWrites : IDisposable
+    {
+        struct Pending
+        {
+            public int Chunk;
+            public WriteTicket Written;
+            public NativeList<byte> File;
+            public NativeArray<byte> Top;
+        }
+
+        readonly CloudFolderWriter m_folder;
+        readonly ChunkSet m_chunks;
+        readonly RecordFiles m_files;
+        readonly int m_max;
+        readonly Queue<Pending> m_pending = new Queue<Pending>();
+        readonly Stack<NativeList<byte>> m_spare = new Stack<NativeList<byte>>();
+
+        /// <param name="files">Released when a chunk that came from them is on disk; null if all points are in memory.</param>
+        /// <param name="max">The most files that may wait.</param>
+        public ChunkWrites(CloudFolderWriter folder, ChunkSet chunks, RecordFiles files, int max)
+        {
+            m_folder = folder;
+            m_chunks = chunks;
+            m_files = files;
+            m_max = max;
+        }
+
+        public bool HasRoom => m_pending.Count < m_max;
+
+        public bool IsDone => m_pending.Count == 0;
+
+        /// <summary>Queues a chunk's file and, if points are in files, what a resumed build has to know.</summary>
+        /// <param name="file">The chunk's file; nothing is written if it is empty.</param>
+        /// <param name="top">The chunk's top, or not created; this object takes it over.</param>
+        /// <returns>An empty list in exchange for the file.</returns>
+        public NativeList<byte> Write(int chunk, NativeList<byte> file, NativeArray<byte> top)
+        {
+            var pending = new Pending { Chunk = chunk, File = file, Top = top };
+            if (file.Length > 0)
+                pending.Written = m_folder.Write(StoreFormat.ChunkPath(chunk), file.AsArray());
+            // This comes after the chunk's own file: once it exists, the chunk is done.
+            if (top.IsCreated)
+                pending.Written = m_folder.Write(BuildFiles.TopPath(chunk), top);
+            if (pending.Written == null)
+                return file;
+            m_pending.Enqueue(pending);
+            return m_spare.Count > 0 ? m_spare.Pop() : new NativeList<byte>(1024, Allocator.Persistent);
+        }
+
+        /// <summary>Takes back what has been written since; waits at most this long for the first file.</summary>
+        public void Poll(int waitMs)
+        {
+            // They are written one after another.
+            while (m_pending.Count > 0 && m_pending.Peek().Written.IsDone(waitMs))
+            {
+                var done = m_pending.Dequeue();
+                waitMs = 0;
+                done.File.Clear();
+                m_spare.Push(done.File);
+                if (!done.Top.IsCreated)
+                    continue;
+                done.Top.Dispose();
+                foreach (var run in m_chunks.Chunks[done.Chunk].Runs)
+                    m_files.Release(run.File);
+            }
+        }
+
+        public bool HasPending(int chunk)
+        {
+            foreach (var pending in m_pending)
+                if (pending.Chunk == chunk)
+                    return true;
+            return false;
+        }
+
+        public void Dispose()
+        {
+            while (m_pending.Count > 0)
+            {
+                var pending = m_pending.Dequeue();
+                pending.Written.Wait();
+                pending.File.Dispose();
+                if (pending.Top.IsCreated)
+                    pending.Top.Dispose();
+            }
+            while (m_spare.Count > 0)
+                m_spare.Pop().Dispose();
         }
     }
 }

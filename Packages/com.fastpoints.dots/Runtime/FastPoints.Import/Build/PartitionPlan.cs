@@ -3,8 +3,10 @@ using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Sampling;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
@@ -17,11 +19,9 @@ namespace FastPoints.Build
 
         /// <summary>Makes the partition as a coroutine.</summary>
         /// <param name="samples">Samples of the sources, in the order of the grid's.</param>
-        /// <param name="points">Points of all sources.</param>
-        /// <param name="slices">Takes in how long the jobs ran.</param>
         /// <param name="take">Receives the partition, which the caller disposes.</param>
-        public static IEnumerator<JobStep> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
-            MemoryPlan plan, SliceTimes slices, Action<PartitionMap> take)
+        public static IEnumerator<JobStep> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, MemoryPlan plan,
+            SliceTimes slices, Action<PartitionMap> take)
         {
             int sampled = 0;
             foreach (var sample in samples)
@@ -36,10 +36,10 @@ namespace FastPoints.Build
                 for (int i = 0; i < samples.Count; i++)
                 {
                     var stored = samples[i].Stored;
-                    for (int begin = 0; begin < stored.Length; begin += CodeSampleJob.PointsOfSlice)
+                    for (int begin = 0; begin < stored.Length; begin += CodeSampleJob.PointsPerSlice)
                         coded = new CodeSampleJob
                         {
-                            Stored = stored.GetSubArray(begin, Math.Min(CodeSampleJob.PointsOfSlice, stored.Length - begin)),
+                            Stored = stored.GetSubArray(begin, Math.Min(CodeSampleJob.PointsPerSlice, stored.Length - begin)),
                             Grid = grid.Sources[i],
                             Cube = cube,
                             CodeOfPoint = codes,
@@ -55,7 +55,7 @@ namespace FastPoints.Build
                         });
                     first += samples[i].Stored.Length;
                 }
-                double share = Math.Min(1, sampled / (double)Math.Max(1, points));
+                double share = Math.Min(1, sampled / (double)Math.Max(1, plan.Points));
                 yield return JobStep.Of(DensityTree.Count(codes, runs.AsArray(), share, plan.PointsPerChunk, coded,
                     density => take(Partition(cube, density, plan))));
             }
@@ -79,6 +79,50 @@ namespace FastPoints.Build
                     target *= 2;
                 return PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
             }
+        }
+    }
+
+    /// <summary>Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain a source's sample.</summary>
+    [BurstCompile]
+    internal struct CodeSampleJob : IJob
+    {
+        /// <summary>Points of one run of the job.</summary>
+        public const int PointsPerSlice = 1 << 16;
+
+        /// <summary>A slice of a sample.</summary>
+        [ReadOnly] public NativeArray<double3> Stored;
+        public SourceGrid Grid;
+        public GridCube Cube;
+
+        /// <summary>Codes of all sources' samples; this slice's begin at <see cref="First"/>.</summary>
+        public NativeArray<uint> CodeOfPoint;
+        public int First;
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            for (int i = 0; i < Stored.Length; i++)
+            {
+                long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);
+                long y = SourceGrid.ToGrid(Grid.Y, Stored[i].y);
+                long z = SourceGrid.ToGrid(Grid.Z, Stored[i].z);
+                bool isInside = x != SourceGrid.InvalidPosition && y != SourceGrid.InvalidPosition &&
+                    z != SourceGrid.InvalidPosition
+                    && Cube.Contains(new Grid3(x, y, z));
+                CodeOfPoint[First + i] = isInside
+                    ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))
+                    : DensityNumbers.OutsideCode;
+            }
+            Slices.End(begin);
+        }
+
+        /// <summary>The cell of an offset. In a small cube cells are parts of a grid step: its positions are in the first of
+        /// them.</summary>
+        uint CellOf(long offset)
+        {
+            int below = Cube.SideLog2 - DensityNumbers.Levels;
+            return (uint)(below < 0 ? offset << -below : offset >> below);
         }
     }
 }

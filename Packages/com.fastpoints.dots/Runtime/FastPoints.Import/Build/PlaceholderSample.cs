@@ -22,6 +22,7 @@ namespace FastPoints.Build
 
         readonly BuildContext m_build;
         readonly NativeReference<RecordPagePool> m_pool;
+        readonly SliceTimes m_slices = new SliceTimes(Allocator.Persistent);
         RecordPages m_pages;
 
         /// <summary>The readers' blocks are known. Points outside the partition's cube will be left out.</summary>
@@ -68,9 +69,10 @@ namespace FastPoints.Build
                 Corner = corner,
                 Chunks = parts,
                 Pool = m_pool,
+                Slices = m_slices,
             };
             var all = default(JobHandle);
-            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesOfSlice)
+            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesPerSlice)
                 all = job.Schedule(all);
             return all;
         }
@@ -84,6 +86,7 @@ namespace FastPoints.Build
                 return;
             RecordPagePool.Of(m_pool).FreeAll();
             m_pool.Dispose();
+            m_slices.Dispose();
         }
 
         IEnumerator<JobStep> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)

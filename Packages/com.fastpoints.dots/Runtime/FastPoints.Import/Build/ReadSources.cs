@@ -19,7 +19,6 @@ namespace FastPoints.Build
         long m_sinceCheckpoint;
         long m_resumedPoints;
 
-        /// <param name="generations">Shows a sample where reading takes long.</param>
         public ReadSources(BuildContext build, ScatterPoints scatter, BuildCheckpoints checkpoints, BuildGenerations generations)
         {
             m_build = build;
@@ -28,7 +27,6 @@ namespace FastPoints.Build
             m_generations = generations;
         }
 
-        /// <summary>Coroutine.</summary>
         public IEnumerator<JobStep> Run()
         {
             var journal = m_checkpoints.Journal;
@@ -125,7 +123,6 @@ namespace FastPoints.Build
             m_first.MoveNext();
         }
 
-        /// <summary>Ends the first generation if it was begun.</summary>
         IEnumerator<JobStep> EndFirst()
         {
             for (bool more = m_first != null; more; more = m_first.MoveNext())

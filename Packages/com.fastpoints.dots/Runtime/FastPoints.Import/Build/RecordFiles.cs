@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Nodes;
 
 namespace FastPoints.Build
@@ -30,7 +29,6 @@ namespace FastPoints.Build
             m_strideBytes = strideBytes;
         }
 
-        /// <summary>Pages that are not written yet.</summary>
         public long PagesWaiting { get; private set; }
 
         /// <summary>Most bytes that the files had at one time.</summary>
@@ -86,7 +84,6 @@ namespace FastPoints.Build
             return true;
         }
 
-        /// <summary>Hands pages to the writer.</summary>
         public void Append(int file, RecordPages pages)
         {
             if (pages.Count == 0)
@@ -109,8 +106,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Checks what is written by now.</summary>
-        /// <param name="waitMs">The longest wait for the next piece.</param>
-        /// <exception cref="Base.PointCloudException">Something could not be written.</exception>
+        /// <exception cref="FastPoints.Core.PointCloudException">Something could not be written.</exception>
         public void Poll(int waitMs)
         {
             while (m_pendingWrites.Count > 0 && m_pendingWrites.Peek().Ticket.IsDone(waitMs))
@@ -144,7 +140,6 @@ namespace FastPoints.Build
             m_folder.Delete(BuildFiles.RecordPath(file));
         }
 
-        /// <summary>Waits for what the writer has in hand.</summary>
         public void Dispose()
         {
             while (m_pendingWrites.Count > 0)

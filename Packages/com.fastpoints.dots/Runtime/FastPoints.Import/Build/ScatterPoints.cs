@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Build
@@ -37,7 +39,6 @@ namespace FastPoints.Build
         /// <summary>Of all that <see cref="TakeStatistics"/> took.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
 
-        /// <summary>By attribute, the same.</summary>
         public AttributeStatistics[] Attributes { get; }
 
         /// <summary>Records by chunk of the partition, the last those outside. Elements may be taken over and emptied.</summary>
@@ -56,7 +57,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Before a source's scan.</summary>
         public void BeginSource(PointReader reader, in SourceGrid grid)
         {
             m_grid = grid;
@@ -166,6 +166,69 @@ namespace FastPoints.Build
                 return;
             m_chunks.Dispose();
             m_pagesDetached.Dispose();
+        }
+    }
+
+    /// <summary>Copies one batch's grouped records to their chunks. These jobs run one after another, in the order of the source:
+    /// since they only copy, neither locks nor the order of completion matter. If the chunks hold more pages than allowed, the
+    /// largest ones give theirs up.</summary>
+    [BurstCompile]
+    internal unsafe struct AppendRecordsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<int> FirstOfChunk;
+        public NativeArray<RecordPages> Chunks;
+        public NativeReference<RecordPagePool> Pool;
+
+        public RecordPages Returned;
+
+        public long MaxPages;
+
+        /// <summary>Number of pages held elsewhere, on their way to a disk.</summary>
+        public NativeReference<long> PagesDetached;
+
+        /// <summary>Out: full pages to be written, each once.</summary>
+        public NativeList<DetachedRecordPages> Detached;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            var records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            var chunks = (RecordPages*)Chunks.GetUnsafePtr();
+            ref var pool = ref RecordPagePool.Of(Pool);
+            long detached = PagesDetached.Value - Returned.PageCount;
+            pool.Return(ref Returned);
+            Detached.Clear();
+            for (int c = 0; c < Chunks.Length; c++)
+            {
+                int first = FirstOfChunk[c], count = FirstOfChunk[c + 1] - first;
+                if (count > 0)
+                    pool.Append(ref chunks[c], records + (long)first * pool.StrideBytes, count);
+            }
+            if (pool.PagesInUse - detached > MaxPages)
+                detached += Detach(chunks, pool.PagesInUse - detached - MaxPages / 4 * 3);
+            PagesDetached.Value = detached;
+            Slices.End(begin);
+        }
+
+        long Detach(RecordPages* chunks, long wanted)
+        {
+            long done = 0;
+            while (done < wanted)
+            {
+                int largest = 0;
+                for (int c = 1; c < Chunks.Length; c++)
+                    if (chunks[c].PageCount > chunks[largest].PageCount)
+                        largest = c;
+                var pages = chunks[largest].CutFull();
+                if (pages.PageCount == 0)
+                    break;
+                done += pages.PageCount;
+                Detached.Add(new DetachedRecordPages { Chunk = largest, Pages = pages });
+            }
+            return done;
         }
     }
 }

@@ -31,7 +31,6 @@ namespace FastPoints.Build
         long m_upperBytes;
         long m_upperPoints;
 
-        /// <param name="manifest">Gets to know of the nodes and the files.</param>
         public UpperMerge(BuildContext build, NativeStoreLayout store, CloudManifest manifest)
         {
             m_build = build;
@@ -43,7 +42,6 @@ namespace FastPoints.Build
         /// <summary>Tops' points that one go takes: more are merged in regions first.</summary>
         public static long MaxPointsInFlight(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, MinPointsPerRegion);
 
-        /// <summary>Side of the smallest node.</summary>
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 

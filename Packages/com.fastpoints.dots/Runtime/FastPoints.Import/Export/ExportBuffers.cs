@@ -38,7 +38,6 @@ namespace FastPoints.Export
             public WriteTicket Ticket;
         }
 
-        /// <param name="path">An absolute path.</param>
         /// <param name="maxPoints">The most points that are appended at once.</param>
         /// <param name="lanes">Buffers that are worked on side by side.</param>
         public ExportBuffers(string path, ExportFormat format, int maxPoints, int lanes)
@@ -55,15 +54,12 @@ namespace FastPoints.Export
             }
         }
 
-        /// <summary>Where each buffer begins, for jobs.</summary>
         public NativeArray<ulong> Pointers => m_pointers;
 
         /// <summary>Bytes that are written, or wait to be.</summary>
         public long Bytes { get; private set; }
 
         /// <summary>Whether so many points fit behind those that were filled in.</summary>
-        /// <param name="filled">Points of all jobs that are complete.</param>
-        /// <param name="points">Points of jobs in flight, and of the next.</param>
         public bool HasRoom(long filled, long points) =>
             filled + points <= (m_free + m_buffers.Length) * m_format.BufferPoints;
 
@@ -97,7 +93,6 @@ namespace FastPoints.Export
             }
         }
 
-        /// <summary>Writes bytes behind all others.</summary>
         public WriteTicket Append(NativeArray<byte> bytes)
         {
             var ticket = m_queue.WritePiece(m_path, bytes, Bytes);

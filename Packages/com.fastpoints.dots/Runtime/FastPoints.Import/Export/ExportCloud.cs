@@ -45,8 +45,9 @@ namespace FastPoints.Export
             m_classes = new NativeArray<ulong>(settings.Classes == null ? 0 : 4, Allocator.Persistent);
             foreach (int c in settings.Classes ?? Array.Empty<int>())
                 m_classes[c >> 6] |= 1ul << (c & 63);
-            m_changed = new NativeArray<byte>((3 + format.Columns.Count) * 8 * MakeRecordsJob.SlicePoints, Allocator.Persistent);
-            m_chosen = new NativeArray<int>(MakeRecordsJob.SlicePoints, Allocator.Persistent);
+            m_changed = new NativeArray<byte>((3 + format.Columns.Count) * 8 * MakeRecordsJob.PointsPerSlice,
+                Allocator.Persistent);
+            m_chosen = new NativeArray<int>(MakeRecordsJob.PointsPerSlice, Allocator.Persistent);
         }
 
         /// <summary>Whether files of this name can be written.</summary>
@@ -142,7 +143,6 @@ namespace FastPoints.Export
             done(new ExportResult(m_format, state, buffers.Bytes));
         }
 
-        /// <summary>Copies a part of the source's file, in pieces.</summary>
         IEnumerator<JobStep> CopyTail(ExportBuffers buffers, long offset, long bytes)
         {
             const int pieceBytes = 4 << 20;
@@ -267,7 +267,6 @@ namespace FastPoints.Export
 
             public JobHandle Done { get; private set; }
 
-            /// <param name="job">What is the same for all.</param>
             public JobHandle Begin(in ExportRange range, MakeRecordsJob job, JobHandle after)
             {
                 Read.Begin(range.Range);
@@ -284,16 +283,15 @@ namespace FastPoints.Export
                 if (classification >= 0)
                     job.Classification = Read.Points.Column(classification);
                 Done = JobHandle.CombineDependencies(Read.Decoded, after);
-                for (int first = 0; first < range.Range.Count; first += MakeRecordsJob.SlicePoints)
+                for (int first = 0; first < range.Range.Count; first += MakeRecordsJob.PointsPerSlice)
                 {
                     job.First = first;
-                    job.Count = Math.Min(MakeRecordsJob.SlicePoints, range.Range.Count - first);
+                    job.Count = Math.Min(MakeRecordsJob.PointsPerSlice, range.Range.Count - first);
                     Done = job.Schedule(Done);
                 }
                 return Done;
             }
 
-            /// <returns>Points that are written by it and all before.</returns>
             public long Complete()
             {
                 Done.Complete();
@@ -315,7 +313,7 @@ namespace FastPoints.Export
             /// <summary>Which columns go into records as they are, and which by way of a change.</summary>
             void PlanCopies(out FieldCopy[] same, out FieldCopy[] changed, out ColumnChange[] changes)
             {
-                const int stride = 8 * MakeRecordsJob.SlicePoints;
+                const int stride = 8 * MakeRecordsJob.PointsPerSlice;
                 var batch = Read.Points;
                 var fields = new List<PointField>();
                 var columns = new List<PointColumn>();

@@ -8,7 +8,6 @@ namespace FastPoints.Export
     /// <summary>How points become records of a file, and what the file has around them.</summary>
     internal abstract class ExportFormat
     {
-        /// <summary>Where a column of the source goes.</summary>
         public readonly List<ExportColumn> Columns = new List<ExportColumn>();
 
         /// <summary>Where the coordinates go in a record.</summary>
@@ -44,10 +43,8 @@ namespace FastPoints.Export
         /// <summary>What compresses buffers, one at a time; null for records as they are.</summary>
         public virtual LazChunkWriter CreateWriter() => null;
 
-        /// <summary>A buffer takes so many bytes of the file; called in their order.</summary>
         public virtual void Written(int bytes) { }
 
-        /// <summary>What follows the points.</summary>
         public virtual byte[] Trailer() => System.Array.Empty<byte>();
 
         /// <summary>A column for each axis, of the source's type and in its place.</summary>

@@ -19,7 +19,6 @@ namespace FastPoints.Export
         /// <summary>By the source's octree; 0 without one.</summary>
         int m_level;
 
-        /// <summary>The most points of a range, and at least 1.</summary>
         public static int Longest(IReadOnlyList<ExportRange> ranges)
         {
             int longest = 1;
@@ -165,7 +164,7 @@ namespace FastPoints.Export
         /// an even share of any other source; 0 for all.</summary>
         public long Budget;
 
-        /// <summary>See <see cref="Convert.ConvertSettings.InFlightMs"/>.</summary>
+        /// <summary>See <see cref="FastPoints.Build.ConvertSettings.InFlightMs"/>.</summary>
         public double InFlightMs;
 
         public LocalClip[] LocalClips()

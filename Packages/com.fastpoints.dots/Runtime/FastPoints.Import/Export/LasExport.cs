@@ -334,4 +334,40 @@ namespace FastPoints.Export
             }
         }
     }
+
+    /// <summary>LAZ as LASzip writes it: chunks of one size, pointwise for point formats 0 to 5, layered above, and their
+    /// table.</summary>
+    internal sealed class LazExport : LasExport
+    {
+        readonly LazChunkForm m_form;
+        readonly List<int> m_bytesOfChunk = new List<int>();
+
+        public LazExport(PointReader reader, string[] chosen, long maxPoints) : base(reader, chosen, maxPoints)
+        {
+            if (ExtraBytes > LazFormat.MaxExtraBytes)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1, "extra bytes of a point in LAZ",
+                    "at most " + NumberText.Of(LazFormat.MaxExtraBytes), ExtraBytes);
+            m_form = new LazChunkForm(Header.PointFormat, RecordBytes);
+            BufferPoints = m_form.ChunkPoints;
+            Header.IsCompressed = true;
+            AddVlr(LazItems.Vlr(m_form.Items, m_form.IsLayered ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
+                (uint)BufferPoints));
+        }
+
+        public override LazChunkWriter CreateWriter() => new LazChunkWriter(m_form);
+
+        public override void Written(int bytes) => m_bytesOfChunk.Add(bytes);
+
+        public override byte[] Trailer() => LazChunkTable.ToBytes(m_bytesOfChunk);
+
+        /// <summary>Behind the head of LAS stands where the table is.</summary>
+        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        {
+            var las = base.Head(path, written, chunksEnd, pointsEnd);
+            int at = las.Length;
+            System.Array.Resize(ref las, at + LazChunkTable.TableOffsetBytes);
+            LasHeader.Put(las, at, LazChunkTable.TableOffsetBytes, (ulong)chunksEnd);
+            return las;
+        }
+    }
 }

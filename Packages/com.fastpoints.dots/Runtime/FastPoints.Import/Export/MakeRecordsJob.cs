@@ -15,7 +15,7 @@ namespace FastPoints.Export
     internal unsafe struct MakeRecordsJob : IJob
     {
         /// <summary>Points of a slice: below a millisecond for most records.</summary>
-        public const int SlicePoints = 8192;
+        public const int PointsPerSlice = 8192;
 
         /// <summary>Of the block's batch; the chosen points move to the front of the slice.</summary>
         public NativeArray<byte> Columns;
@@ -37,7 +37,6 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<ulong> Classes;
         public PointColumn Classification;
 
-        /// <summary>Share of the range's points that are taken, evenly.</summary>
         public double Share;
         public PositionChange Position;
 
@@ -140,7 +139,7 @@ namespace FastPoints.Export
             if (Position.Kind == PositionKind.Geo)
             {
                 for (int axis = 0; axis < 3; axis++)
-                    ((double*)(changed + axis * 8 * SlicePoints))[to] = place[axis];
+                    ((double*)(changed + axis * 8 * PointsPerSlice))[to] = place[axis];
                 return true;
             }
             if (!math.all(math.isfinite(place)))
@@ -174,7 +173,7 @@ namespace FastPoints.Export
             var off = math.abs(rounded - place) * math.abs(Position.To.Scale);
             state.WorstError = math.max(state.WorstError, math.max(off.x, math.max(off.y, off.z)));
             for (int axis = 0; axis < 3; axis++)
-                ((int*)(changed + axis * 8 * SlicePoints))[to] = (int)rounded[axis];
+                ((int*)(changed + axis * 8 * PointsPerSlice))[to] = (int)rounded[axis];
             return true;
         }
 

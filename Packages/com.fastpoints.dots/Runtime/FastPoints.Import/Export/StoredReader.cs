@@ -250,7 +250,6 @@ namespace FastPoints.Export
         }
     }
 
-    /// <summary>Where a column of a stored node goes. Blittable.</summary>
     internal struct StoredTarget
     {
         /// <summary>Among the wanted planes; 0 for the position.</summary>
@@ -266,7 +265,6 @@ namespace FastPoints.Export
     {
         [ReadOnly] public NativeArray<byte> File;
 
-        /// <summary>Where the bytes begin in the file.</summary>
         public long FileOffset;
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;

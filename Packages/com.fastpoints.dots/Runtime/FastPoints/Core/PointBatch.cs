@@ -71,5 +71,8 @@ namespace FastPoints.Core
         public int OffsetBytes;
 
         public AttributeType Type;
+
+        /// <summary>The value of a point in the batch's bytes.</summary>
+        internal readonly unsafe byte* At(byte* batch, int point) => batch + OffsetBytes + (long)point * Type.SizeOf();
     }
 }

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Drawing;
+using FastPoints.Evaluation;
 using FastPoints.Export;
 using FastPoints.Import;
 using FastPoints.Nodes;
@@ -300,6 +302,13 @@ namespace FastPoints.Tests.Build
                 Is.EqualTo(File.ReadAllBytes(Path.Combine(Target("a"), StoreFormat.UpperName))));
         }
 
+        internal static List<LevelSpacing> Spacings(string cloud)
+        {
+            var spacings = new List<LevelSpacing>();
+            JobCoroutine.RunToEnd(MeasureSpacing.Run(cloud, spacings));
+            return spacings;
+        }
+
         [Test]
         public void Convert_Poisson_KeepsTheSpacingInsideOfChunks()
         {
@@ -311,16 +320,16 @@ namespace FastPoints.Tests.Build
                 new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Poisson });
             var verified = Verify(null);
             int sampledLevels = 0;
-            foreach (var level in verified.Levels)
+            foreach (var (level, near) in verified.Levels.Zip(Spacings(Target("cloud")), (level, near) => (level, near)))
             {
                 TestContext.WriteLine(level.Nodes + " nodes, " + level.SampledPoints + " of " +
                     level.Points + " points sampled, " +
-                    level.MinDistance / level.Spacing + " spacings, " + level.NearAcrossChunks + " nearer across chunks");
+                    near.MinDistance / level.Spacing + " spacings, " + near.NearAcrossChunks + " nearer across chunks");
                 if (level.SampledPoints == 0)
                     continue;
                 sampledLevels++;
-                Assert.That(level.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
-                Assert.That(level.NearAcrossChunks, Is.LessThanOrEqualTo(0.003 * level.SampledPoints));
+                Assert.That(near.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
+                Assert.That(near.NearAcrossChunks, Is.LessThanOrEqualTo(0.003 * level.SampledPoints));
             }
             Assert.That(sampledLevels, Is.GreaterThan(1));
         }

@@ -157,16 +157,17 @@ namespace FastPoints.Tests.Build
             var result = Verified("cloud");
             int levels = 0;
             double ofAll = double.PositiveInfinity;
-            foreach (var level in result.Levels)
+            var spacings = ConvertCloudTests.Spacings(Target("cloud"));
+            foreach (var (level, near) in result.Levels.Zip(spacings, (level, near) => (level, near)))
             {
                 TestContext.WriteLine(level.SampledPoints + " of " + level.Points + " points sampled, " +
-                    level.MinDistance / level.Spacing + " spacings, " +
-                    level.MinDistanceAcrossChunks / level.Spacing + " of all");
+                    near.MinDistance / level.Spacing + " spacings, " +
+                    near.MinDistanceAcrossChunks / level.Spacing + " of all");
                 if (level.SampledPoints == 0)
                     continue;
                 levels++;
-                Assert.That(level.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
-                ofAll = Math.Min(ofAll, level.MinDistanceAcrossChunks / level.Spacing);
+                Assert.That(near.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
+                ofAll = Math.Min(ofAll, near.MinDistanceAcrossChunks / level.Spacing);
             }
             Assert.That(levels, Is.GreaterThan(1));
             Assert.That(ofAll, Is.LessThan(0.99), "what was sampled apart has such distances too");

@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Nodes
                 Assert.That(plan.IsStored, Is.True);
                 PartitionMap map = null;
                 using (var slices = new SliceTimes(Allocator.Persistent))
-                    JobCoroutine.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, slices,
+                    JobCoroutine.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, plan, slices,
                         m => map = m));
                 using (map)
                 {

@@ -43,7 +43,8 @@ namespace FastPoints.Tests.Nodes
             var record = (byte*)records.GetUnsafePtr();
             for (int i = 0; i < count; i++)
                 layout.SetPosition(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
-            SampleInputs.Prepare(record, 0, count, layout, default, (byte*)common.GetUnsafePtr(), (uint*)priority.GetUnsafePtr());
+            new SampleInputs { CommonCubeLog2 = (byte*)common.GetUnsafePtr(), Priority = (uint*)priority.GetUnsafePtr() }
+                .Prepare(record, 0, count, layout, default);
             var job = new SampleNodesJob
             {
                 Count = count,

@@ -1,5 +1,6 @@
 using System.IO;
 using System.Linq;
+using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
@@ -84,12 +85,12 @@ namespace FastPoints.Tests.Streaming
             while (Of(m_cloud) == 0 || Of(other) == 0)
                 StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
             int kept = Of(other);
-            StreamFiles.Release(m_cloud.Path + Path.DirectorySeparatorChar);
+            FolderReleases.Release(m_cloud.Path + Path.DirectorySeparatorChar);
             Assert.That(Of(m_cloud), Is.Zero);
             Assert.That(Of(other), Is.EqualTo(kept));
             try
             {
-                while (!StreamFiles.HasReleased)
+                while (!FolderReleases.HasReleased)
                     StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Overview());
                 // One that has nothing loaded yet.
                 Add();
@@ -101,7 +102,7 @@ namespace FastPoints.Tests.Streaming
             }
             finally
             {
-                StreamFiles.Reacquire(m_cloud.Path);
+                FolderReleases.Reacquire(m_cloud.Path);
             }
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             Assert.That(m_stream.TryTakeFailure(out _), Is.False);

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using FastPoints.Core;
 using Unity.Collections;
+using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
@@ -38,13 +39,11 @@ namespace FastPoints.Build
         /// <summary>The chunks' cubes, in Morton order; they fill the cube.</summary>
         public GridCube[] Chunks { get; }
 
-        /// <summary>The number of the chunk for all positions outside.</summary>
         public int Outside => Chunks.Length;
 
         /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
-        /// <summary>Finds the chunk of a position in <see cref="ChunkOfCell"/>.</summary>
         public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_partLevels, Outside);
 
         /// <summary>The number of levels of cells that a cube of this side can have.</summary>
@@ -61,8 +60,21 @@ namespace FastPoints.Build
             for (int i = 0; i < pointsOfCell.Length; i++)
                 before[i + 1] = before[i] + pointsOfCell[i];
             var chunks = new List<GridCube>();
-            Descend(cube, 0, pointsOfCell.Length, before, target, chunkOfCell, chunks);
+            Descend(cube, 0, pointsOfCell.Length);
             return new PartitionMap(cube, levels, 0, chunkOfCell, chunks.ToArray());
+
+            void Descend(GridCube part, int first, int count)
+            {
+                if (count == 1 || before[first + count] - before[first] <= target)
+                {
+                    for (int i = first; i < first + count; i++)
+                        chunkOfCell[i] = chunks.Count;
+                    chunks.Add(part);
+                    return;
+                }
+                for (int octant = 0; octant < 8; octant++)
+                    Descend(part.Child(octant), first + octant * (count / 8), count / 8);
+            }
         }
 
         /// <summary>Plans cubes with at most <paramref name="target"/> points by an estimate, as large as possible, down to its
@@ -127,19 +139,139 @@ namespace FastPoints.Build
             if (m_chunkOfCell.IsCreated)
                 m_chunkOfCell.Dispose();
         }
+    }
 
-        static void Descend(GridCube cube, int first, int count, long[] before, long target, NativeArray<int> chunkOfCell,
-            List<GridCube> chunks)
+    /// <summary>The blittable half of a <see cref="PartitionMap"/>, which finds a position's chunk.</summary>
+    internal readonly struct ChunkFinder
+    {
+        readonly CellFinder m_cells;
+        readonly int m_partLog2;
+        readonly int m_partLevels;
+        readonly int m_outside;
+
+        internal ChunkFinder(CellFinder cells, int partLevels, int outside)
         {
-            if (count == 1 || before[first + count] - before[first] <= target)
+            m_cells = cells;
+            m_partLevels = partLevels;
+            m_partLog2 = cells.CellLog2 - partLevels;
+            m_outside = outside;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public unsafe int ChunkOf(int* chunkOfCell, long x, long y, long z)
+        {
+            int cell = m_cells.CellOf(x, y, z);
+            if (cell < 0)
+                return m_outside;
+            int chunk = chunkOfCell[cell];
+            return chunk >= 0 ? chunk : chunkOfCell[~chunk + PartOf(x, y, z)];
+        }
+
+        /// <summary>Whether the cube holds a box, and is small enough for <see cref="ChunksOf"/>.</summary>
+        public bool Contains(Grid3 min, Grid3 max) => m_cells.SideLog2 <= 31 && m_cells.CellOf(min.X, min.Y, min.Z) >= 0 &&
+            m_cells.CellOf(max.X, max.Y, max.Z) >= 0;
+
+        /// <summary>The chunks of many positions, all of them within the cube.</summary>
+        /// <param name="offsets">From the origin: all x, then from <paramref name="stride"/> on y, then z.</param>
+        public unsafe void ChunksOf(int* chunkOfCell, uint* offsets, int stride, int count, Grid3 origin, int* chunks)
+        {
+            uint* x = offsets, y = offsets + stride, z = offsets + 2 * stride;
+            var corner = m_cells.Corner - origin;
+            Morton.EncodeShort(x, y, z, count, new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2,
+                (uint*)chunks);
+            for (int i = 0; i < count; i++)
             {
-                for (int i = first; i < first + count; i++)
-                    chunkOfCell[i] = chunks.Count;
-                chunks.Add(cube);
-                return;
+                int chunk = chunkOfCell[chunks[i]];
+                chunks[i] = chunk >= 0 ? chunk : chunkOfCell[~chunk + PartOf(origin.X + x[i], origin.Y + y[i], origin.Z + z[i])];
             }
-            for (int octant = 0; octant < 8; octant++)
-                Descend(cube.Child(octant), first + octant * (count / 8), count / 8, before, target, chunkOfCell, chunks);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        int PartOf(long x, long y, long z)
+        {
+            uint mask = (1u << m_partLevels) - 1;
+            uint px = (uint)((x - m_cells.Corner.X) >> m_partLog2) & mask;
+            uint py = (uint)((y - m_cells.Corner.Y) >> m_partLog2) & mask;
+            uint pz = (uint)((z - m_cells.Corner.Z) >> m_partLog2) & mask;
+            return Morton.EncodeShort(px, py, pz);
+        }
+    }
+
+    /// <summary>Maps a position to its cell in a cube of 8^n cells, n at most <see cref="Morton.ShortBits"/>.
+    /// Blittable.</summary>
+    internal struct CellFinder
+    {
+        public Grid3 Corner;
+        public int SideLog2;
+        public int CellLog2;
+
+        public CellFinder(GridCube cube, int levels)
+        {
+            Corner = cube.Corner;
+            SideLog2 = cube.SideLog2;
+            CellLog2 = cube.SideLog2 - levels;
+        }
+
+        /// <returns>The cell's Morton number, or -1 outside.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int CellOf(long x, long y, long z)
+        {
+            ulong dx = (ulong)(x - Corner.X), dy = (ulong)(y - Corner.Y), dz = (ulong)(z - Corner.Z);
+            if ((dx | dy | dz) >> SideLog2 != 0)
+                return -1;
+            return Morton.EncodeShort((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
+        }
+    }
+
+    /// <summary>Groups neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest
+    /// cubes that have no more than some number of points.</summary>
+    internal static class CubeGroups
+    {
+        /// <summary>Consecutive items. A group of one keeps its own cube.</summary>
+        public struct Group
+        {
+            public GridCube Cube;
+            public int First;
+            public int Count;
+        }
+
+        /// <param name="items">Items in Morton order, all inside <paramref name="root"/>.</param>
+        /// <param name="target">The most points of a group of several.</param>
+        public static List<Group> Of<T>(GridCube root, IReadOnlyList<T> items, Func<T, GridCube> cubeOf, Func<T, long> pointsOf,
+            long target)
+        {
+            var groups = new List<Group>();
+            var before = new long[items.Count + 1];
+            for (int i = 0; i < items.Count; i++)
+                before[i + 1] = before[i] + pointsOf(items[i]);
+            Descend(root, 0, items.Count);
+            return groups;
+
+            void Descend(GridCube cube, int first, int end)
+            {
+                if (first == end)
+                    return;
+                if (end - first == 1 || before[end] - before[first] <= target)
+                {
+                    groups.Add(new Group { Cube = cube, First = first, Count = end - first });
+                    return;
+                }
+                if (cube.SideLog2 == 0)
+                {
+                    // There are several at one place.
+                    for (int i = first; i < end; i++)
+                        groups.Add(new Group { Cube = cube, First = i, Count = 1 });
+                    return;
+                }
+                for (int octant = 0; octant < 8; octant++)
+                {
+                    int next = first;
+                    while (next < end && cube.OctantOf(cubeOf(items[next]).Corner) == octant)
+                        next++;
+                    Descend(cube.Child(octant), first, next);
+                    first = next;
+                }
+            }
         }
     }
 }

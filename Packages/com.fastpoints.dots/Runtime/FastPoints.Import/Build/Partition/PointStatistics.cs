@@ -14,7 +14,6 @@ namespace FastPoints.Build
         public Grid3 Min;
         public Grid3 Max;
 
-        /// <summary>Sum of the record hashes.</summary>
         public ulong Checksum;
 
         /// <summary>Largest distance of a float position from its grid position, in steps.</summary>

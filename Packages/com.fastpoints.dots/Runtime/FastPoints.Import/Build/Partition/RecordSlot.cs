@@ -2,8 +2,11 @@ using System;
 using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
@@ -18,8 +21,6 @@ namespace FastPoints.Build
         NativeArray<byte> m_runRecords;
 
         /// <param name="capacity">Points of the largest block.</param>
-        /// <param name="attributes">The attributes of records, all of which the batch has.</param>
-        /// <param name="batch">The layout of the columns that will come.</param>
         public RecordSlot(int capacity, PointSchema attributes, RecordLayout layout, PartitionMap map, PointBatch batch)
         {
             m_layout = layout;
@@ -57,14 +58,11 @@ namespace FastPoints.Build
         /// <summary>First record of each chunk, including that for points outside, and one more entry.</summary>
         public NativeArray<int> FirstOfChunk { get; }
 
-        /// <summary>Statistics of all blocks that went through this slot.</summary>
         public NativeReference<PointStatistics> Statistics { get; }
         public NativeArray<AttributeStatistics> Attributes { get; }
 
-        /// <summary>Times of this slot's jobs.</summary>
         public SliceTimes Slices { get; }
 
-        /// <summary>Pages of the last block that are to be written.</summary>
         public NativeList<DetachedRecordPages> Detached { get; }
 
         /// <param name="result">Says how many points the batch has, when <paramref name="decoded"/> completes.</param>
@@ -94,7 +92,6 @@ namespace FastPoints.Build
         }
 
         /// <summary>Takes the statistics of the blocks since the last call.</summary>
-        /// <param name="attributes">Statistics of each attribute, to which theirs are added.</param>
         public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
         {
             var statistics = Statistics;
@@ -123,5 +120,252 @@ namespace FastPoints.Build
             m_chunkOfPoint.Dispose();
             m_runRecords.Dispose();
         }
+    }
+
+    /// <summary>Turns one batch of columns into records, grouped by chunk, and collects statistics of the points: bounds,
+    /// attribute ranges, checksum, and how many have no position.</summary>
+    [BurstCompile]
+    internal unsafe struct GroupRecordsJob : IJob
+    {
+        /// <summary>This many records are made one behind another, in the cache, before each goes to its chunk.</summary>
+        public const int RunPoints = 256;
+
+        [ReadOnly] public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        public PointColumn X;
+        public PointColumn Y;
+        public PointColumn Z;
+        [ReadOnly] public NativeArray<RecordField> Fields;
+        public SourceGrid Grid;
+        public RecordLayout Layout;
+        public ChunkFinder Chunks;
+        [ReadOnly] public NativeArray<int> ChunkOfCell;
+
+        public NativeArray<byte> Records;
+
+        /// <summary>Start of each chunk's records, with one more entry. The chunk for points outside comes before the last
+        /// entry.</summary>
+        public NativeArray<int> FirstOfChunk;
+
+        public NativeArray<int> ChunkOfPoint;
+
+        public NativeArray<byte> RunRecords;
+        public NativeReference<PointStatistics> Statistics;
+        public NativeArray<AttributeStatistics> Attributes;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long start = SliceTimes.Begin();
+            int count = Decoded.Value.Points;
+            var statistics = Statistics.Value;
+            var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
+            var records = (byte*)Records.GetUnsafePtr();
+            var chunkOfPoint = (int*)ChunkOfPoint.GetUnsafePtr();
+            var first = (int*)FirstOfChunk.GetUnsafePtr();
+
+            FindChunks(bytes, count, chunkOfPoint, first, ref statistics);
+            int kept = Order(count, chunkOfPoint, first);
+            statistics.Count += kept;
+
+            // From here on a point's entry is the place of its record, or -1.
+            var run = (byte*)RunRecords.GetUnsafePtr();
+            ulong sum = 0;
+            int end;
+            for (int begin = 0; begin < count; begin = end)
+            {
+                end = begin + 1;
+                if (chunkOfPoint[begin] < 0)
+                    continue;
+                while (end < count && end - begin < RunPoints && chunkOfPoint[end] >= 0)
+                    end++;
+                WriteRun(bytes, begin, end - begin, run);
+                sum += Scatter(run, chunkOfPoint + begin, end - begin, records);
+            }
+            statistics.Checksum += sum;
+            Statistics.Value = statistics;
+            Slices.End(start);
+        }
+
+        void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointStatistics statistics)
+        {
+            UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
+            var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
+            for (int done = 0; done < count; done += RunPoints)
+            {
+                int run = math.min(RunPoints, count - done);
+                int* chunks = chunkOfPoint + done;
+                if (Layout.IsWide || !FindChunksInside(bytes, done, run, chunkOfCell, chunks, ref statistics))
+                    FindChunksAnywhere(bytes, done, run, chunkOfCell, chunks, ref statistics);
+                for (int i = 0; i < run; i++)
+                    if (chunks[i] >= 0)
+                        countOfChunk[chunks[i]]++;
+            }
+        }
+
+        /// <returns>False if some of the points are outside the cube: nothing is done.</returns>
+        bool FindChunksInside(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
+        {
+            uint* x = stackalloc uint[3 * RunPoints];
+            uint* y = x + RunPoints, z = y + RunPoints;
+            LoadOffsets(bytes, first, count, x);
+            Store.BlockCodec.FindRange(x, count, out uint minX, out uint maxX);
+            Store.BlockCodec.FindRange(y, count, out uint minY, out uint maxY);
+            Store.BlockCodec.FindRange(z, count, out uint minZ, out uint maxZ);
+            Grid3 min = Layout.Base + new Grid3(minX, minY, minZ), max = Layout.Base + new Grid3(maxX, maxY, maxZ);
+            if (!Chunks.Contains(min, max))
+                return false;
+            statistics.Min = Grid3.Min(statistics.Min, min);
+            statistics.Max = Grid3.Max(statistics.Max, max);
+            Chunks.ChunksOf(chunkOfCell, x, RunPoints, count, Layout.Base, chunks);
+            return true;
+        }
+
+        /// <summary>The same for any points; -1 for those without a position.</summary>
+        void FindChunksAnywhere(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
+        {
+            long* x = stackalloc long[3 * RunPoints];
+            long* y = x + RunPoints, z = y + RunPoints;
+            LoadRun(bytes, first, count, x, ref statistics.WorstLossSteps);
+            for (int i = 0; i < count; i++)
+            {
+                chunks[i] = -1;
+                if (x[i] == SourceGrid.InvalidPosition || y[i] == SourceGrid.InvalidPosition ||
+                    z[i] == SourceGrid.InvalidPosition)
+                {
+                    statistics.LeftOut++;
+                    continue;
+                }
+                var place = new Grid3(x[i], y[i], z[i]);
+                statistics.Min = Grid3.Min(statistics.Min, place);
+                statistics.Max = Grid3.Max(statistics.Max, place);
+                chunks[i] = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
+            }
+        }
+
+        /// <summary>Turns counts into starts, and each point's chunk into the place of its record.</summary>
+        int Order(int count, int* chunkOfPoint, int* first)
+        {
+            int chunks = FirstOfChunk.Length - 1;
+            int sum = 0;
+            for (int c = 0; c < chunks; c++)
+            {
+                int with = first[c];
+                first[c] = sum;
+                sum += with;
+            }
+            for (int i = 0; i < count; i++)
+                if (chunkOfPoint[i] >= 0)
+                    chunkOfPoint[i] = first[chunkOfPoint[i]]++;
+            // Each start has moved to its end, which is the start of the next one.
+            for (int c = chunks; c > 0; c--)
+                first[c] = first[c - 1];
+            first[0] = 0;
+            return sum;
+        }
+
+        /// <summary>Makes the records of points that follow one another and have a position. What fills the attributes up
+        /// stays zero.</summary>
+        void WriteRun(byte* bytes, int first, int count, byte* records)
+        {
+            WritePositions(bytes, first, count, records);
+            int stride = Layout.StrideBytes;
+            byte* attributes = Layout.AttributesOf(records);
+            var found = (AttributeStatistics*)Attributes.GetUnsafePtr();
+            for (int f = 0; f < Fields.Length; f++)
+            {
+                var field = Fields[f];
+                var type = field.Column.Type;
+                byte* values = field.Column.At(bytes, first);
+                CopyColumn(values, type.SizeOf(), count, attributes + field.RecordOffset, stride);
+                found[field.Attribute].Include(AttributeStatistics.Of(values, type, count));
+            }
+        }
+
+        void WritePositions(byte* bytes, int first, int count, byte* records)
+        {
+            int stride = Layout.StrideBytes;
+            if (Layout.IsWide)
+            {
+                long* wide = stackalloc long[3 * RunPoints];
+                double ignored = 0;
+                LoadRun(bytes, first, count, wide, ref ignored);
+                for (int i = 0; i < count; i++)
+                    Layout.SetPosition(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
+                return;
+            }
+            uint* x = stackalloc uint[3 * RunPoints];
+            uint* y = x + RunPoints, z = y + RunPoints;
+            LoadOffsets(bytes, first, count, x);
+            for (int i = 0; i < count; i++, records += stride)
+            {
+                ((uint*)records)[0] = x[i];
+                ((uint*)records)[1] = y[i];
+                ((uint*)records)[2] = z[i];
+            }
+        }
+
+        void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
+        {
+            SourceGrid.ToOffsets(Grid.X, X.At(bytes, first), X.Type, count, Layout.Base.X, offsets);
+            SourceGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + RunPoints);
+            SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * RunPoints);
+        }
+
+        /// <summary>Moves records to their places.</summary>
+        /// <returns>The sum of their hashes.</returns>
+        ulong Scatter(byte* run, int* places, int count, byte* records)
+        {
+            var layout = Layout;
+            int stride = layout.StrideBytes;
+            ulong sum = 0;
+            for (int i = 0; i < count; i++, run += stride)
+            {
+                sum += layout.HashOf(run, Store.RecordHash.ChecksumSeed);
+                RecordLayout.Copy(run, records + (long)places[i] * stride, stride);
+            }
+            return sum;
+        }
+
+        void LoadRun(byte* bytes, int first, int count, long* places, ref double worstLoss)
+        {
+            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, places, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, places + RunPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, places + 2 * RunPoints, ref worstLoss);
+        }
+
+        static void CopyColumn(byte* from, int size, int count, byte* to, int stride)
+        {
+            switch (size)
+            {
+                case 1:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *to = from[i];
+                    return;
+                case 2:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(ushort*)to = ((ushort*)from)[i];
+                    return;
+                case 4:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(uint*)to = ((uint*)from)[i];
+                    return;
+                default:
+                    for (int i = 0; i < count; i++, to += stride)
+                        *(ulong*)to = ((ulong*)from)[i];
+                    return;
+            }
+        }
+    }
+
+    /// <summary>A copy from a column of a batch to a place in a record. Blittable.</summary>
+    internal struct RecordField
+    {
+        public PointColumn Column;
+
+        public int RecordOffset;
+
+        public int Attribute;
     }
 }

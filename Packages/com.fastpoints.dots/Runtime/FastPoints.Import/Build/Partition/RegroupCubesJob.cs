@@ -11,43 +11,55 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct RegroupCubesJob : IJob
     {
-        /// <summary>Pages of one run: a millisecond or so.</summary>
-        public const int PagesOfSlice = 8;
+        /// <summary>Pages of one run that keeps them: a millisecond or so.</summary>
+        public const int PagesPerSlice = 8;
 
         /// <summary>The records, which stay unchanged.</summary>
         public RecordPages Pages;
+
+        /// <summary>Whether all pages are taken, and return to the pool as they are done, not a slice of them from
+        /// <see cref="FirstPage"/> on.</summary>
+        public bool TakesPages;
         public int FirstPage;
         public RecordLayout Layout;
 
         /// <summary>Cubes of one octree in Morton order, which are equal or do not overlap.</summary>
         [ReadOnly] public NativeArray<GridCube> Cubes;
 
-        /// <summary>The octree's corner.</summary>
         public Grid3 Corner;
 
         /// <summary>Lists for the cubes; of equal cubes the last one gets the records.</summary>
         public NativeArray<RecordPages> Chunks;
         public NativeReference<RecordPagePool> Pool;
+        public SliceTimes Slices;
 
         public void Execute()
         {
-            int stride = Layout.StrideBytes;
+            long begin = SliceTimes.Begin();
+            int stride = Layout.StrideBytes, cube = -1;
             ref var pool = ref RecordPagePool.Of(Pool);
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             var page = Pages.First;
             for (int p = 0; p < FirstPage; p++)
                 page = page->Next;
-            for (int p = 0; p < PagesOfSlice && page != null; p++, page = page->Next)
+            for (int p = 0; (p < PagesPerSlice || TakesPages) && page != null; p++)
             {
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
                     var place = Layout.PositionOf(record);
-                    int cube = LastFrom(place);
+                    // Points that follow one another are often neighbours.
+                    if (cube < 0 || !Cubes[cube].Contains(place))
+                        cube = LastFrom(place);
                     if (cube >= 0 && Cubes[cube].Contains(place))
                         pool.Append(ref chunks[cube], record, 1);
                 }
+                var next = page->Next;
+                if (TakesPages)
+                    pool.Return(page);
+                page = next;
             }
+            Slices.End(begin);
         }
 
         /// <summary>The last cube whose corner does not come after a position; -1 if there is none.</summary>
@@ -67,6 +79,69 @@ namespace FastPoints.Build
                     end = middle;
             }
             return first - 1;
+        }
+    }
+
+    /// <summary>Counts a chunk's records in each cell: exactly, where the first partition had only a sample.</summary>
+    [BurstCompile]
+    internal unsafe struct CountCellsJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+        public CellFinder Cells;
+
+        /// <summary>Indexed by Morton number of the cell; starts at zero. All records lie inside.</summary>
+        public NativeArray<long> PointsOfCell;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            int stride = Layout.StrideBytes;
+            for (var page = Pages.First; page != null; page = page->Next)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PositionOf(record);
+                    PointsOfCell[Cells.CellOf(place.X, place.Y, place.Z)]++;
+                }
+            }
+            Slices.End(begin);
+        }
+    }
+
+    /// <summary>Finds the bounds of a chunk's records.</summary>
+    [BurstCompile]
+    internal unsafe struct MeasureRecordsJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+
+        /// <summary>The smallest and the largest position; they grow.</summary>
+        public NativeArray<Grid3> Bounds;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Grid3 min = Bounds[0], max = Bounds[1];
+            int stride = Layout.StrideBytes;
+            for (var page = Pages.First; page != null; page = page->Next)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PositionOf(record);
+                    min = Grid3.Min(min, place);
+                    max = Grid3.Max(max, place);
+                }
+            }
+            Bounds[0] = min;
+            Bounds[1] = max;
+            Slices.End(begin);
         }
     }
 }

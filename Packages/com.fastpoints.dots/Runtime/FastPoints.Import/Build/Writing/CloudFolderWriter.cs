@@ -1,13 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Globalization;
 using System.IO;
 using System.Text;
 using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
-using FastPoints.Streaming;
 using Unity.Collections;
 
 namespace FastPoints.Build
@@ -122,17 +122,11 @@ namespace FastPoints.Build
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
 
-        /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it. The bytes belong to the
-        /// writer until the ticket is done.</summary>
-        /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
             m_queue.WritePiece(PathOf(name), bytes, offset);
 
-        /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
         public WriteTicket Seal(string name, NativeArray<byte> bytes) => m_queue.Seal(PathOf(name), bytes);
 
-        /// <summary>Queues records for a temporary file. The pages belong to the writer until the ticket is done.</summary>
-        /// <param name="offset">The file's size so far.</param>
         public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
             m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
 
@@ -140,14 +134,12 @@ namespace FastPoints.Build
         /// survives a loss of power.</summary>
         public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
 
-        /// <summary>Path of a file of the folder while it is in the making.</summary>
         public string PathOf(string name) => Path.Combine(m_part, name);
 
         /// <summary>Deletes a file that the build no longer needs, behind everything queued. What somebody has open is deleted at
         /// the end.</summary>
         public void Delete(string name) => m_queue.Run(PathOf(name), () => FileChanges.TryDelete(PathOf(name), () => false));
 
-        /// <summary>Deletes the files of one generation of the cloud in the making, if they exist.</summary>
         public void DeleteGeneration(long generation)
         {
             Delete(StoreFormat.GenerationName(StoreFormat.UpperName, generation));
@@ -179,24 +171,23 @@ namespace FastPoints.Build
         /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
         public IEnumerator<JobStep> Complete()
         {
-            StreamFiles.Release(m_part);
-            StreamFiles.Release(m_target);
+            FolderReleases.Release(m_part);
+            FolderReleases.Release(m_target);
             try
             {
                 for (var watch = Stopwatch.StartNew();
-                    !StreamFiles.HasReleased && watch.ElapsedMilliseconds < FileChanges.RetryTimeoutMs;)
+                    !FolderReleases.HasReleased && watch.ElapsedMilliseconds < FileChanges.RetryTimeoutMs;)
                     yield return default;
                 yield return JobStep.Of(Await(m_queue.Run(m_target, Finish)));
             }
             finally
             {
                 m_queue.End();
-                StreamFiles.Reacquire(m_part);
-                StreamFiles.Reacquire(m_target);
+                FolderReleases.Reacquire(m_part);
+                FolderReleases.Reacquire(m_target);
             }
         }
 
-        /// <summary>Keeps what was written when the writer is disposed, as if the process had been killed.</summary>
         public void Keep() => m_isKept = true;
 
         public void Dispose()
@@ -233,10 +224,10 @@ namespace FastPoints.Build
         /// <summary>The lock goes with the folder. One that cannot be moved is cleared by the next build of the target.</summary>
         static void Delete(string part, FolderLock taken)
         {
-            StreamFiles.Release(part);
+            FolderReleases.Release(part);
             FileChanges.BeginDelete(part, failure =>
             {
-                StreamFiles.Reacquire(part);
+                FolderReleases.Reacquire(part);
                 if (failure != null)
                     taken.Dispose();
             });
@@ -331,5 +322,25 @@ namespace FastPoints.Build
         /// <summary>The failure when, after a long sleep of the machine, another writer has taken the folder over.</summary>
         PointCloudException LockLost() =>
             new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
+    }
+
+    /// <summary>Names of files that exist only in a folder in the making.</summary>
+    internal static class BuildFiles
+    {
+        /// <summary>The journal of the build, from which a killed one is continued.</summary>
+        public const string JournalName = "build.json";
+
+        /// <summary>The folder of points that are not in their nodes yet, as plain records.</summary>
+        public const string RecordFolderName = "records";
+
+        /// <summary>Chunks' top nodes, which the merge of the upper levels consumes.</summary>
+        public const string TopFolderName = "tops";
+
+        public static string RecordPath(int number) => PathOf(RecordFolderName, number);
+
+        public static string TopPath(int number) => PathOf(TopFolderName, number);
+
+        static string PathOf(string folder, int number) =>
+            folder + "/" + number.ToString("D6", CultureInfo.InvariantCulture) + ".bin";
     }
 }

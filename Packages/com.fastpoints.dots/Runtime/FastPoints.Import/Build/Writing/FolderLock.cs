@@ -122,7 +122,6 @@ namespace FastPoints.Build
             return true;
         }
 
-        /// <summary>Releases it, if it still belongs to this owner.</summary>
         public void Dispose()
         {
             try

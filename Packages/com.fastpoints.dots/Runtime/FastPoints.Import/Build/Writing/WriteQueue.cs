@@ -76,7 +76,6 @@ namespace FastPoints.Build
         public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
 
         /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it.</summary>
-        /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string path, NativeArray<byte> bytes, long offset) =>
             Enqueue(OrderKind.Piece, path, bytes, offset);
 
@@ -84,7 +83,6 @@ namespace FastPoints.Build
         public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, path, bytes, 0);
 
         /// <summary>Queues records at the end of a file that only the build reads.</summary>
-        /// <param name="offset">The file's size so far.</param>
         public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
         {
             Kind = OrderKind.Records,
@@ -104,7 +102,6 @@ namespace FastPoints.Build
         });
 
         /// <summary>Queues something else that is to be done with files.</summary>
-        /// <param name="path">For messages.</param>
         public WriteTicket Run(string path, Action act) => Enqueue(new Order
         {
             Kind = OrderKind.Call,
@@ -229,6 +226,53 @@ namespace FastPoints.Build
                 int piece = (int)Math.Min(PieceBytes, count - done);
                 file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
                 done += piece;
+            }
+        }
+    }
+
+    internal sealed class WriteTicket
+    {
+        readonly object m_lock = new object();
+        readonly Action m_stopRetrying;
+        bool m_isDone;
+        Exception m_failure;
+
+        public WriteTicket(Action stopRetrying) => m_stopRetrying = stopRetrying;
+
+        /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
+        /// <exception cref="FastPoints.Core.PointCloudException">It could not be written.</exception>
+        public bool IsDone(int waitMs)
+        {
+            lock (m_lock)
+            {
+                if (!m_isDone && waitMs > 0)
+                    Monitor.Wait(m_lock, waitMs);
+                if (m_failure != null)
+                    throw m_failure;
+                return m_isDone;
+            }
+        }
+
+        /// <summary>Waits until the bytes are no longer needed, written or not. It throws nothing, so that it suits
+        /// clean-up: what the system refuses is not tried again meanwhile.</summary>
+        public void Wait()
+        {
+            lock (m_lock)
+            {
+                if (!m_isDone)
+                    m_stopRetrying();
+                while (!m_isDone)
+                    Monitor.Wait(m_lock);
+            }
+        }
+
+        internal void Finish(Exception failure)
+        {
+            lock (m_lock)
+            {
+                m_failure = failure;
+                m_isDone = true;
+                Monitor.PulseAll(m_lock);
             }
         }
     }

@@ -26,9 +26,6 @@ namespace FastPoints.Export
         readonly List<NativeReference<ulong>> m_sums = new List<NativeReference<ulong>>();
         readonly List<JobHandle> m_jobs = new List<JobHandle>();
 
-        /// <param name="attributes">The attributes of the stored cloud, all of which the source has.</param>
-        /// <param name="grid">The source's numbers on the stored cloud's grid.</param>
-        /// <param name="capacity">Points of the largest block.</param>
         public SumPoints(PointSchema attributes, in SourceGrid grid, int capacity)
         {
             m_attributes = attributes;
@@ -97,7 +94,6 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<int> FirstOfChunk;
         public RecordLayout Layout;
 
-        /// <summary>The sum is added to it.</summary>
         public NativeReference<ulong> Sum;
 
         public void Execute()

@@ -25,8 +25,6 @@ namespace FastPoints.Export
         readonly VerifyResult m_result;
         readonly NativeStoreLayout m_store;
 
-        /// <summary>For each level, sampled points that other chunks' points may be close to.</summary>
-        readonly List<NativeList<double3>> m_atSides = new List<NativeList<double3>>();
         ulong m_firstSum;
         ulong m_secondSum;
         long m_nodes;
@@ -63,8 +61,6 @@ namespace FastPoints.Export
             {
                 progress?.Begin("verify");
                 yield return JobStep.Of(verify.CheckFiles(progress));
-                if (result.Ok)
-                    yield return JobStep.Of(CrossCheck.Run(verify.m_atSides, result.Levels));
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
@@ -75,13 +71,7 @@ namespace FastPoints.Export
             }
         }
 
-        public void Dispose()
-        {
-            foreach (var points in m_atSides)
-                points.Dispose();
-            m_atSides.Clear();
-            m_store.Dispose();
-        }
+        public void Dispose() => m_store.Dispose();
 
         /// <summary>Checks the files in their order, several ahead of the one whose result is taken next.</summary>
         IEnumerator<JobStep> CheckFiles(StageProgress progress)
@@ -180,8 +170,6 @@ namespace FastPoints.Export
             int node = 0;
             foreach (var result in check.NodeResults())
                 Take(check.Path, node++, check.Table, result);
-            if (m_result.Ok)
-                check.TakeDistances(m_result.Levels, m_atSides);
         }
 
         void Take(string path, int index, NodeTable table, in NodeCheckResult result)
@@ -200,7 +188,7 @@ namespace FastPoints.Export
             m_secondSum += result.SecondSum;
             int level = m_folder.Manifest.Root.SideLog2 - node.SideLog2;
             while (m_result.Levels.Count <= level)
-                m_result.Levels.Add(VerifyResult.Level.None);
+                m_result.Levels.Add(default);
             var at = m_result.Levels[level];
             at.Nodes++;
             at.Points += node.PointCount;
@@ -295,6 +283,48 @@ namespace FastPoints.Export
                 return false;
             }
             return true;
+        }
+    }
+
+    /// <summary>The result of verifying a stored cloud.</summary>
+    public sealed class VerifyResult
+    {
+        /// <summary>Statistics of one level of the octree.</summary>
+        public struct Level
+        {
+            public int Nodes;
+            public long Points;
+
+            /// <summary>Edge of the finest sampling cells of the level's nodes in CRS units; 0 if all are leaves.</summary>
+            public double Spacing;
+
+            /// <summary>Number of points in nodes that have a spacing: neither leaves nor chains at one place.</summary>
+            public long SampledPoints;
+        }
+
+        /// <summary>Whether the cloud is in the making, so that only finished parts were verified.</summary>
+        public bool IsBuilding;
+
+        public const int MaxProblems = 100;
+
+        readonly List<string> m_problems = new List<string>();
+
+        /// <summary>The first <see cref="MaxProblems"/> problems, one line each.</summary>
+        public IReadOnlyList<string> Problems => m_problems;
+        public bool Ok => ProblemCount == 0;
+        public int ProblemCount { get; private set; }
+
+        /// <summary>Number of points that were read and found correct.</summary>
+        public long Points;
+
+        /// <summary>Statistics of each level; level 0 has the root's cube.</summary>
+        public readonly List<Level> Levels = new List<Level>();
+
+        public void Add(string problem)
+        {
+            ProblemCount++;
+            if (m_problems.Count < MaxProblems)
+                m_problems.Add(problem);
         }
     }
 }

@@ -35,25 +35,12 @@ namespace FastPoints.Export
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
         public int AttributeBytes;
-        public double3 Step;
-
-        /// <summary>The origin that <see cref="Sampled"/> counts from.</summary>
-        public Grid3 Origin;
-
-        /// <summary>By node: where its points go in <see cref="Sampled"/>; -1 for leaves and points at one place, which have no
-        /// spacing.</summary>
-        [ReadOnly] public NativeArray<int> FirstSampled;
-
-        /// <summary>Out: positions of the sampled points in CRS units.</summary>
-        [NativeDisableContainerSafetyRestriction] public NativeArray<double3> Sampled;
-
         /// <summary>Of nodes in their order; none has more points than a slice.</summary>
         [ReadOnly] public NativeArray<NodePart> Parts;
 
         /// <summary>Indexed by node: what its own planes showed.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> PlaneResults;
 
-        /// <summary>Indexed by part.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> Results;
 
         public void Execute()
@@ -100,7 +87,6 @@ namespace FastPoints.Export
                 return result;
             var node = Nodes[index];
             var planeNode = Nodes[node.PlaneNode];
-            var points = FirstSampled[index] >= 0 ? (double3*)Sampled.GetUnsafePtr() + FirstSampled[index] : null;
             ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
@@ -121,7 +107,7 @@ namespace FastPoints.Export
                 }
                 for (int c = 0; c < 3; c++)
                     position.UnpackWide(b, c, places + c * PlaneShape.MaxPointsPerBlock);
-                LoadAttributes(node.PlaneNode, b, count, values, records, recordBytes, ref result);
+                LoadAttributes(node.PlaneNode, b, count, values, records, ref result);
                 if (result.What != NodeCheckResult.Fault.None)
                     break;
                 for (int i = 0; i < count; i++)
@@ -137,11 +123,6 @@ namespace FastPoints.Export
                     var offset = place - node.Corner;
                     result.Min = Grid3.Min(result.Min, offset);
                     result.Max = Grid3.Max(result.Max, offset);
-                    if (points != null)
-                    {
-                        var fromOrigin = place - Origin;
-                        points[done + i] = new double3(fromOrigin.X, fromOrigin.Y, fromOrigin.Z) * Step;
-                    }
                     result.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
                     result.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
                 }
@@ -151,9 +132,9 @@ namespace FastPoints.Export
             return result;
         }
 
-        void LoadAttributes(int planeNode, int block, int count, ulong* values, byte* records, int recordBytes,
-            ref NodeCheckResult result)
+        void LoadAttributes(int planeNode, int block, int count, ulong* values, byte* records, ref NodeCheckResult result)
         {
+            int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
             for (int p = 1; p < PlaneCount; p++)
             {
                 var plane = ViewOf(planeNode, p);
@@ -207,7 +188,6 @@ namespace FastPoints.Export
 
         public Fault What;
 
-        /// <summary>The faulty plane.</summary>
         public int Plane;
 
         /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
@@ -224,7 +204,6 @@ namespace FastPoints.Export
             Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
         };
 
-        /// <summary>Takes the next part of the same node along.</summary>
         public void Include(in NodeCheckResult part)
         {
             if (What == Fault.None)
@@ -238,7 +217,6 @@ namespace FastPoints.Export
             Max = Grid3.Max(Max, part.Max);
         }
 
-        /// <summary>Whether the node claims these bounds.</summary>
         public bool HasBoundsOf(in NodeRecord node)
         {
             int shift = node.BoundsShift;

@@ -1,6 +1,9 @@
 using System;
 using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Nodes
@@ -66,7 +69,6 @@ namespace FastPoints.Nodes
         /// <summary>Times of the jobs so far; code that takes them empties them.</summary>
         public SliceTimes Slices => m_slices;
 
-        /// <summary>Bytes of each plane in the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
         /// <summary>Begins a chunk, behind those that are in the workspace. The caller owns its pages again when the job is
@@ -81,7 +83,15 @@ namespace FastPoints.Nodes
             int count = checked((int)pages.Count);
             var ordered = Order(count, pages, cube, workspace.Begin(count, ready));
             var sampled = Sample(count, cube, m_records, workspace.Sorted, m_tops, ordered);
-            Job = Write(count, m_records, cube.Corner, true, true, workspace.Sorted, sampled);
+            Job = Write(new WriteNodesJob
+            {
+                Count = count,
+                Layout = m_records,
+                Corner = cube.Corner,
+                IsChunk = true,
+                OmitsTop = true,
+                Records = workspace.Sorted,
+            }, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -99,7 +109,6 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Begins upper nodes: those above some tops, which come in Morton order.</summary>
-        /// <param name="records">The records of all tops.</param>
         /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
         /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
         /// does.</param>
@@ -125,11 +134,18 @@ namespace FastPoints.Nodes
             while (prepare.End < count)
             {
                 prepare.First = prepare.End;
-                prepare.End = Math.Min(count, prepare.First + PrepareUpperJob.PointsOfSlice);
+                prepare.End = Math.Min(count, prepare.First + PrepareUpperJob.PointsPerSlice);
                 prepared = prepare.Schedule(prepared);
             }
             var sampled = Sample(count, cube, layout, records, tops, prepared);
-            Job = Write(count, layout, m_rootCorner, false, !isRoot, records, sampled);
+            Job = Write(new WriteNodesJob
+            {
+                Count = count,
+                Layout = layout,
+                Corner = m_rootCorner,
+                OmitsTop = !isRoot,
+                Records = records,
+            }, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -204,40 +220,30 @@ namespace FastPoints.Nodes
             return job.Schedule(inputDeps);
         }
 
-        JobHandle Write(int count, RecordLayout layout, Grid3 corner, bool isChunk, bool omitsTop, NativeArray<byte> records,
-            JobHandle inputDeps)
+        JobHandle Write(WriteNodesJob job, JobHandle inputDeps)
         {
-            var job = new WriteNodesJob
-            {
-                Slices = m_slices,
-                Count = count,
-                Layout = layout,
-                Corner = corner,
-                CloudId = m_cloudId,
-                Number = Number,
-                IsChunk = isChunk,
-                OmitsTop = omitsTop,
-                Records = records,
-                NodeOfPoint = m_workspace.NodeOfPoint,
-                Drafts = Drafts,
-                Columns = m_store.Columns,
-                FirstColumnOfPlane = m_store.FirstColumnOfPlane,
-                Shapes = m_store.Shapes,
-                File = File,
-                Table = Table,
-                Top = Top,
-                NodeOfDraft = NodeOfDraft,
-                AverageOf = m_store.AverageOf,
-                Averaged = Averaged,
-                BytesOfPlane = m_bytesOfPlane,
-                Points = m_workspace.Numbers,
-                Scratch = m_workspace.Writing,
-                ValuesPerSlice = WriteNodesJob.ValuesOfSlice,
-            };
-            for (long done = 0; done < job.Cost; done += job.ValuesPerSlice)
+            job.Slices = m_slices;
+            job.CloudId = m_cloudId;
+            job.Number = Number;
+            job.NodeOfPoint = m_workspace.NodeOfPoint;
+            job.Drafts = Drafts;
+            job.Columns = m_store.Columns;
+            job.FirstColumnOfPlane = m_store.FirstColumnOfPlane;
+            job.Shapes = m_store.Shapes;
+            job.File = File;
+            job.Table = Table;
+            job.Top = Top;
+            job.NodeOfDraft = NodeOfDraft;
+            job.AverageOf = m_store.AverageOf;
+            job.Averaged = Averaged;
+            job.BytesOfPlane = m_bytesOfPlane;
+            job.Points = m_workspace.Numbers;
+            job.Scratch = m_workspace.Writing;
+            job.CostPerSlice = WriteNodesJob.CostOfSlice;
+            for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             // Slices end at planes: what they leave.
-            job.ValuesPerSlice = int.MaxValue;
+            job.CostPerSlice = int.MaxValue;
             return m_workspace.Last = job.Schedule(inputDeps);
         }
 
@@ -247,5 +253,51 @@ namespace FastPoints.Nodes
             AverageOfPoint = m_workspace.AverageOfPoint,
             Averages = m_workspace.Averages,
         };
+    }
+
+    /// <summary>Prepares the chunks' tops, which are in order already, for the sampling of the upper levels.</summary>
+    [BurstCompile]
+    internal unsafe struct PrepareUpperJob : IJob
+    {
+        /// <summary>A slice takes about 4 ms.</summary>
+        public const int PointsPerSlice = 100000;
+
+        /// <summary>The points of this slice. The slices of one cloud follow one another.</summary>
+        public int First;
+        public int End;
+        public RecordLayout Layout;
+        public Grid3 Corner;
+        [ReadOnly] public NativeArray<byte> Records;
+        public NativeArray<byte> CommonCubeLog2;
+        public NativeArray<uint> Priority;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            new SampleInputs { CommonCubeLog2 = (byte*)CommonCubeLog2.GetUnsafePtr(), Priority = (uint*)Priority.GetUnsafePtr() }
+                .Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), First, End, Layout, Corner);
+            Slices.End(begin);
+        }
+    }
+
+    /// <summary>Adds up the hashes of a top's points: the checksum of a cloud that has nothing below them.</summary>
+    [BurstCompile]
+    internal unsafe struct SumTopJob : IJob
+    {
+        [ReadOnly] public NativeList<byte> Records;
+
+        public RecordLayout Layout;
+        public NativeReference<ulong> Sum;
+
+        public void Execute()
+        {
+            var records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            ulong sum = 0;
+            for (int at = 0; at < Records.Length; at += Layout.StrideBytes)
+                sum += Layout.HashOf(records + at, RecordHash.ChecksumSeed);
+            Sum.Value = sum;
+        }
     }
 }

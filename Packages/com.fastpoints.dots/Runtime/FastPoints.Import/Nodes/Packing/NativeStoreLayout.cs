@@ -40,13 +40,11 @@ namespace FastPoints.Nodes
         /// <summary>Indexed by attribute plane, with one more entry.</summary>
         public NativeArray<int> FirstColumnOfPlane { get; private set; }
 
-        /// <summary>Indexed by attribute plane.</summary>
         public NativeArray<PlaneShape> Shapes { get; private set; }
 
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         public NativeArray<int> AverageOf { get; private set; }
 
-        /// <summary>The columns of the planes with averages.</summary>
         public NativeArray<StoredColumn> AveragedColumns { get; private set; }
 
         public bool HasAverages => AveragedColumns.Length > 0;

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Collections;
@@ -9,7 +10,6 @@ namespace FastPoints.Nodes
     /// <summary>Some points of one node that become blocks of their own.</summary>
     internal unsafe struct PackedRun
     {
-        /// <summary>Numbers of the records.</summary>
         [NativeDisableUnsafePtrRestriction] public uint* Points;
         public int Count;
     }
@@ -20,19 +20,18 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] public byte* Records;
         public RecordLayout Layout;
 
-        /// <summary>All columns of all attribute planes.</summary>
         [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
 
         /// <summary>Writes the position plane of a node at the end of a list.</summary>
-        /// <param name="min">Receives the smallest offset from the corner, three numbers for each run; <paramref name="max"/>
-        /// receives the largest.</param>
-        public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, Grid3 corner, bool isWide,
-            ulong* min,
+        /// <param name="min">Receives the smallest offset from the node's corner, three numbers for each run;
+        /// <paramref name="max"/> receives the largest.</param>
+        public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, in NodeRecord node, ulong* min,
             ulong* max)
         {
+            var corner = node.Corner;
+            bool isWide = node.IsWide;
             var shape = new PlaneShape(3, isWide ? 7 : 0);
-            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
-            uint* descriptor = plane;
+            var writer = Begin(file, shape, runs, runCount, out long start);
             ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             for (int r = 0; r < runCount; r++)
             {
@@ -48,17 +47,15 @@ namespace FastPoints.Nodes
                         LoadOffsets(runs[r].Points + first, count, corner, values);
                     else
                         LoadOffsetsNarrow(runs[r].Points + first, count, corner, (uint*)values);
-                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min + 3 * r, max + 3 * r);
+                    writer.Write(values, count, min + 3 * r, max + 3 * r);
                 }
             }
-            return End(file, plane, start, word);
+            return End(file, writer, start);
         }
 
-        /// <summary>Writes one attribute plane of a node at the end of a list.</summary>
         public PlaneRange WriteAttributes(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape, int firstColumn)
         {
-            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
-            uint* descriptor = plane;
+            var writer = Begin(file, shape, runs, runCount, out long start);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
@@ -70,15 +67,15 @@ namespace FastPoints.Nodes
                     for (int c = 0; c < shape.ColumnCount; c++)
                     {
                         if (shape.IsWide(c))
-                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], BlockWriting.WideOf(values, c));
+                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], BlockWriter.WideOf(values, c));
                         else
                             LoadColumnNarrow(runs[r].Points + first, count, Columns[firstColumn + c],
-                                BlockWriting.NarrowOf(values, c));
+                                BlockWriter.NarrowOf(values, c));
                     }
-                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min, max);
+                    writer.Write(values, count, min, max);
                 }
             }
-            return End(file, plane, start, word);
+            return End(file, writer, start);
         }
 
         /// <summary>Writes a plane of averages of a node at the end of a list.</summary>
@@ -86,8 +83,7 @@ namespace FastPoints.Nodes
         public PlaneRange WriteAverages(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape,
             in AveragedColumns averaged, int firstColumn)
         {
-            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
-            uint* descriptor = plane;
+            var writer = Begin(file, shape, runs, runCount, out long start);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
@@ -104,15 +100,15 @@ namespace FastPoints.Nodes
                         {
                             ulong stored = averaged.Stored(average, firstColumn + c);
                             if (shape.IsWide(c))
-                                BlockWriting.WideOf(values, c)[i] = stored;
+                                BlockWriter.WideOf(values, c)[i] = stored;
                             else
-                                BlockWriting.NarrowOf(values, c)[i] = (uint)stored;
+                                BlockWriter.NarrowOf(values, c)[i] = (uint)stored;
                         }
                     }
-                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min, max);
+                    writer.Write(values, count, min, max);
                 }
             }
-            return End(file, plane, start, word);
+            return End(file, writer, start);
         }
 
         void LoadOffsets(uint* points, int count, Grid3 corner, ulong* values)
@@ -120,9 +116,9 @@ namespace FastPoints.Nodes
             for (int i = 0; i < count; i++)
             {
                 var offset = Layout.PositionOf(Records + (long)points[i] * Layout.StrideBytes) - corner;
-                BlockWriting.WideOf(values, 0)[i] = (ulong)offset.X;
-                BlockWriting.WideOf(values, 1)[i] = (ulong)offset.Y;
-                BlockWriting.WideOf(values, 2)[i] = (ulong)offset.Z;
+                BlockWriter.WideOf(values, 0)[i] = (ulong)offset.X;
+                BlockWriter.WideOf(values, 1)[i] = (ulong)offset.Y;
+                BlockWriter.WideOf(values, 2)[i] = (ulong)offset.Z;
             }
         }
 
@@ -185,7 +181,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Makes room for the longest plane that these runs could need.</summary>
-        static uint* Begin(NativeList<byte> file, PlaneShape shape, PackedRun* runs, int runCount, out long start, out long word)
+        static BlockWriter Begin(NativeList<byte> file, PlaneShape shape, PackedRun* runs, int runCount, out long start)
         {
             long blocks = 0, points = 0;
             for (int r = 0; r < runCount; r++)
@@ -198,16 +194,96 @@ namespace FastPoints.Nodes
             if (file.Capacity < longest)
                 file.SetCapacity((int)math.max(longest, math.min((long)file.Capacity * 2, int.MaxValue)));
             file.ResizeUninitialized((int)longest);
-            word = blocks * shape.DescriptorWords;
-            return (uint*)(file.GetUnsafePtr() + start);
+            return new BlockWriter((uint*)(file.GetUnsafePtr() + start), shape, 0, blocks * shape.DescriptorWords);
         }
 
-        static PlaneRange End(NativeList<byte> file, uint* plane, long start, long word)
+        static PlaneRange End(NativeList<byte> file, BlockWriter writer, long start)
         {
-            long length = PlaneShape.LengthBytes(word);
-            UnsafeUtility.MemClear(plane + word, length - word * sizeof(uint));
+            long length = writer.End();
             file.ResizeUninitialized((int)(start + length));
-            return new PlaneRange { OffsetBytes = start, LengthBytes = length, Hash = ContentHash.Of(plane, length) };
+            return new PlaneRange { OffsetBytes = start, LengthBytes = length, Hash = ContentHash.Of(writer.Plane, length) };
+        }
+    }
+
+    /// <summary>Writes a plane from gathered values, block by block: the layout of <see cref="PlaneShape"/>.</summary>
+    internal unsafe struct BlockWriter
+    {
+        public readonly uint* Plane;
+        readonly PlaneShape m_shape;
+        uint* m_descriptor;
+
+        public BlockWriter(uint* plane, PlaneShape shape, int firstBlock, long word)
+        {
+            Plane = plane;
+            m_shape = shape;
+            m_descriptor = plane + (long)firstBlock * shape.DescriptorWords;
+            Word = word;
+        }
+
+        /// <summary>The plane's word behind what is packed.</summary>
+        public long Word { get; private set; }
+
+        /// <summary>Where a column of 64-bit values is gathered.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static ulong* WideOf(ulong* values, int column) => values + column * PlaneShape.MaxPointsPerBlock;
+
+        /// <summary>Where a column of 32-bit values is gathered.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint* NarrowOf(ulong* values, int column) => (uint*)values + column * PlaneShape.MaxPointsPerBlock;
+
+        /// <param name="values">The values, with room for <see cref="PlaneShape.MaxColumns"/> full columns.</param>
+        /// <param name="min">For each column, lowered to the block's smallest; <paramref name="max"/> raised to its
+        /// largest.</param>
+        public void Write(ulong* values, int count, ulong* min, ulong* max)
+        {
+            var shape = m_shape;
+            uint* plane = Plane, descriptor = m_descriptor;
+            long word = Word;
+            uint widths = (uint)(count - 1) << 24;
+            descriptor[0] = (uint)word;
+            for (int c = 0; c < shape.ColumnCount; c++)
+            {
+                int at = shape.MinimumWord(c), width;
+                ulong low, high;
+                if (shape.IsWide(c))
+                {
+                    ulong* column = WideOf(values, c);
+                    low = high = column[0];
+                    for (int i = 1; i < count; i++)
+                    {
+                        low = math.min(low, column[i]);
+                        high = math.max(high, column[i]);
+                    }
+                    width = BlockCodec.WidthOf(high - low);
+                    descriptor[at + 1] = (uint)(low >> 32);
+                    word += BlockCodec.PackWide(column, low, count, width, plane + word);
+                }
+                else
+                {
+                    uint* column = NarrowOf(values, c);
+                    BlockCodec.FindRange(column, count, out uint minNarrow, out uint maxNarrow);
+                    low = minNarrow;
+                    high = maxNarrow;
+                    width = BlockCodec.WidthOf(high - low);
+                    word += BlockCodec.Pack(column, minNarrow, count, width, plane + word);
+                }
+                min[c] = math.min(min[c], low);
+                max[c] = math.max(max[c], high);
+                widths |= (uint)width << (8 * c);
+                descriptor[at] = (uint)low;
+            }
+            descriptor[1] = widths;
+            m_descriptor = descriptor + shape.DescriptorWords;
+            Word = word;
+        }
+
+        /// <summary>Clears what fills the plane up.</summary>
+        /// <returns>Its length in bytes.</returns>
+        public long End()
+        {
+            long length = PlaneShape.LengthBytes(Word);
+            UnsafeUtility.MemClear(Plane + Word, length - Word * sizeof(uint));
+            return length;
         }
     }
 }

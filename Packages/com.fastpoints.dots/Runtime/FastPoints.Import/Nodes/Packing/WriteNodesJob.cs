@@ -17,7 +17,7 @@ namespace FastPoints.Nodes
     internal unsafe struct WriteNodesJob : IJob
     {
         /// <summary>A slice takes about 2 ms.</summary>
-        public const int ValuesOfSlice = 500000;
+        public const int CostOfSlice = 500000;
 
         const int CostOfPlace = 4;
         const int CostOfAverage = 16;
@@ -46,7 +46,6 @@ namespace FastPoints.Nodes
         /// <summary>For each attribute plane, the first of its columns, and one more entry.</summary>
         [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
 
-        /// <summary>Indexed by attribute plane.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
 
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
@@ -62,7 +61,7 @@ namespace FastPoints.Nodes
         public WriteScratch Scratch;
 
         /// <summary>About this many values are written in one run; to group a point costs as much as one.</summary>
-        public int ValuesPerSlice;
+        public int CostPerSlice;
 
         /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
         public NativeList<byte> File;
@@ -111,7 +110,7 @@ namespace FastPoints.Nodes
         void Run()
         {
             m_now = Scratch.Progress.Value;
-            m_budget = ValuesPerSlice;
+            m_budget = CostPerSlice;
             m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
             m_points = (uint*)Points.GetUnsafePtr();
             m_packer = new PlanePacker
@@ -355,7 +354,7 @@ namespace FastPoints.Nodes
         {
             ulong* min = Allocate<ulong>(3 * runCount);
             ulong* max = Allocate<ulong>(3 * runCount);
-            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[planeNode].Corner, nodes[planeNode].IsWide, min, max);
+            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[planeNode], min, max);
             BytesOfPlane[0] += ranges[0].LengthBytes;
             for (int r = 0; r < runCount; r++)
                 SetBounds(ref nodes[nodeOfRun[r]], nodes[planeNode].Corner, min + 3 * r, max + 3 * r);
@@ -366,7 +365,6 @@ namespace FastPoints.Nodes
             m_now.Plane = 1;
         }
 
-        /// <summary>Writes the planes of attributes that are left, until the budget is spent.</summary>
         void WriteAttributes(PlaneRange* ranges, PackedRun* runs, int runCount, long points)
         {
             for (; m_now.Plane <= Shapes.Length && m_budget > 0; m_now.Plane++)

@@ -63,7 +63,6 @@ namespace FastPoints.Nodes
         /// <summary>Scratch: the bucket of each record, as they came.</summary>
         public NativeArray<uint> BucketOfPoint;
 
-        /// <summary>About this much is done in one run.</summary>
         public int CostPerSlice;
 
         /// <summary>Out: the records in order.</summary>
@@ -173,7 +172,6 @@ namespace FastPoints.Nodes
             m_now.Stage = Stage.Count;
         }
 
-        /// <summary>Finds and counts the records' buckets.</summary>
         void CountBuckets()
         {
             int shift = Cube.SideLog2 - BucketLevels, stride = Layout.StrideBytes;
@@ -303,7 +301,6 @@ namespace FastPoints.Nodes
                 m_now.Stage = Stage.Sort;
         }
 
-        /// <summary>Finds the order of the current bucket.</summary>
         void SortBucket()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
@@ -349,7 +346,6 @@ namespace FastPoints.Nodes
 
         static int NumberBitsOf(int count) => 32 - math.lzcnt((uint)count);
 
-        /// <summary>Copies some of the current bucket's records in order.</summary>
         void Emit()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
@@ -357,8 +353,12 @@ namespace FastPoints.Nodes
             int stride = Layout.StrideBytes;
             ulong numberMask = (1UL << NumberBitsOf(count)) - 1;
             ulong* sorted = Scratch.Keys.GetUnsafePtr() + (m_now.IsSwapped ? count : 0);
-            byte* records = Scratch.Bucket.GetUnsafePtr(), common = (byte*)CommonCubeLog2.GetUnsafePtr();
-            var priority = (uint*)Priority.GetUnsafePtr();
+            byte* records = Scratch.Bucket.GetUnsafePtr();
+            var inputs = new SampleInputs
+            {
+                CommonCubeLog2 = (byte*)CommonCubeLog2.GetUnsafePtr(),
+                Priority = (uint*)Priority.GetUnsafePtr(),
+            };
             ulong sum = Checksum.Value;
             for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
             {
@@ -366,7 +366,7 @@ namespace FastPoints.Nodes
                 byte* to = m_records + (long)(first + m_now.Point) * stride;
                 for (int i = m_now.Point; i < end; i++, to += stride)
                     RecordLayout.Copy(records + (long)(sorted[i] & numberMask) * stride, to, stride);
-                sum += SampleInputs.Prepare(m_records, first + m_now.Point, first + end, Layout, Cube.Corner, common, priority);
+                sum += inputs.Prepare(m_records, first + m_now.Point, first + end, Layout, Cube.Corner);
                 m_budget -= PointsOfRun * CostOfEmit;
             }
             Checksum.Value = sum;
@@ -430,14 +430,19 @@ namespace FastPoints.Nodes
     }
 
     /// <summary>The common basis of all samplers.</summary>
-    internal static unsafe class SampleInputs
+    internal unsafe struct SampleInputs
     {
+        /// <summary>By point: see <see cref="MortonOrder.CommonCubeLog2"/> of it and the one before.</summary>
+        public byte* CommonCubeLog2;
+        public uint* Priority;
+
         /// <summary>Finds, from records in order, where cubes end, and priorities.</summary>
         /// <param name="first">First point to process; the one before it is read.</param>
         /// <returns>The sum of the records' hashes.</returns>
-        public static ulong Prepare(byte* records, int first, int end, RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
-            uint* priority)
+        public readonly ulong Prepare(byte* records, int first, int end, RecordLayout layout, Grid3 corner)
         {
+            byte* commonCubeLog2 = CommonCubeLog2;
+            uint* priority = Priority;
             ulong sum = 0;
             int stride = layout.StrideBytes;
             byte* record = records + (long)first * stride;

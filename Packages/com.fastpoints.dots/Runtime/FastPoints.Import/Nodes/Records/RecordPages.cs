@@ -1,5 +1,9 @@
 using System.Runtime.CompilerServices;
+using Unity.Burst;
+using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
@@ -8,7 +12,6 @@ namespace FastPoints.Nodes
     /// time may change a list.</summary>
     internal unsafe struct RecordPages
     {
-        /// <summary>Records of one page.</summary>
         public const int RecordsPerPage = 1 << 11;
 
         /// <summary>The header of a page; its records follow it in memory.</summary>
@@ -27,13 +30,11 @@ namespace FastPoints.Nodes
         /// <summary>Pages in the list, of which the last few may not be full.</summary>
         public int PageCount;
 
-        /// <summary>Bytes of a page in memory.</summary>
         public static long PageBytes(int strideBytes) => HeaderBytes + ((long)RecordsPerPage * strideBytes + 63 & ~63L);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static byte* RecordsOf(Page* page) => (byte*)page + HeaderBytes;
 
-        /// <summary>Appends a page, with the records that it holds.</summary>
         public void AddPage(Page* page)
         {
             page->Next = null;
@@ -97,5 +98,150 @@ namespace FastPoints.Nodes
     {
         public int Chunk;
         public RecordPages Pages;
+    }
+
+    /// <summary>The memory of record pages: slabs that are reused and freed all at once. The resident memory is thus the peak in
+    /// use, however the allocator below handles many small blocks. Blittable; one job at a time may use it.</summary>
+    internal unsafe struct RecordPagePool
+    {
+        struct Slab
+        {
+            public Slab* Next;
+        }
+
+        // Slabs are large enough to come from the system and go back to it; untouched parts take no memory.
+        const long SlabBytes = 36L << 20;
+        const int HeaderBytes = 64;
+        const int MinSlabPages = 4;
+
+        RecordPages.Page* m_free;
+        Slab* m_slabs;
+        byte* m_next;
+        int m_pagesLeft;
+        readonly int m_pagesPerSlab;
+
+        /// <param name="expectedPages">The expected number of pages: small clouds take small slabs.</param>
+        public RecordPagePool(int strideBytes, long expectedPages)
+        {
+            m_free = null;
+            m_slabs = null;
+            m_next = null;
+            m_pagesLeft = 0;
+            StrideBytes = strideBytes;
+            long max = SlabBytes / RecordPages.PageBytes(strideBytes);
+            m_pagesPerSlab = (int)(expectedPages > max ? max : expectedPages < MinSlabPages ? MinSlabPages : expectedPages);
+            PagesInUse = 0;
+            SlabCount = 0;
+        }
+
+        /// <summary>The pool itself, not a copy: what is taken from it is taken for all who hold the reference.</summary>
+        public static ref RecordPagePool Of(NativeReference<RecordPagePool> pool) => ref *pool.GetUnsafePtr();
+
+        public int StrideBytes { get; }
+
+        public int SlabCount { get; private set; }
+
+        /// <summary>Pages that were taken and not given back.</summary>
+        public long PagesInUse { get; private set; }
+
+        public RecordPages.Page* Take()
+        {
+            var page = m_free;
+            if (page != null)
+                m_free = page->Next;
+            else
+                page = TakeNew();
+            page->Next = null;
+            page->Count = 0;
+            PagesInUse++;
+            return page;
+        }
+
+        /// <summary>Appends copies of consecutive records to a list.</summary>
+        public void Append(ref RecordPages pages, byte* records, int count)
+        {
+            while (count > 0)
+            {
+                if (pages.Last == null || pages.Last->Count == RecordPages.RecordsPerPage)
+                    pages.AddPage(Take());
+                var page = pages.Last;
+                int taken = math.min(count, RecordPages.RecordsPerPage - page->Count);
+                UnsafeUtility.MemCpy(RecordPages.RecordsOf(page) + (long)page->Count * StrideBytes, records,
+                    (long)taken * StrideBytes);
+                page->Count += taken;
+                pages.Count += taken;
+                records += (long)taken * StrideBytes;
+                count -= taken;
+            }
+        }
+
+        /// <summary>Returns all pages of a list, which is empty afterwards.</summary>
+        public void Return(ref RecordPages pages)
+        {
+            if (pages.First != null)
+            {
+                pages.Last->Next = m_free;
+                m_free = pages.First;
+                PagesInUse -= pages.PageCount;
+            }
+            pages = default;
+        }
+
+        public void Return(RecordPages.Page* page)
+        {
+            page->Next = m_free;
+            m_free = page;
+            PagesInUse--;
+        }
+
+        /// <summary>Frees every page, in use or not. The pool may be used again.</summary>
+        public void FreeAll()
+        {
+            while (FreeSlab()) { }
+        }
+
+        /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds: begun with this, it is to be ended.</summary>
+        /// <returns>Whether there was anything to free.</returns>
+        public bool FreeSlab()
+        {
+            m_free = null;
+            m_pagesLeft = 0;
+            PagesInUse = 0;
+            var slab = m_slabs;
+            if (slab == null)
+                return false;
+            m_slabs = slab->Next;
+            SlabCount--;
+            UnsafeUtility.Free(slab, Allocator.Persistent);
+            return true;
+        }
+
+        RecordPages.Page* TakeNew()
+        {
+            long pageBytes = RecordPages.PageBytes(StrideBytes);
+            if (m_pagesLeft == 0)
+            {
+                var slab = (Slab*)UnsafeUtility.Malloc(HeaderBytes + m_pagesPerSlab * pageBytes, HeaderBytes,
+                    Allocator.Persistent);
+                slab->Next = m_slabs;
+                SlabCount++;
+                m_slabs = slab;
+                m_next = (byte*)slab + HeaderBytes;
+                m_pagesLeft = m_pagesPerSlab;
+            }
+            var page = (RecordPages.Page*)m_next;
+            m_next += pageBytes;
+            m_pagesLeft--;
+            return page;
+        }
+    }
+
+    /// <summary>Frees one slab of a pool whose pages are no longer used.</summary>
+    [BurstCompile]
+    internal struct FreeSlabJob : IJob
+    {
+        public NativeReference<RecordPagePool> Pool;
+
+        public void Execute() => RecordPagePool.Of(Pool).FreeSlab();
     }
 }

@@ -1,4 +1,8 @@
+using System;
+using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Sampling;
 using Unity.Mathematics;
 
 namespace FastPoints.Nodes
@@ -34,21 +38,19 @@ namespace FastPoints.Nodes
         /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="InvalidPosition"/> for numbers that are
         /// not finite or too far out.</summary>
         /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
-        public static unsafe void ToGrid(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long* grid,
+        public static unsafe void ToGrid(in SourceAxis axis, byte* stored, AttributeType type, int count, long* grid,
             ref double worstLoss)
         {
             if (axis.IsInteger)
             {
-                IntegersToGrid(bytes + column.OffsetBytes, column.Type, first, count, axis.Factor, axis.Shift, grid);
+                IntegersToGrid(stored, type, count, axis.Factor, axis.Shift, grid);
                 return;
             }
             double perStep = 1 / axis.Step;
             for (int i = 0; i < count; i++)
             {
-                double stored = column.Type == AttributeType.Float32
-                    ? ((float*)(bytes + column.OffsetBytes))[first + i]
-                    : ((double*)(bytes + column.OffsetBytes))[first + i];
-                double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * perStep;
+                double value = type == AttributeType.Float32 ? ((float*)stored)[i] : ((double*)stored)[i];
+                double steps = (value * axis.Scale + axis.Offset - axis.Origin) * perStep;
                 if (!(math.abs(steps) < Limit))
                 {
                     grid[i] = InvalidPosition;
@@ -61,22 +63,21 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>The same for whole numbers whose grid numbers are less than 2^32 above an origin: offsets from it.</summary>
-        public static unsafe void ToOffsets(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count,
-            long origin, uint* offsets)
+        public static unsafe void ToOffsets(in SourceAxis axis, byte* stored, AttributeType type, int count, long origin,
+            uint* offsets)
         {
-            if (column.Type == AttributeType.Int32)
+            if (type == AttributeType.Int32)
             {
                 // Modulo 2^32, which loses nothing of the result.
                 uint factor = (uint)axis.Factor, shift = (uint)(axis.Shift - origin);
-                uint* stored = (uint*)(bytes + column.OffsetBytes) + first;
                 for (int i = 0; i < count; i++)
-                    offsets[i] = stored[i] * factor + shift;
+                    offsets[i] = ((uint*)stored)[i] * factor + shift;
                 return;
             }
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < count; i++, stored += type.SizeOf())
             {
                 long grid;
-                IntegersToGrid(bytes + column.OffsetBytes, column.Type, first + i, 1, axis.Factor, axis.Shift, &grid);
+                IntegersToGrid(stored, type, 1, axis.Factor, axis.Shift, &grid);
                 offsets[i] = (uint)(grid - origin);
             }
         }
@@ -90,8 +91,7 @@ namespace FastPoints.Nodes
             return math.abs(steps) < Limit ? (long)math.round(steps) : InvalidPosition;
         }
 
-        static unsafe void IntegersToGrid(byte* column, AttributeType type, int first, int count, long factor, long shift,
-            long* grid)
+        static unsafe void IntegersToGrid(byte* column, AttributeType type, int count, long factor, long shift, long* grid)
         {
             switch (type)
             {
@@ -99,37 +99,37 @@ namespace FastPoints.Nodes
                     if (factor == 1 && shift == 0)
                     {
                         for (int i = 0; i < count; i++)
-                            grid[i] = ((int*)column)[first + i];
+                            grid[i] = ((int*)column)[i];
                         return;
                     }
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((int*)column)[first + i] * factor + shift;
+                        grid[i] = ((int*)column)[i] * factor + shift;
                     return;
                 case AttributeType.UInt32:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((uint*)column)[first + i] * factor + shift;
+                        grid[i] = ((uint*)column)[i] * factor + shift;
                     return;
                 case AttributeType.Int16:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((short*)column)[first + i] * factor + shift;
+                        grid[i] = ((short*)column)[i] * factor + shift;
                     return;
                 case AttributeType.UInt16:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((ushort*)column)[first + i] * factor + shift;
+                        grid[i] = ((ushort*)column)[i] * factor + shift;
                     return;
                 case AttributeType.Int8:
                     for (int i = 0; i < count; i++)
-                        grid[i] = ((sbyte*)column)[first + i] * factor + shift;
+                        grid[i] = ((sbyte*)column)[i] * factor + shift;
                     return;
                 case AttributeType.UInt8:
                     for (int i = 0; i < count; i++)
-                        grid[i] = column[first + i] * factor + shift;
+                        grid[i] = column[i] * factor + shift;
                     return;
                 case AttributeType.Int64:
                     long max = Limit / math.max(1, math.abs(factor));
                     for (int i = 0; i < count; i++)
                     {
-                        long stored = ((long*)column)[first + i];
+                        long stored = ((long*)column)[i];
                         grid[i] = stored > -max && stored < max ? stored * factor + shift : InvalidPosition;
                     }
                     return;
@@ -137,7 +137,7 @@ namespace FastPoints.Nodes
                     ulong unsignedMax = (ulong)(Limit / math.max(1, math.abs(factor)));
                     for (int i = 0; i < count; i++)
                     {
-                        ulong stored = ((ulong*)column)[first + i];
+                        ulong stored = ((ulong*)column)[i];
                         grid[i] = stored < unsignedMax ? (long)stored * factor + shift : InvalidPosition;
                     }
                     return;
@@ -147,5 +147,146 @@ namespace FastPoints.Nodes
                     return;
             }
         }
+    }
+
+    /// <summary>Chooses the one grid of a cloud and how each source's numbers map to it. Whole numbers keep every digit if their
+    /// scales and offsets have a common step; floats get a step that is a power of two.</summary>
+    internal sealed class GridChoice
+    {
+        /// <summary>A float source's extent takes at most 2^31 steps, so that offsets in the octree fit 32 bits.</summary>
+        const int FloatExtentLog2 = 31;
+
+        public CloudGrid Grid;
+
+        public SourceGrid[] Sources;
+
+        /// <summary>The layout for the most that the sources' numbers can be on the grid: wide if they do not fit 32
+        /// bits.</summary>
+        public RecordLayout Records;
+
+        /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>
+        public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
+            int attributeBytes)
+        {
+            var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
+            bool isNarrow = true;
+            var origin = default(Grid3);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                string name = axis == 0 ? AttributeNames.X : axis == 1 ? AttributeNames.Y : AttributeNames.Z;
+                var axes = ChooseAxis(infos, samples, axis, name, out double step, out double axisOrigin);
+                choice.Grid.Step[axis] = step;
+                choice.Grid.Origin[axis] = axisOrigin;
+                long lowest = long.MaxValue, highest = long.MinValue;
+                for (int i = 0; i < axes.Length; i++)
+                {
+                    if (axis == 0)
+                        choice.Sources[i].X = axes[i];
+                    else if (axis == 1)
+                        choice.Sources[i].Y = axes[i];
+                    else
+                        choice.Sources[i].Z = axes[i];
+                    var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
+                    isNarrow &= axes[i].IsInteger && type.SizeOf() <= 4;
+                    type.RangeOf(out long min, out long max);
+                    long a = min * axes[i].Factor + axes[i].Shift, b = max * axes[i].Factor + axes[i].Shift;
+                    lowest = Math.Min(lowest, Math.Min(a, b));
+                    highest = Math.Max(highest, Math.Max(a, b));
+                }
+                isNarrow = isNarrow && highest - lowest <= uint.MaxValue;
+                if (axis == 0)
+                    origin.X = lowest;
+                else if (axis == 1)
+                    origin.Y = lowest;
+                else
+                    origin.Z = lowest;
+            }
+            choice.Records = new RecordLayout(!isNarrow, origin, attributeBytes);
+            return choice;
+        }
+
+        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis,
+            string name,
+            out double step, out double origin)
+        {
+            bool isInteger = true;
+            foreach (var info in infos)
+                isInteger &= !info.Schema[info.Schema.IndexOf(name)].Type.IsFloat();
+            step = isInteger ? CommonStep(infos, axis) : FloatStep(infos, samples, axis, name);
+            origin = isInteger ? infos[0].Transform.Offset[axis] : 0;
+
+            var axes = new SourceAxis[infos.Count];
+            for (int i = 0; i < axes.Length; i++)
+                axes[i] = AxisOf(infos[i], axis, name, step, origin);
+            return axes;
+        }
+
+        /// <summary>Maps one source's numbers to a given grid: that of a stored cloud, to compare it with its source.</summary>
+        /// <exception cref="PointCloudException">The grid has no room for the source's scales and offsets.</exception>
+        public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
+        {
+            SourceAxis On(int axis, string name) => AxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
+            return new SourceGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
+        }
+
+        static SourceAxis AxisOf(SourceInfo info, int axis, string name, double step, double origin)
+        {
+            double scale = info.Transform.Scale[axis], offset = info.Transform.Offset[axis];
+            var result = new SourceAxis { Scale = scale, Offset = offset, Origin = origin, Step = step };
+            if (info.Schema[info.Schema.IndexOf(name)].Type.IsFloat())
+                return result;
+            if (!CommonGrid.TryPlace(scale, offset, step, origin, out result.Factor, out result.Shift, out double loss))
+            {
+                throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
+                    "scale and offset of " + name + ": no grid holds them together with the other files'");
+            }
+            result.IsInteger = true;
+            if (loss > 0)
+                info.Warn(-1, name + " does not fit the common grid: moved by up to " + NumberText.Of(loss));
+            return result;
+        }
+
+        static double CommonStep(IReadOnlyList<SourceInfo> infos, int axis)
+        {
+            var scales = new double[infos.Count];
+            var offsets = new double[infos.Count];
+            for (int i = 0; i < scales.Length; i++)
+            {
+                scales[i] = infos[i].Transform.Scale[axis];
+                offsets[i] = infos[i].Transform.Offset[axis];
+            }
+            return CommonGrid.StepOf(scales, offsets);
+        }
+
+        /// <summary>A power of two that keeps all digits of the sample if its extent then fits 31 bits.</summary>
+        static double FloatStep(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis, string name)
+        {
+            double min = double.PositiveInfinity, max = double.NegativeInfinity, finestScale = double.PositiveInfinity;
+            int digit = int.MaxValue;
+            for (int i = 0; i < infos.Count; i++)
+            {
+                double scale = infos[i].Transform.Scale[axis], offset = infos[i].Transform.Offset[axis];
+                double a = samples[i].Min[axis] * scale + offset, b = samples[i].Max[axis] * scale + offset;
+                min = Math.Min(min, Math.Min(a, b));
+                max = Math.Max(max, Math.Max(a, b));
+                if (infos[i].Schema[infos[i].Schema.IndexOf(name)].Type.IsFloat())
+                    digit = Math.Min(digit, samples[i].LowestDigit[axis]);
+                else
+                    finestScale = Math.Min(finestScale, Math.Abs(scale));
+            }
+            if (!(min <= max))
+                return 1;
+            if (finestScale < double.PositiveInfinity)
+                return finestScale;
+            double largest = Math.Max(Math.Abs(min), Math.Abs(max));
+            if (digit == int.MaxValue || largest == 0)
+                return 1;
+            digit = Math.Max(digit, Exponent(max - min) + 1 - FloatExtentLog2);
+            digit = Math.Max(digit, Exponent(largest) + 1 - 58);
+            return math.pow(2.0, Math.Max(-1000, Math.Min(900, digit)));
+        }
+
+        /// <summary>The power of two at or below a positive number; very low for zero.</summary>
+        static int Exponent(double value) => value > 0 ? (int)Math.Floor(Math.Log(value, 2)) : -1000;
     }
 }

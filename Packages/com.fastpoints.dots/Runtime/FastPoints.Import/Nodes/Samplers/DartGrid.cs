@@ -150,7 +150,6 @@ namespace FastPoints.Nodes
             return isKnown;
         }
 
-        /// <summary>Keeps the current tile.</summary>
         public void EndTile(in Grid3 tile)
         {
             int found = FindTile(tile);
@@ -251,7 +250,6 @@ namespace FastPoints.Nodes
             return nearest < m_nearSq;
         }
 
-        /// <summary>Adds a sample to the current tile.</summary>
         public void Add(ulong dart, int point)
         {
             ref int cell = ref ((int*)m_local.GetUnsafePtr())[OwnOf(dart, out _, out _, out _)];

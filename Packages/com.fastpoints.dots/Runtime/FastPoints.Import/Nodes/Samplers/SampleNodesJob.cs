@@ -79,7 +79,6 @@ namespace FastPoints.Nodes
         /// <summary>Its <see cref="SampleScratch.Progress"/> is reset before the first slice.</summary>
         public SampleScratch Scratch;
 
-        /// <summary>About this much is done in one run.</summary>
         public int CostPerSlice;
         public SliceTimes Slices;
 
@@ -307,7 +306,6 @@ namespace FastPoints.Nodes
             BeginPlan(m_now.Range + 1);
         }
 
-        /// <summary>Begins the next spacing that ranges have, if there is one.</summary>
         void NextSpacing()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
@@ -350,7 +348,6 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Begins the next range of the current spacing, or what follows the last one.</summary>
-        /// <param name="number">The range before it, or -1.</param>
         void BeginRange(int number)
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
@@ -384,6 +381,46 @@ namespace FastPoints.Nodes
             ref var range = ref ranges[number];
             return range.Kind == RangeKind.Top && range.CellLog2 >= m_now.Cell && range.Parent >= 0 &&
                 ranges[range.Parent].CellLog2 > m_now.Cell && !Tops[TopOf(range.First)].IsLeaf;
+        }
+    }
+
+    /// <summary>What a sampler knows of a range's points before it decides how to handle them.</summary>
+    internal unsafe struct RangeSurvey
+    {
+        // There is one for each side from a step's to the largest cube's, and one beyond all.
+        public const int Sides = GridCube.MaxSideLog2 + 3;
+
+        /// <summary>Number of points.</summary>
+        public int Left;
+
+        /// <summary>log2 of the side of the smallest cube with all of them.</summary>
+        public int Largest;
+
+        /// <summary>Number of cells of any size, apart from those below.</summary>
+        public int AnyCell;
+
+        /// <summary>For each log2 of a side: how many more such cells there are if cells are smaller than this.</summary>
+        public fixed int CellsBelow[Sides];
+
+        /// <summary>The finest cells with which a node does not become too large: those that the sizes give, or coarser ones in a
+        /// filled volume.</summary>
+        /// <param name="cells">The number of cells with points.</param>
+        public readonly int FinestCell(in NodeSizes sizes, out int cells)
+        {
+            int finest = Largest > sizes.CellsLog2 ? Largest - sizes.CellsLog2 : 0;
+            int best = Largest, more = AnyCell;
+            for (int side = Sides - 1; side > Largest; side--)
+                more += CellsBelow[side];
+            cells = more;
+            for (int cell = Largest - 1; cell >= finest; cell--)
+            {
+                more += CellsBelow[cell + 1];
+                if (more > sizes.MaxPointsPerNode)
+                    break;
+                best = cell;
+                cells = more;
+            }
+            return best;
         }
     }
 }

@@ -1,3 +1,5 @@
+using FastPoints.Store;
+
 namespace FastPoints.Nodes
 {
     /// <summary>How the points of a cube are chosen that represent the others.</summary>
@@ -12,5 +14,76 @@ namespace FastPoints.Nodes
         /// <summary>Like <see cref="Poisson"/>, with colour and intensity averaged over the points that each point represents, in
         /// planes of their own.</summary>
         Average,
+    }
+
+    /// <summary>The size of nodes and how finely they are sampled. Blittable.</summary>
+    internal struct NodeSizes
+    {
+        /// <summary>Another number where the same points, settings and chunks give other nodes than before: killed builds are
+        /// not continued, and clouds not taken for one another.</summary>
+        public const int Rules = 2;
+
+        /// <summary>log2 of the sampling cells along an edge of a node that is not a leaf; it has fewer if the node became too
+        /// large.</summary>
+        public int CellsLog2;
+
+        /// <summary>A leaf has about this many points that no node above has taken; see <see cref="IsLeaf"/>.</summary>
+        public int MaxPointsPerLeaf;
+
+        /// <summary>At most <see cref="StoreFormat.MaxPointsPerNode"/>.</summary>
+        public int MaxPointsPerNode;
+
+        /// <summary>Whether a cube becomes a leaf: if its points are few, of which nodes above take about a fifth, or if a node
+        /// that samples it would take most of them, and its children a few each.</summary>
+        /// <param name="points">The number of its points.</param>
+        /// <param name="cells">The number of cells with points, at the finest size that a node may have.</param>
+        public readonly bool IsLeaf(int points, int cells) => points <= MaxPointsPerNode &&
+            (points <= MaxPointsPerLeaf / 4 * 5 || cells >= points - points / 4);
+
+        public static NodeSizes Default => new NodeSizes
+        {
+            CellsLog2 = 7,
+            MaxPointsPerLeaf = 20000,
+            MaxPointsPerNode = StoreFormat.MaxPointsPerNode,
+        };
+    }
+
+    /// <summary>A node as a sampler makes it: an array of nodes by point says which points are its own. Blittable.</summary>
+    internal struct NodeDraft
+    {
+        /// <summary>All points of the node's cube are in this range of the sorted points.</summary>
+        public int First;
+        public int End;
+
+        /// <summary>The nearest node above, or -1.</summary>
+        public int Parent;
+
+        public int Count;
+        public byte SideLog2;
+        public byte CellLog2;
+        public bool IsLeaf;
+
+        /// <summary>Whether it is what was left of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
+        public bool IsTop;
+    }
+
+    /// <summary>A chunk's part in the merge: its top node's points in order, and whether anything is below them.
+    /// Blittable.</summary>
+    internal struct ChunkTop
+    {
+        /// <summary>Range of the merged points.</summary>
+        public int First;
+        public int End;
+
+        /// <summary>The top node's cube and cells, as the chunk's sampler made them.</summary>
+        public byte SideLog2;
+        public byte CellLog2;
+        public bool IsLeaf;
+
+        /// <summary>Whether the chunk has nodes besides the top.</summary>
+        public bool HasNodes;
+
+        /// <summary>Out: the node that the chunk's other nodes are attached to.</summary>
+        public int AttachNode;
     }
 }

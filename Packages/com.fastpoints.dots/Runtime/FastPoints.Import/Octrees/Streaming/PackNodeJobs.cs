@@ -73,9 +73,9 @@ namespace FastPoints.Octrees
             for (int at = 0; at < count; at += RunLength)
             {
                 int run = math.min(RunLength, count - at);
-                SourceGrid.ToGrid(Grid.X, columns, Positions.X, First + at, run, x, ref loss);
-                SourceGrid.ToGrid(Grid.Y, columns, Positions.Y, First + at, run, y, ref loss);
-                SourceGrid.ToGrid(Grid.Z, columns, Positions.Z, First + at, run, z, ref loss);
+                SourceGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, run, x, ref loss);
+                SourceGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, run, y, ref loss);
+                SourceGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, run, z, ref loss);
                 isValid &= Store(x, Corner.X, 0, First + at, run) & Store(y, Corner.Y, 1, First + at, run) &
                     Store(z, Corner.Z, 2, First + at, run);
                 for (int i = 0; i < run; i++)
@@ -167,8 +167,7 @@ namespace FastPoints.Octrees
             int blocks = PlaneShape.BlocksOf(Count);
             if (FirstBlock == 0)
                 state.Word = (long)blocks * Shape.DescriptorWords;
-            uint* plane = (uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart);
-            uint* descriptor = plane + (long)FirstBlock * Shape.DescriptorWords;
+            var writer = new BlockWriter((uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart), Shape, FirstBlock, state.Word);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
@@ -177,12 +176,12 @@ namespace FastPoints.Octrees
             {
                 int first = block * PlaneShape.MaxPointsPerBlock, count = math.min(PlaneShape.MaxPointsPerBlock, Count - first);
                 Gather(first, count, values);
-                BlockWriting.Write(values, count, Shape, plane, ref descriptor, ref state.Word, min, max);
+                writer.Write(values, count, min, max);
             }
+            state.Word = writer.Word;
             if (end == blocks)
             {
-                long length = PlaneShape.LengthBytes(state.Word);
-                UnsafeUtility.MemClear(plane + state.Word, length - state.Word * sizeof(uint));
+                long length = writer.End();
                 LengthOfPlane[Plane] = length;
                 state.PlaneStart += length;
             }
@@ -207,11 +206,11 @@ namespace FastPoints.Octrees
             {
                 ulong* wide = (ulong*)Offsets.GetUnsafeReadOnlyPtr() + (long)axis * Capacity;
                 for (int i = 0; i < count; i++)
-                    BlockWriting.WideOf(values, axis)[i] = wide[points[i]];
+                    BlockWriter.WideOf(values, axis)[i] = wide[points[i]];
                 return;
             }
             uint* narrow = (uint*)Offsets.GetUnsafeReadOnlyPtr() + (long)axis * Capacity;
-            uint* to = BlockWriting.NarrowOf(values, axis);
+            uint* to = BlockWriter.NarrowOf(values, axis);
             for (int i = 0; i < count; i++)
                 to[i] = narrow[points[i]];
         }
@@ -219,7 +218,7 @@ namespace FastPoints.Octrees
         void GatherColumn(uint* points, int count, PointColumn column, int c, ulong* values)
         {
             byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + column.OffsetBytes;
-            uint* to = BlockWriting.NarrowOf(values, c);
+            uint* to = BlockWriter.NarrowOf(values, c);
             var type = column.Type;
             if (type == AttributeType.UInt16)
             {
@@ -238,7 +237,7 @@ namespace FastPoints.Octrees
             {
                 ulong stored = OrderedBits.Load(from + (long)points[i] * size, type);
                 if (Shape.IsWide(c))
-                    BlockWriting.WideOf(values, c)[i] = stored;
+                    BlockWriter.WideOf(values, c)[i] = stored;
                 else
                     to[i] = (uint)stored;
             }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
@@ -95,7 +96,7 @@ namespace FastPoints.Streaming
                     break;
                 var page = m_state.Clouds[missing.Cloud].Pages + missing.Page;
                 if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
-                    StreamFiles.IsReleased(m_state.Clouds[missing.Cloud].Source) ||
+                    FolderReleases.IsReleased(m_state.Clouds[missing.Cloud].Source.Path) ||
                     !m_state.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
@@ -154,7 +155,7 @@ namespace FastPoints.Streaming
                 if (!TryFindIdle(out var fetch))
                     return true;
                 var cloud = m_state.Clouds[first.Cloud];
-                if (StreamFiles.IsReleased(cloud.Source))
+                if (FolderReleases.IsReleased(cloud.Source.Path))
                     continue;
                 if (cloud.Source.TranscodesNodes)
                 {

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Core;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -9,20 +8,13 @@ namespace FastPoints.Streaming
 {
     /// <summary>The files of finished clouds that a stream keeps open between reads: opening one costs as much as reading a node.
     /// Only a few are open, and none that was not read for a while, so that folders can be replaced. Main thread.</summary>
-    internal sealed unsafe class StreamFiles : IDisposable
+    internal sealed unsafe class StreamFiles : IOpenFiles, IDisposable
     {
         /// <summary>The most files of one stream.</summary>
         internal int MaxOpenFiles = 64;
 
         /// <summary>A file that was not read for this many frames is closed.</summary>
         internal const uint FramesToClose = 30;
-
-        static readonly List<StreamFiles> s_all = new List<StreamFiles>();
-
-        /// <summary>Folders that are not to be read now: another array with each change, which any thread may make.</summary>
-        static string[] s_left = Array.Empty<string>();
-
-        static JobHandle s_closing;
 
         readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
 
@@ -40,7 +32,7 @@ namespace FastPoints.Streaming
             public uint UsedFrame;
         }
 
-        public StreamFiles() => s_all.Add(this);
+        public StreamFiles() => FolderReleases.Add(this);
 
         /// <summary>For tests.</summary>
         public List<string> OpenPaths => m_kept.ConvertAll(k => k.Path);
@@ -53,7 +45,7 @@ namespace FastPoints.Streaming
             if (!cloud.Source.KeepsFilesOpen)
             {
                 var loose = FileReads.BeginOneShot(path, commands, count, out var closed);
-                m_loose = Combine(m_loose, closed);
+                m_loose = FolderReleases.Combine(m_loose, closed);
                 return loose;
             }
             int at = IndexOf(cloud, path);
@@ -62,7 +54,7 @@ namespace FastPoints.Streaming
             var kept = m_kept[at];
             var read = AsyncReadManager.Read(kept.Handle,
                 new ReadCommandArray { ReadCommands = commands, CommandCount = count });
-            kept.Reads = Combine(kept.Reads, read.JobHandle);
+            kept.Reads = FolderReleases.Combine(kept.Reads, read.JobHandle);
             kept.UsedFrame = frame;
             m_kept[at] = kept;
             return read;
@@ -93,57 +85,22 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        /// <summary>Lets go of a folder that is about to be renamed or deleted, in all streams: its files are closed, and none is
-        /// read until <see cref="Reacquire"/>.</summary>
-        public static void Release(string folder)
-        {
-            string below = Below(folder);
-            lock (s_all)
-                s_left = new List<string>(s_left) { below }.ToArray();
-            foreach (var files in s_all)
-                for (int i = files.m_kept.Count - 1; i >= 0; i--)
-                    if (IsBelow(files.m_kept[i].Path, below))
-                        s_closing = Combine(s_closing, files.Close(i));
-        }
+        JobHandle IOpenFiles.OtherReads => m_loose;
 
-        /// <summary>Whether reads that were under way in folders that were left have ended, and their files are closed.</summary>
-        public static bool HasReleased
+        JobHandle IOpenFiles.CloseBelow(string folder)
         {
-            get
-            {
-                bool hasLeft = JobCoroutine.HasEnded(s_closing);
-                foreach (var files in s_all)
-                    hasLeft &= JobCoroutine.HasEnded(files.m_loose);
-                return hasLeft;
-            }
-        }
-
-        /// <summary>The folder may be read again. On any thread.</summary>
-        public static void Reacquire(string folder)
-        {
-            lock (s_all)
-            {
-                var left = new List<string>(s_left);
-                left.Remove(Below(folder));
-                s_left = left.ToArray();
-            }
-        }
-
-        /// <summary>Whether the source's files are not to be read now.</summary>
-        public static bool IsReleased(NodeSource source)
-        {
-            // This is asked often, and only while a folder is renamed does it cost anything.
-            foreach (string left in s_left)
-                if (IsBelow(Below(source.Path), left))
-                    return true;
-            return false;
+            var closing = default(JobHandle);
+            for (int i = m_kept.Count - 1; i >= 0; i--)
+                if (FolderReleases.IsBelow(m_kept[i].Path, folder))
+                    closing = FolderReleases.Combine(closing, Close(i));
+            return closing;
         }
 
         public void Dispose()
         {
             for (int i = m_kept.Count - 1; i >= 0; i--)
                 Close(i).Complete();
-            s_all.Remove(this);
+            FolderReleases.Remove(this);
         }
 
         int IndexOf(StreamedCloud cloud, string path)
@@ -175,13 +132,5 @@ namespace FastPoints.Streaming
             m_kept.RemoveAt(m_kept.Count - 1);
             return gone.Handle.Close(gone.Reads);
         }
-
-        static JobHandle Combine(JobHandle a, JobHandle b) => a.IsCompleted ? b : JobHandle.CombineDependencies(a, b);
-
-        static string Below(string folder) =>
-            Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
-
-        static bool IsBelow(string path, string below) =>
-            Path.GetFullPath(path).StartsWith(below, StringComparison.OrdinalIgnoreCase);
     }
 }

@@ -1,8 +1,11 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Drawing;
 using FastPoints.Store;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Build
@@ -14,7 +17,8 @@ namespace FastPoints.Build
         /// scattered over upper.bin, which grows with the cloud.</summary>
         public const long MaxBytesPerRead = 4 << 20;
 
-        /// <summary>Parts that are read while others are decoded.</summary>
+        const int PointsToMeasure = 200_000;
+
         const int PartsInFlight = 4;
 
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
@@ -30,13 +34,25 @@ namespace FastPoints.Build
             return new PointSchema(attributes);
         }
 
+        /// <summary>Coroutine: measures what a display needs to know of a stored cloud, from the points of its upper
+        /// levels.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
+            UpAxis upAxis, DisplayRanges ranges)
+        {
+            nodes.ChooseEvenly(PointsToMeasure);
+            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            using var batch = new PointBatch(schema, nodes.CheckedPoints, Allocator.Persistent);
+            yield return JobStep.Of(Run(folder, nodes, batch, null));
+            yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
+        }
+
         /// <summary>Reads the nodes as a coroutine. Positions come as grid steps from the root's corner: see
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
         /// selection.</param>
-        /// <param name="maxBytes">The most bytes that are read at once.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
-        public static IEnumerator<JobStep> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+        public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
         {
             var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
@@ -84,7 +100,7 @@ namespace FastPoints.Build
         /// <summary>Ends the oldest part.</summary>
         /// <returns>Its read, which is free.</returns>
         static StoreRead Complete(Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
-            NodeSelection selection, StageProgress progress)
+            ChosenNodes selection, StageProgress progress)
         {
             // It stays in the queue, whose reads are disposed, until it is known to be sound.
             var (load, part, read, decoded) = inFlight.Peek();
@@ -100,7 +116,6 @@ namespace FastPoints.Build
             return read;
         }
 
-        /// <summary>Nodes whose planes lie near one another: one read around all of them, and one job.</summary>
         struct Part
         {
             public int FirstNode;
@@ -109,10 +124,9 @@ namespace FastPoints.Build
             public long ByteCount;
         }
 
-        /// <summary>The nodes of one file, part by part.</summary>
         sealed class FileLoad : IDisposable
         {
-            readonly NodeSelection m_selection;
+            readonly ChosenNodes m_selection;
             readonly int m_file;
             readonly PointBatch m_batch;
 
@@ -127,7 +141,7 @@ namespace FastPoints.Build
             /// <summary>For each part that was scheduled.</summary>
             readonly NativeArray<bool>[] m_isDamaged;
 
-            public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
+            public FileLoad(CloudFolder folder, ChosenNodes selection, int file, PointBatch batch, int firstPoint,
                 long maxBytes)
             {
                 m_selection = selection;
@@ -211,10 +225,8 @@ namespace FastPoints.Build
             public List<Part> Parts { get; }
             public int Points { get; }
 
-            /// <summary>The end of its points in the batch.</summary>
             public int EndPoint { get; }
 
-            /// <param name="bytes">The part's bytes, after <paramref name="inputDeps"/>.</param>
             public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
             {
                 var part = Parts[number];
@@ -278,5 +290,118 @@ namespace FastPoints.Build
                 return parts;
             }
         }
+    }
+
+    /// <summary>Unpacks chosen nodes into a batch: positions as doubles in grid steps from the batch's corner, attributes as they
+    /// are. Planes are checked before they are read; a damaged node is marked and not unpacked.</summary>
+    [BurstCompile]
+    internal unsafe struct DecodeNodesJob : IJobParallelFor
+    {
+        [ReadOnly] public NativeArray<byte> File;
+
+        public long FileOffset;
+        [ReadOnly] public NativeArray<ChosenNode> Nodes;
+
+        /// <summary>Indexed by node times planes, plus plane: position first, then the wanted ones.</summary>
+        [ReadOnly] public NativeArray<PlaneRange> Ranges;
+
+        /// <summary>Indexed by wanted plane, without the position.</summary>
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+
+        /// <summary>Indexed by column of the wanted planes.</summary>
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+
+        /// <summary>Where the values of each column of the wanted planes go in the batch.</summary>
+        [ReadOnly] public NativeArray<PointColumn> Targets;
+        public PointColumn X;
+        public PointColumn Y;
+        public PointColumn Z;
+
+        /// <summary>The batch; each node has its own part of every column.</summary>
+        [NativeDisableParallelForRestriction] public NativeArray<byte> Batch;
+
+        public NativeArray<bool> IsDamaged;
+
+        public void Execute(int index)
+        {
+            var node = Nodes[index];
+            var file = (byte*)File.GetUnsafeReadOnlyPtr();
+            for (int p = 0; p <= Shapes.Length; p++)
+            {
+                var range = Ranges[node.FirstRange + p];
+                byte* plane = file + (range.OffsetBytes - FileOffset);
+                if (ContentHash.Of(plane, range.LengthBytes) != range.Hash ||
+                    !PlaneView.IsValid(plane, range.LengthBytes, ShapeOf(p, node.IsWide), node.PlaneBlocks))
+                {
+                    IsDamaged[index] = true;
+                    return;
+                }
+            }
+            WritePositions(node, file);
+            int column = 0;
+            for (int p = 1; p <= Shapes.Length; p++)
+                for (int c = 0; c < Shapes[p - 1].ColumnCount; c++)
+                    WriteColumn(node, file, p, c, Columns[column], Targets[column++]);
+        }
+
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+
+        PlaneView ViewOf(in ChosenNode node, byte* file, int plane) =>
+            new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),
+                node.PlaneBlocks);
+
+        void WritePositions(in ChosenNode node, byte* file)
+        {
+            var batch = (byte*)Batch.GetUnsafePtr();
+            var plane = ViewOf(node, file, 0);
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var to = (double*)(batch + (axis == 0 ? X : axis == 1 ? Y : Z).OffsetBytes) + node.FirstPoint;
+                long corner = axis == 0 ? node.Corner.X : axis == 1 ? node.Corner.Y : node.Corner.Z;
+                for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount; b++)
+                {
+                    int count = plane.PointsOf(b);
+                    plane.UnpackWide(b, axis, values);
+                    for (int i = 0; i < count; i++)
+                        to[i] = corner + (long)values[i];
+                    to += count;
+                }
+            }
+        }
+
+        void WriteColumn(in ChosenNode node, byte* file, int planeIndex, int columnInPlane, in StoredColumn column,
+            PointColumn target)
+        {
+            var plane = ViewOf(node, file, planeIndex);
+            int size = target.Type.SizeOf();
+            byte* to = (byte*)Batch.GetUnsafePtr() + target.OffsetBytes + (long)node.FirstPoint * size;
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount; b++)
+            {
+                int count = plane.PointsOf(b);
+                plane.UnpackWide(b, columnInPlane, values);
+                for (int i = 0; i < count; i++, to += size)
+                    OrderedBits.Store(values[i] * (ulong)column.Divisor, column.Type, to);
+            }
+        }
+    }
+
+    /// <summary>One node to decode: where its blocks lie in a file's bytes, and where its points go. Blittable.</summary>
+    internal struct ChosenNode
+    {
+        public int FirstBlock;
+        public int BlockCount;
+        public int PlaneBlocks;
+        public bool IsWide;
+
+        /// <summary>The corner that its positions count from, relative to the batch's corner.</summary>
+        public Grid3 Corner;
+
+        /// <summary>Index of its first point in the batch.</summary>
+        public int FirstPoint;
+
+        /// <summary>Index of its first plane among the job's ranges.</summary>
+        public int FirstRange;
     }
 }

@@ -1,0 +1,83 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Unity.Jobs;
+
+namespace FastPoints.Core
+{
+    /// <summary>What keeps files open between reads. Main thread.</summary>
+    internal interface IOpenFiles
+    {
+        /// <summary>Reads of files that are not kept open.</summary>
+        JobHandle OtherReads { get; }
+
+        /// <summary>Closes the files below a folder.</summary>
+        JobHandle CloseBelow(string folder);
+    }
+
+    /// <summary>Folders that are about to be renamed or deleted: what keeps their files open closes them, and none is read until
+    /// they are reacquired. Main thread, if nothing else is said.</summary>
+    internal static class FolderReleases
+    {
+        static readonly List<IOpenFiles> s_openFiles = new List<IOpenFiles>();
+
+        /// <summary>Another array with each change, which any thread may make.</summary>
+        static string[] s_released = Array.Empty<string>();
+
+        static JobHandle s_closing;
+
+        public static void Add(IOpenFiles files) => s_openFiles.Add(files);
+
+        public static void Remove(IOpenFiles files) => s_openFiles.Remove(files);
+
+        public static void Release(string folder)
+        {
+            string below = Below(folder);
+            lock (s_openFiles)
+                s_released = new List<string>(s_released) { below }.ToArray();
+            foreach (var files in s_openFiles)
+                s_closing = Combine(s_closing, files.CloseBelow(below));
+        }
+
+        /// <summary>Whether reads that were in flight in released folders have ended, and their files are closed.</summary>
+        public static bool HasReleased
+        {
+            get
+            {
+                bool hasReleased = JobCoroutine.HasEnded(s_closing);
+                foreach (var files in s_openFiles)
+                    hasReleased &= JobCoroutine.HasEnded(files.OtherReads);
+                return hasReleased;
+            }
+        }
+
+        /// <summary>The folder may be read again. On any thread.</summary>
+        public static void Reacquire(string folder)
+        {
+            lock (s_openFiles)
+            {
+                var left = new List<string>(s_released);
+                left.Remove(Below(folder));
+                s_released = left.ToArray();
+            }
+        }
+
+        public static bool IsReleased(string folder)
+        {
+            // This is asked often, and only while a folder is renamed does it cost anything.
+            foreach (string released in s_released)
+                if (IsBelow(Below(folder), released))
+                    return true;
+            return false;
+        }
+
+        /// <param name="below">A full path with a separator at its end.</param>
+        public static bool IsBelow(string path, string below) =>
+            Path.GetFullPath(path).StartsWith(below, StringComparison.OrdinalIgnoreCase);
+
+        public static JobHandle Combine(JobHandle a, JobHandle b) => a.IsCompleted ? b : JobHandle.CombineDependencies(a, b);
+
+        static string Below(string folder) =>
+            Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
+    }
+}
