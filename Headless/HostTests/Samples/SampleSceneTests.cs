@@ -197,7 +197,7 @@ public sealed class SampleSceneTests
         Assert.That(File.ReadAllBytes(Street), Is.EqualTo(File.ReadAllBytes(m_project.Paths.Absolute(SampleScan.PackagedPath))));
         Assert.That(asset, Is.SameAs(m_project.Asset(SampleScan.AssetPath)));
         using var reader = PointReaders.Open(Street);
-        Assert.That(reader.Source.PointsClaimed, Is.EqualTo(200_000ul));
+        Assert.That(reader.Info.PointsClaimed, Is.EqualTo(200_000ul));
     }
 
     /// <summary>The scene's command finds the sample's street by its GUID.</summary>
