@@ -52,8 +52,8 @@ namespace FastPoints.Editor
             Missing = new MissingClouds(this);
             m_parts = new Action[]
             {
-                UpdateQueue, () => Checks.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs), Leftovers.Prompt,
-                Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
+                UpdateQueue, () => Checks.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs),
+                Leftovers.Prompt, Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
             };
         }
 
