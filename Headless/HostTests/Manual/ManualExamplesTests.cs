@@ -12,8 +12,7 @@ public sealed class ManualExamplesTests
 
     static readonly string[] s_package =
     {
-        "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes",
-        "FastPoints.Editor",
+        "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor",
     };
 
     // As Unity compiles it.

@@ -13,6 +13,14 @@ public sealed class SampleSceneTests
     [SetUp]
     public void OpenProject() => m_project = new EditorProject();
 
+    /// <summary>The package's street in the project, as Unity finds it there.</summary>
+    void PutPackagedStreet()
+    {
+        string path = m_project.Paths.Absolute(SampleScan.PackagedPath);
+        Directory.CreateDirectory(Path.GetDirectoryName(path));
+        File.Copy(Path.Combine(Checkout.Repository.Root, SampleScan.PackagedPath), path);
+    }
+
     [TearDown]
     public void CloseProject()
     {
@@ -31,13 +39,13 @@ public sealed class SampleSceneTests
 
     static string[] Names() => Commands().Select(m => m.GetCustomAttribute<MenuItem>().menuItem).ToArray();
 
-    string Street => m_project.Paths.Absolute("PointClouds/street.las");
+    string Street => m_project.Paths.Absolute("PointClouds/street.laz");
 
-    /// <summary>A smaller one in its place: what is there is not scanned again.</summary>
+    /// <summary>A smaller one in its place: what is there is not copied again.</summary>
     void PutSmallStreet()
     {
         Directory.CreateDirectory(Path.GetDirectoryName(Street));
-        m_project.Scratch.Demo("project/PointClouds/street.las", 3000);
+        m_project.Scratch.Demo("project/PointClouds/street.laz", 3000);
     }
 
     static void Updates(Func<bool> isDone) => ImportProject.Updates(() => EditorApplication.update?.Invoke(), isDone);
@@ -74,14 +82,11 @@ public sealed class SampleSceneTests
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
         string place = Path.GetDirectoryName(Street);
         File.WriteAllText(place, "no folder");
-        int got = 0;
-        SampleScan.Get(_ => got++);
+        Assert.That(SampleScan.Get(), Is.Null);
         Assert.That(logged.Single(), Does.StartWith("Error: FastPoints: " + Street));
         File.Delete(place);
         PutSmallStreet();
-        SampleScan.Get(_ => got++);
-        Updates(() => got > 0);
-        Assert.That(got, Is.EqualTo(1));
+        Assert.That(SampleScan.Get(), Is.Not.Null);
     }
 
     [Test]
@@ -126,19 +131,16 @@ public sealed class SampleSceneTests
     }
 
     /// <summary>In play mode Unity makes no scenes: it throws.</summary>
-    [TestCase(true)]
-    [TestCase(false)]
-    public void Make_InPlayMode_ReportsItAndMakesNothing(bool fromTheStart)
+    [Test]
+    public void Make_InPlayMode_ReportsItAndMakesNothing()
     {
         PutSmallStreet();
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
         bool isFilled = false;
 
-        EditorApplication.isPlaying = fromTheStart;
-        SampleScene.Create(_ => isFilled = true);
         EditorApplication.isPlaying = true;
-        Updates(() => logged.Count > 0);
+        SampleScene.Create(_ => isFilled = true);
 
         Assert.That(logged.Single(), Does.StartWith("Warning: FastPoints: ").And.Contains("play mode"));
         Assert.That(isFilled, Is.False);
@@ -150,14 +152,10 @@ public sealed class SampleSceneTests
     public void Get_AskedTwiceAndAgain_MakesOneAsset()
     {
         PutSmallStreet();
-        var got = new List<PointCloudAsset>();
 
-        SampleScan.Get(got.Add);
-        SampleScan.Get(got.Add);
-        Updates(() => got.Count == 2);
-        SampleScan.Get(got.Add);
+        var got = new[] { SampleScan.Get(), SampleScan.Get(), SampleScan.Get() };
 
-        Assert.That(got, Has.Count.EqualTo(3));
+        Assert.That(got[0], Is.Not.Null);
         Assert.That(got.Distinct().Count(), Is.EqualTo(1));
         Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"), Has.Length.EqualTo(1));
     }
@@ -166,8 +164,8 @@ public sealed class SampleSceneTests
     [Test]
     public void Get_MakesThePlaceAsOthersDo()
     {
-        SampleScan.Get(_ => { });
-        AssemblyReloadEvents.Reload();
+        PutPackagedStreet();
+        SampleScan.Get();
         Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
     }
 
@@ -176,17 +174,13 @@ public sealed class SampleSceneTests
     public void Get_AssetWithoutItsScan_MakesItAgain()
     {
         PutSmallStreet();
-        PointCloudAsset got = null;
-        SampleScan.Get(asset => got = asset);
-        Updates(() => got != null);
+        var got = SampleScan.Get();
         m_project.UpdateToTheEnd();
         AssemblyReloadEvents.Reload();
         Directory.Delete("PointClouds", true);
-        PointCloudAsset again = null;
+        PutPackagedStreet();
 
-        SampleScan.Get(asset => again = asset);
-        Assert.That(again, Is.Null, "the scan first");
-        Updates(() => again != null);
+        var again = SampleScan.Get();
         m_project.UpdateToTheEnd();
 
         Assert.That(again, Is.SameAs(got));
@@ -194,16 +188,25 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Get_ScriptsReloadedMidway_LeavesNothing()
+    public void Get_NothingThere_CopiesThePackagesStreet()
     {
-        bool isMade = false;
-        SampleScan.Get(_ => isMade = true);
-        Updates(() => Directory.GetFiles(Path.GetDirectoryName(Street)).Length > 0);
+        PutPackagedStreet();
 
-        AssemblyReloadEvents.Reload();
+        var asset = SampleScan.Get();
 
-        Assert.That(Directory.GetFiles(Path.GetDirectoryName(Street), "street*"), Is.Empty);
-        Assert.That(isMade, Is.False);
-        Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+        Assert.That(File.ReadAllBytes(Street), Is.EqualTo(File.ReadAllBytes(m_project.Paths.Absolute(SampleScan.PackagedPath))));
+        Assert.That(asset, Is.SameAs(m_project.Asset(SampleScan.AssetPath)));
+        using var reader = PointReaders.Open(Street);
+        Assert.That(reader.Info.PointsClaimed, Is.EqualTo(200_000ul));
+    }
+
+    /// <summary>The scene's command finds the sample's street by its GUID.</summary>
+    [Test]
+    public void RunTimeLoading_Street_HasTheGuidOfItsCommand()
+    {
+        string meta = Path.Combine(Checkout.Repository.Root, SampleScan.PackagedPath + ".meta");
+        string command = Path.Combine(Path.GetDirectoryName(meta), "Editor/RunTimeLoadingScene.cs");
+        string guid = File.ReadAllLines(meta).Single(l => l.StartsWith("guid: "))["guid: ".Length..];
+        Assert.That(File.ReadAllText(command), Does.Contain('"' + guid + '"'));
     }
 }

@@ -44,7 +44,11 @@ public sealed class SampleScriptTests
     [Test]
     public void LoadFromDisk_NoFileGiven_ShowsTheStreet()
     {
-        var load = m_world.Add<LoadFromDisk>();
+        var street = new TextAsset
+        {
+            Content = File.ReadAllBytes(Path.Combine(Checkout.Repository.Root, SampleScan.PackagedPath)),
+        };
+        var load = m_world.Add<LoadFromDisk>(l => l.Street = street);
 
         m_world.Frames(() => load.IsDone);
 

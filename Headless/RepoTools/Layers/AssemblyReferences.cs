@@ -25,7 +25,7 @@ public static class AssemblyReferences
             .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
         ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
         ["FastPoints.Editor"] = s_shared
-            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes",
+            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities",
                 "Unity.Entities", "Unity.Entities.Hybrid" })
             .ToArray(),
         ["FastPoints.Tests"] = s_shared.Concat(s_entities)
@@ -34,7 +34,7 @@ public static class AssemblyReferences
             .Concat(s_testRunner).ToArray(),
         ["FastPoints.Scenes"] = s_shared,
         ["FastPoints.Samples"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
+            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities" }).ToArray(),
         ["FastPoints.Samples.Editor"] = new[]
         {
             "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering",

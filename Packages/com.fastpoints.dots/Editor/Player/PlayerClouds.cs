@@ -11,7 +11,6 @@ namespace FastPoints.Editor
     /// <summary>The clouds that go into a player, and how large they are.</summary>
     internal sealed class PlayerClouds
     {
-        /// <summary>A cloud's folder or file, and where it goes.</summary>
         public struct Entry
         {
             public string Folder;
@@ -31,7 +30,6 @@ namespace FastPoints.Editor
 
         public IReadOnlyList<Entry> Entries => m_entries;
 
-        /// <summary>Whether one of them is not converted.</summary>
         public bool HasSources => m_entries.Exists(e => e.IsSource);
 
         /// <summary>Adds a cloud, only once if several assets refer to it.</summary>
@@ -88,7 +86,6 @@ namespace FastPoints.Editor
             return known >= 0;
         }
 
-        /// <summary>Of all of them.</summary>
         public long Bytes
         {
             get

@@ -182,10 +182,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>What becomes of several files that are dropped together.</summary>
     internal enum SeveralFiles
     {
-        /// <summary>The user is asked once.</summary>
         Ask,
         OneCloud,
         /// <summary>A cloud each, at a shared origin in scenes.</summary>

@@ -25,7 +25,6 @@ namespace FastPoints.Editor
             Undo.undoRedoPerformed += EditorApplication.QueuePlayerLoopUpdate;
         }
 
-        /// <summary>Called once an update of the editor.</summary>
         public static void Update()
         {
             var group = PointCloudSystemGroup.ObjectGroup;

@@ -20,7 +20,6 @@ namespace FastPoints.Editor
 
         public IReadOnlyList<string> Lines => m_lines;
 
-        /// <summary>All lines, for the clipboard.</summary>
         public string Text => string.Join("\n", m_lines);
 
         /// <summary>Searches for a point along a ray: the second one, or, after that, the first of another pair.</summary>

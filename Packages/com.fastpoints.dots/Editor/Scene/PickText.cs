@@ -12,7 +12,6 @@ namespace FastPoints.Editor
     {
         const int MaxDecimals = 12;
 
-        /// <summary>Returns one line for the position, and one for each attribute.</summary>
         public static List<string> Describe(StreamPick pick)
         {
             var lines = new List<string>

@@ -73,7 +73,6 @@ namespace FastPoints.Editor
             EditorUtility.SetDirty(cloud);
         }
 
-        /// <summary>Draws the world's settings, if any, which can be edited here as well.</summary>
         void DrawSettings()
         {
             m_showsSettings = EditorGUILayout.Foldout(m_showsSettings, "Size and budget of all clouds", true);
@@ -162,7 +161,6 @@ namespace FastPoints.Editor
     /// <summary>Describes what the last frame of a world did for all its clouds together.</summary>
     internal static class FrameText
     {
-        /// <summary>Pairs of a name and a value.</summary>
         public static List<KeyValuePair<string, string>> Describe(in FrameStats stats, long budgetPoints, long limitBytes)
         {
             return new List<KeyValuePair<string, string>>
@@ -180,5 +178,44 @@ namespace FastPoints.Editor
 
         static KeyValuePair<string, string> Pair(string name, string format, params object[] values) =>
             new KeyValuePair<string, string>(name, string.Format(CultureInfo.InvariantCulture, format, values));
+    }
+
+    /// <summary>The list of classes in an inspector, and the effect of switching one.</summary>
+    internal static class ClassFilter
+    {
+        /// <summary>The classes that a cloud may have: all defined ones from its smallest to its largest, and those that are
+        /// hidden already.</summary>
+        /// <param name="min">Minimum of its classification; NaN if unknown, as is <paramref name="max"/>.</param>
+        public static List<int> ClassesOf(double min, double max, int[] hidden)
+        {
+            bool isKnown = min <= max;
+            var classes = new List<int>();
+            for (int c = 0; c <= byte.MaxValue; c++)
+            {
+                bool isPossible = isKnown ? c >= min && c <= max : c < ClassNames.FirstUserDefined;
+                bool isMeant = ClassNames.Of(c) != null ||
+                    (isKnown && (c == min || c == max || c >= ClassNames.FirstUserDefined));
+                if ((isPossible && isMeant) || Array.IndexOf(hidden, c) >= 0)
+                    classes.Add(c);
+            }
+            return classes;
+        }
+
+        public static string Label(int c) => NumberText.Of(c) + " " +
+            (ClassNames.Of(c) ?? (c < ClassNames.FirstUserDefined ? "reserved" : "of the user"));
+
+        /// <summary>The hidden classes after one was switched, rising; the same array if nothing changes.</summary>
+        public static int[] Switch(int[] hidden, int c, bool isShown)
+        {
+            if (Array.IndexOf(hidden, c) >= 0 == !isShown)
+                return hidden;
+            var classes = new List<int>(hidden);
+            if (isShown)
+                classes.RemoveAll(h => h == c);
+            else
+                classes.Add(c);
+            classes.Sort();
+            return classes.ToArray();
+        }
     }
 }

@@ -6,7 +6,6 @@ using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Scenes;
 using FastPoints.Store;
 using UnityEngine;
 
@@ -19,8 +18,11 @@ namespace FastPoints.Samples.RunTimeLoading
     [AddComponentMenu("FastPoints/Samples/Load From Disk")]
     public sealed class LoadFromDisk : MonoBehaviour
     {
-        [Tooltip("LAS, LAZ, COPC, PLY, E57 or text, or a folder; a street of 200,000 points is scanned where this is empty.")]
+        [Tooltip("LAS, LAZ, COPC, PLY, E57 or text, or a folder; the sample's street where this is empty.")]
         public string Source;
+
+        [Tooltip("A LAZ file in the player, which is loaded where no source is named.")]
+        public TextAsset Street;
 
         [Range(1, 30)]
         [Tooltip("Time of the main thread in each frame, in ms.")]
@@ -73,18 +75,14 @@ namespace FastPoints.Samples.RunTimeLoading
 
         IEnumerator<JobStep> Load()
         {
-            string source = Source;
-            if (string.IsNullOrEmpty(source))
-            {
-                source = Path.Combine(Application.temporaryCachePath, "street.las");
-                m_progress.Begin("scan");
-                yield return JobStep.Of(LasScan.Run(source, 200_000, 1, progress: m_progress));
-                m_progress.End();
-            }
+            bool isStreet = string.IsNullOrEmpty(Source);
+            string source = isStreet ? Path.Combine(Application.temporaryCachePath, "street.laz") : Source;
             m_target = Path.Combine(Application.persistentDataPath, CloudName.Of(source) + StoreFormat.FolderExtension);
             // The folder has this name only when it is complete.
             if (Directory.Exists(m_target))
                 yield break;
+            if (isStreet)
+                File.WriteAllBytes(source, Street.bytes);
             // Opening on another thread keeps a slow disk from stopping frames.
             using var opening = PoolTask.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread());
             while (!opening.IsDone)

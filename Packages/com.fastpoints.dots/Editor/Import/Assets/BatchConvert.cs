@@ -19,7 +19,6 @@ namespace FastPoints.Editor
             Convert(imports, new List<string>(imports.Assets.All.Keys));
         }
 
-        /// <summary>Does the same with some of the project's assets.</summary>
         internal static void Convert(EditorImports imports, IEnumerable<string> assets)
         {
             int count = 0;

@@ -27,7 +27,6 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Absolute paths of the clouds' folders, including those that do not exist yet.</summary>
         public IEnumerable<string> Clouds
         {
             get
@@ -37,14 +36,12 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Paths of the assets whose cloud lies in a folder.</summary>
         public IReadOnlyCollection<string> Of(string cloud)
         {
             Collect();
             return m_assetsOfCloud.TryGetValue(cloud, out var assets) ? (IReadOnlyCollection<string>)assets : new string[0];
         }
 
-        /// <summary>Takes note of what the asset database tells: of each asset once.</summary>
         public void Update(string[] imported, string[] deleted, string[] movedFrom, string[] movedTo)
         {
             if (!m_isCollected)

@@ -31,7 +31,6 @@ namespace FastPoints.Editor
 
         public bool IsExporting => m_exports.Count > 0;
 
-        /// <summary>Paths that are being written.</summary>
         public IEnumerable<string> ReservedPaths => m_exports.ConvertAll(export => export.Path);
 
         /// <param name="sources">A converted cloud, or files that make one cloud.</param>
@@ -51,7 +50,6 @@ namespace FastPoints.Editor
             m_exports.Add(export);
         }
 
-        /// <summary>Called once an update of the editor.</summary>
         public void Update(double budgetMs)
         {
             if (m_exports.Count == 0)
@@ -74,7 +72,6 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Breaks off all.</summary>
         public void Dispose()
         {
             while (m_exports.Count > 0)

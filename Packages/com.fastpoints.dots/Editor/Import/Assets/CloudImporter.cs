@@ -1,6 +1,8 @@
+using System;
 using System.IO;
 using FastPoints.Core;
 using FastPoints.Entities;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEditor;
@@ -71,5 +73,28 @@ namespace FastPoints.Editor
         double3? OriginOf(CloudHandle handle) => handle.OriginUp == UpAxis ? handle.Origin
             : handle.BoundsGeo.IsEmpty || !handle.BoundsGeo.IsFinite ? (double3?)null
             : UnitySpace.Of(handle.BoundsGeo, handle.MetresPerUnit, UpAxis).OriginGeo;
+    }
+
+    /// <summary>Decides where a cloud lies in a player, below its streaming assets.</summary>
+    internal static class PlayerPath
+    {
+        /// <summary>The same path as in the project if the cloud is in the place of converted clouds; otherwise one made of its
+        /// name and its asset.</summary>
+        /// <param name="asset">The asset's number, which keeps clouds with equal names apart.</param>
+        public static string Of(string cloudPath, string asset)
+        {
+            const string place = ProjectPaths.DefaultClouds + "/";
+            if (cloudPath.StartsWith(PointCloudPaths.InPlace, StringComparison.Ordinal))
+                return place + cloudPath.Substring(PointCloudPaths.InPlace.Length);
+            if (cloudPath.StartsWith(place, StringComparison.Ordinal) && cloudPath.IndexOf('/', place.Length) < 0)
+                return cloudPath;
+            string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));
+            return place + name + "-" + Short(asset) + StoreFormat.FolderExtension;
+        }
+
+        public static string OfSource(string source, string asset) => ProjectPaths.DefaultClouds + "/" + Short(asset) + "/" +
+            AssetNaming.Safe(Path.GetFileName(source.TrimEnd('/', '\\')));
+
+        static string Short(string asset) => asset.Substring(0, Math.Min(8, asset.Length));
     }
 }

@@ -31,7 +31,6 @@ namespace FastPoints.Editor
             Refresh();
         }
 
-        /// <summary>Repaints while its cloud is converted or verified.</summary>
         public override bool RequiresConstantRepaint() => m_wasInQueue || PointCloudImports.Current.Checks.IsChecking;
 
         public override void OnInspectorGUI()
@@ -67,7 +66,6 @@ namespace FastPoints.Editor
             DrawSettings();
         }
 
-        /// <summary>Draws the importer's settings, which take effect when the user applies them.</summary>
         void DrawSettings()
         {
             serializedObject.Update();
@@ -144,7 +142,6 @@ namespace FastPoints.Editor
             GUIUtility.ExitGUI();
         }
 
-        /// <summary>A request's state, for people.</summary>
         internal static string Describe(ImportQueue queue, ImportRequest request) =>
             request.State == ImportState.Failed ? request.Failure : request.State == ImportState.Paused ? "paused"
             : request.State == ImportState.Waiting ? "waiting" : BuildProgress.Describe(queue.Session.Progress);

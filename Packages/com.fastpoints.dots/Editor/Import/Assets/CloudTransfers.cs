@@ -1,8 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Threading;
 using System.Threading.Tasks;
+using FastPoints.Build;
 using FastPoints.Core;
+using FastPoints.Reading;
 using FastPoints.Store;
 using UnityEditor;
 using UnityEngine;
@@ -13,14 +16,10 @@ namespace FastPoints.Editor
     /// window.</summary>
     internal sealed class CloudTransfers : IDisposable
     {
-        sealed class Transfer
+        struct Transfer
         {
             public CloudCopy Copy;
-            public string To;
             public int Progress;
-
-            /// <summary>Unity itself ends what was cancelled in its window: nothing more is reported.</summary>
-            public bool IsCancelled;
             public Action<string> Done;
         }
 
@@ -45,7 +44,6 @@ namespace FastPoints.Editor
             Begin("Import ", cloud, FreeName(cloud, paths.Clouds), done);
         }
 
-        /// <summary>Called once an update of the editor.</summary>
         public void Update()
         {
             for (int i = m_transfers.Count - 1; i >= 0; i--)
@@ -53,8 +51,8 @@ namespace FastPoints.Editor
                 var transfer = m_transfers[i];
                 if (!transfer.Copy.Work.IsCompleted)
                 {
-                    if (!transfer.IsCancelled)
-                        Progress.Report(transfer.Progress, (float)transfer.Copy.Share, transfer.To);
+                    if (!transfer.Copy.IsCancelled)
+                        Progress.Report(transfer.Progress, (float)transfer.Copy.Share, transfer.Copy.To);
                     continue;
                 }
                 m_transfers.RemoveAt(i);
@@ -75,15 +73,14 @@ namespace FastPoints.Editor
 
         void Begin(string what, string cloud, string to, Action<string> done)
         {
-            var transfer = new Transfer { Copy = new CloudCopy(cloud, to), To = to, Done = done };
-            transfer.Progress = Progress.Start(what + Path.GetFileName(to), to, Progress.Options.Managed);
-            Progress.RegisterCancelCallback(transfer.Progress, () =>
+            var copy = new CloudCopy(cloud, to);
+            int progress = Progress.Start(what + Path.GetFileName(to), to, Progress.Options.Managed);
+            Progress.RegisterCancelCallback(progress, () =>
             {
-                transfer.IsCancelled = true;
-                transfer.Copy.Cancel();
+                copy.Cancel();
                 return true;
             });
-            m_transfers.Add(transfer);
+            m_transfers.Add(new Transfer { Copy = copy, Progress = progress, Done = done });
         }
 
         static void End(Transfer transfer)
@@ -91,8 +88,8 @@ namespace FastPoints.Editor
             if (transfer.Copy.Work.Status == TaskStatus.RanToCompletion)
             {
                 Finish(transfer, Progress.Status.Succeeded);
-                Debug.Log("FastPoints: copied to " + transfer.To);
-                transfer.Done?.Invoke(transfer.To);
+                Debug.Log("FastPoints: copied to " + transfer.Copy.To);
+                transfer.Done?.Invoke(transfer.Copy.To);
                 return;
             }
             var failure = transfer.Copy.Work.Exception?.InnerException;
@@ -107,18 +104,122 @@ namespace FastPoints.Editor
 
         static void Finish(Transfer transfer, Progress.Status status)
         {
-            if (!transfer.IsCancelled)
+            // Unity itself ends what was cancelled in its window.
+            if (!transfer.Copy.IsCancelled)
                 Progress.Finish(transfer.Progress, status);
         }
 
         /// <summary>A free name, which no running copy uses either.</summary>
         string FreeName(string cloud, string folder)
         {
-            var taken = m_transfers.ConvertAll(t => t.To);
+            var taken = m_transfers.ConvertAll(t => t.Copy.To);
             if (Directory.Exists(folder))
                 taken.AddRange(Directory.GetFileSystemEntries(folder));
             return new FreeNames(folder, StoreFormat.FolderExtension, taken)
                 .Next(Path.GetFileNameWithoutExtension(cloud.TrimEnd('/', '\\')));
+        }
+    }
+
+    /// <summary>Copies a converted cloud on a thread of the pool, for use in another project. The copy gets its name when it is
+    /// complete; if cancelled or failed, it leaves nothing.</summary>
+    internal sealed class CloudCopy : IDisposable
+    {
+        const string TemporarySuffix = ".copy";
+        const int PieceBytes = 1 << 20;
+
+        readonly CancellationTokenSource m_cancellation = new CancellationTokenSource();
+        readonly string m_from;
+        long m_bytes;
+        long m_bytesDone;
+
+        public CloudCopy(string from, string to)
+        {
+            m_from = from;
+            To = to;
+            Work = Task.Run(Run);
+        }
+
+        /// <summary>Ends when the copy has its name; throws a <see cref="PointCloudException"/> or is cancelled.</summary>
+        public Task Work { get; }
+
+        /// <summary>A folder that does not exist until the copy is complete.</summary>
+        public string To { get; }
+
+        /// <summary>From 0 to 1; any thread may ask.</summary>
+        public double Share => Interlocked.Read(ref m_bytesDone) / (double)Math.Max(1, Interlocked.Read(ref m_bytes));
+
+        public bool IsCancelled { get; private set; }
+
+        public void Cancel()
+        {
+            IsCancelled = true;
+            m_cancellation.Cancel();
+        }
+
+        /// <summary>Cancels, and waits for the megabyte being copied: a domain reload ends threads without notice and must not
+        /// find anything half copied.</summary>
+        public void Dispose()
+        {
+            m_cancellation.Cancel();
+            try
+            {
+                Work.Wait();
+            }
+            catch (AggregateException)
+            {
+                // The result is no longer wanted.
+            }
+        }
+
+        void Run()
+        {
+            string temporary = To + TemporarySuffix;
+            try
+            {
+                if (!File.Exists(Path.Combine(m_from, StoreFormat.ManifestName)))
+                    throw new PointCloudException(FailureCode.NotFound, m_from, -1, "wanted a finished cloud");
+                if (Directory.Exists(To) || File.Exists(To))
+                    throw new PointCloudException(FailureCode.WriteFailed, To, -1, "already exists");
+                FileChanges.DeleteFolder(temporary);
+                Directory.CreateDirectory(temporary);
+                var files = Directory.GetFiles(m_from, "*", SearchOption.AllDirectories);
+                CheckRoom(temporary, files);
+                var buffer = new byte[PieceBytes];
+                foreach (string file in files)
+                    CopyFile(file, Path.Combine(temporary, Path.GetRelativePath(m_from, file)), buffer);
+                FileChanges.Retry(() => FileChanges.MoveFolder(temporary, To), () => !m_cancellation.IsCancellationRequested);
+            }
+            catch (Exception e)
+            {
+                FileChanges.TryDelete(temporary, () => !m_cancellation.IsCancellationRequested);
+                if (FileFailures.IsFileFailure(e))
+                    throw FileFailures.Writing(To, e);
+                throw;
+            }
+        }
+
+        void CheckRoom(string temporary, IEnumerable<string> files)
+        {
+            long bytes = 0;
+            foreach (string file in files)
+                bytes += new FileInfo(file).Length;
+            Interlocked.Exchange(ref m_bytes, bytes);
+            long free = CloudFolderWriter.FreeBytesOf(temporary);
+            if (free >= 0 && free < bytes)
+                throw PointCloudException.Wanted(FailureCode.DiskFull, To, -1, "free bytes on the disk", bytes, free);
+        }
+
+        void CopyFile(string from, string to, byte[] buffer)
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(to));
+            using var source = FileChanges.OpenToRead(from, 1);
+            using var target = FileChanges.OpenToWrite(to, FileMode.CreateNew);
+            for (int got = source.Read(buffer, 0, buffer.Length); got > 0; got = source.Read(buffer, 0, buffer.Length))
+            {
+                m_cancellation.Token.ThrowIfCancellationRequested();
+                target.Write(buffer, 0, got);
+                Interlocked.Add(ref m_bytesDone, got);
+            }
         }
     }
 }

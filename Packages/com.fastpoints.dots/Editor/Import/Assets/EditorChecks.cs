@@ -1,5 +1,9 @@
 using System;
+using System.Globalization;
 using System.IO;
+using FastPoints.Core;
+using FastPoints.Export;
+using FastPoints.Reading;
 using UnityEditor;
 using UnityEngine;
 
@@ -11,7 +15,6 @@ namespace FastPoints.Editor
     {
         int m_progress;
 
-        /// <summary>The last check; null if there was none.</summary>
         public CloudCheck Check { get; private set; }
 
         public bool IsChecking => Check != null && !Check.IsDone;
@@ -32,7 +35,6 @@ namespace FastPoints.Editor
             });
         }
 
-        /// <summary>Called once an update of the editor.</summary>
         public void Update(double budgetMs)
         {
             if (!IsChecking)
@@ -48,7 +50,6 @@ namespace FastPoints.Editor
                 Debug.LogError("FastPoints: " + Check.Path + ": " + Check.Describe());
         }
 
-        /// <summary>Breaks off the check in progress.</summary>
         public void Dispose()
         {
             if (!IsChecking)
@@ -56,6 +57,65 @@ namespace FastPoints.Editor
             Check.Dispose();
             Check = null;
             Progress.Finish(m_progress, Progress.Status.Canceled);
+        }
+    }
+
+    /// <summary>Verifies a converted cloud, one slice in each update: every file, table, hash, point and count. Main
+    /// thread.</summary>
+    internal sealed class CloudCheck : IDisposable
+    {
+        readonly JobCoroutine m_work;
+        readonly StageProgress m_progress = new StageProgress();
+
+        public CloudCheck(string path)
+        {
+            Path = path;
+            m_work = new JobCoroutine(VerifyCloud.Run(path, Array.Empty<PointReader>(), Result, m_progress));
+        }
+
+        public string Path { get; }
+
+        /// <summary>Complete when <see cref="Step"/> has returned true.</summary>
+        public VerifyResult Result { get; } = new VerifyResult();
+
+        public double Share => m_progress.Share;
+
+        public bool IsDone { get; private set; }
+
+        /// <returns>Whether it is done.</returns>
+        public bool Step(double budgetMs)
+        {
+            if (IsDone)
+                return true;
+            try
+            {
+                IsDone = m_work.Tick(budgetMs);
+            }
+            catch (Exception e)
+            {
+                Result.Add(PointCloudException.Of(Path, e).FullMessage);
+                IsDone = true;
+            }
+            return IsDone;
+        }
+
+        /// <summary>The result in one line or, if there are problems, several.</summary>
+        public string Describe()
+        {
+            if (!IsDone)
+                return "verifying: " + Share.ToString("P0", CultureInfo.InvariantCulture);
+            if (Result.Ok)
+                return Result.Points.ToString("N0", CultureInfo.InvariantCulture) + " points are as they were converted" +
+                    (Result.IsBuilding ? ", as far as the cloud is finished" : "");
+            string more = Result.ProblemCount > Result.Problems.Count ? "\nand " +
+                (Result.ProblemCount - Result.Problems.Count) + " more" : "";
+            return Result.ProblemCount + " problems:\n" + string.Join("\n", Result.Problems) + more;
+        }
+
+        public void Dispose()
+        {
+            m_work.Cancel();
+            IsDone = true;
         }
     }
 }

@@ -20,8 +20,7 @@ namespace FastPoints.Editor
         readonly FastPointsSettings m_settings;
         readonly EditorPace m_pace = new EditorPace();
         DateTime m_nextReport;
-        BuildSession m_reported;
-        int m_progress;
+        readonly QueueProgress m_progress;
         readonly List<CloudDrop> m_drops = new List<CloudDrop>();
         readonly List<string> m_drawn = new List<string>();
 
@@ -30,7 +29,6 @@ namespace FastPoints.Editor
         bool m_isShowing;
         string m_problem;
 
-        /// <summary>What an update does, and what that has thrown.</summary>
         readonly Action[] m_parts;
         readonly HashSet<string> m_thrown = new HashSet<string>();
         double m_budgetMs;
@@ -45,6 +43,7 @@ namespace FastPoints.Editor
                 FileChanges.BeginDeleteLeftovers(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
             Queue = new ImportQueue(paths, settings.ForConversion);
             Queue.Ended += End;
+            m_progress = new QueueProgress(this);
             Thumbnails.Drawn += m_drawn.Add;
             Catalog = new CloudCatalog(paths);
             Assets = new CloudAssets(paths);
@@ -53,39 +52,21 @@ namespace FastPoints.Editor
             Missing = new MissingClouds(this);
             m_parts = new Action[]
             {
-                UpdateQueue, () => Checks.Update(m_budgetMs), Transfers.Update, () =>
-                    Exports.Update(m_budgetMs), Leftovers.Prompt,
-                Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
+                UpdateQueue, () => Checks.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs),
+                Leftovers.Prompt, Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
             };
         }
 
         internal ProjectPaths Paths { get; }
-
-        /// <summary>Point cloud files in <c>Assets</c> that others import.</summary>
-        internal PointFileClaims Claims { get; }
-
-        /// <summary>Converted clouds whose last asset was deleted.</summary>
-        internal CloudLeftovers Leftovers { get; }
-
-        /// <summary>Clouds whose data are to be made again.</summary>
-        internal MissingClouds Missing { get; }
-
         internal ImportQueue Queue { get; }
         internal CloudCatalog Catalog { get; }
-
-        /// <summary>The project's assets of clouds.</summary>
         internal CloudAssets Assets { get; }
-
-        /// <summary>Clouds that are verified.</summary>
+        internal CloudLeftovers Leftovers { get; }
+        internal PointFileClaims Claims { get; }
+        internal MissingClouds Missing { get; }
         internal EditorChecks Checks { get; } = new EditorChecks();
-
-        /// <summary>Clouds that are copied out and in.</summary>
         internal CloudTransfers Transfers { get; } = new CloudTransfers();
-
-        /// <summary>Points that are written to files.</summary>
         internal CloudExports Exports { get; } = new CloudExports();
-
-        /// <summary>Pictures of clouds for the Project window.</summary>
         internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
 
         /// <summary>The largest file in bytes that may be copied into the project.</summary>
@@ -121,8 +102,8 @@ namespace FastPoints.Editor
             Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
                 m_pace.InFlightMs);
             Queue.Tick(m_budgetMs, m_nowUtc);
-            if (m_reported?.State == BuildState.Suspended)
-                EndReport(Progress.Status.Canceled);
+            if (m_progress.Session?.State == BuildState.Suspended)
+                m_progress.End(Progress.Status.Canceled);
         }
 
         void UpdateDrops()
@@ -147,14 +128,7 @@ namespace FastPoints.Editor
                 Debug.LogWarning("FastPoints: " + Queue.Problem);
             m_problem = Queue.Problem;
             if (Queue.Session != null)
-                Report(Queue.Session);
-        }
-
-        void EndReport(Progress.Status status)
-        {
-            if (m_reported != null)
-                Progress.Finish(m_progress, status);
-            m_reported = null;
+                m_progress.Report();
         }
 
         /// <summary>Makes a handle for a file or folder that stays where it is.</summary>
@@ -187,10 +161,8 @@ namespace FastPoints.Editor
         internal void CreateAsset(IReadOnlyList<string> sources, string folder, DropTarget place) =>
             m_drops.Add(new CloudDrop(this, sources, folder, place));
 
-        /// <summary>Whether dropped files are still being imported.</summary>
         internal bool IsCreating => m_drops.Count > 0;
 
-        /// <summary>Handles the import of point cloud files in <c>Assets</c>.</summary>
         internal void CreatePointFileHandles(IReadOnlyList<string> assets)
         {
             // An asset is also reimported to show its picture: a cancelled conversion stays cancelled.
@@ -251,7 +223,6 @@ namespace FastPoints.Editor
         /// <summary>Converts an asset's cloud, for the first time or again.</summary>
         public void Convert(string asset) => Convert(new[] { asset });
 
-        /// <summary>Does the same with several. What cannot be read is logged.</summary>
         internal void Convert(IEnumerable<string> assets)
         {
             var requests = new List<ImportRequest>();
@@ -276,9 +247,8 @@ namespace FastPoints.Editor
             DisableAutoConvert(request.Cloud);
         }
 
-        /// <summary>Has a cloud not converted by itself any more, nor asked about, however often Unity imports its
-        /// asset.</summary>
-        /// <param name="cloud">Its folder, stored or absolute.</param>
+        /// <summary>However often Unity imports its asset, the cloud is not converted by itself any more, nor asked
+        /// about.</summary>
         internal void DisableAutoConvert(string cloud)
         {
             CreateFolder(Paths.Clouds);
@@ -322,7 +292,7 @@ namespace FastPoints.Editor
         /// <summary>Called before scripts are reloaded or the editor quits.</summary>
         public void Suspend()
         {
-            EndReport(Progress.Status.Canceled);
+            m_progress.End(Progress.Status.Canceled);
             foreach (var drop in m_drops)
                 drop.Dispose();
             m_drops.Clear();
@@ -396,47 +366,10 @@ namespace FastPoints.Editor
             return handle;
         }
 
-        void Report(BuildSession session)
-        {
-            if (m_reported != session)
-                Begin(session);
-            Progress.Report(m_progress, (float)session.Share,
-                Queue.IsHeld ? "until play mode ends" : BuildProgress.Describe(session.Progress));
-            if (session.SecondsLeft < int.MaxValue)
-                Progress.SetRemainingTime(m_progress, (long)session.SecondsLeft);
-        }
-
-        void Begin(BuildSession session)
-        {
-            var request = Queue.Running;
-            m_reported = session;
-            // Unity cancels progress that it manages before scripts are reloaded, as if the user had: the conversion would be
-            // lost.
-            m_progress = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
-                Progress.Options.Unmanaged);
-            Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
-            Progress.RegisterCancelCallback(m_progress, () =>
-            {
-                // Unity itself ends what was cancelled in its window.
-                m_reported = null;
-                Cancel(request);
-                return true;
-            });
-            Progress.RegisterPauseCallback(m_progress, isPaused =>
-            {
-                if (isPaused)
-                    Queue.Pause(request);
-                else
-                    Queue.Resume(request);
-                // Reading a header cannot be paused, and the window must not show that it is.
-                return (request.State == ImportState.Paused) == isPaused;
-            });
-        }
-
         void End(ImportRequest request, BuildSession session)
         {
             string asset = AssetDatabase.GUIDToAssetPath(request.Asset);
-            EndReport(session.State == BuildState.Done ? Progress.Status.Succeeded
+            m_progress.End(session.State == BuildState.Done ? Progress.Status.Succeeded
                 : session.State == BuildState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
             if (session.Failure is PointCloudException known)
                 Debug.LogError("FastPoints: " + known.FullMessage);

@@ -32,7 +32,6 @@ namespace FastPoints.Editor
         /// <summary>The most workers of the job system that a conversion keeps busy; 0 for all.</summary>
         public int Workers;
 
-        /// <summary>What conversions do in play mode.</summary>
         public InPlayMode InPlayMode;
 
         /// <summary>Main-thread time that a conversion gets in each update of the editor.</summary>
@@ -117,7 +116,6 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Applies the project's settings to scenes.</summary>
         public void Apply()
         {
             PointCloudPaths.Place = Place;
@@ -136,7 +134,6 @@ namespace FastPoints.Editor
         };
     }
 
-    /// <summary>What conversions do in play mode.</summary>
     internal enum InPlayMode
     {
         /// <summary>They leave the other workers to the game.</summary>

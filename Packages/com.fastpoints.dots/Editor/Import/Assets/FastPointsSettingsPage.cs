@@ -6,7 +6,6 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The page <em>Project Settings > FastPoints</em>.</summary>
     static class FastPointsSettingsPage
     {
         static string s_problem;

@@ -25,7 +25,6 @@ namespace FastPoints.Editor
             return url;
         }
 
-        /// <param name="package">The package's folder.</param>
         internal static string UrlOf(string page, string package)
         {
             string manifest = Path.Combine(package, "package.json");

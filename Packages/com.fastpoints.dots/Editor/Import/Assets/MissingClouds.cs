@@ -24,7 +24,6 @@ namespace FastPoints.Editor
 
         public MissingClouds(EditorImports imports) => m_imports = imports;
 
-        /// <summary>Whether it may still ask.</summary>
         internal bool IsSearching => m_looking != null || SessionState.GetString(CheckedKey, "") == "";
 
         /// <summary>Assets were imported: perhaps by a pull.</summary>

@@ -47,7 +47,6 @@ namespace FastPoints.Editor
 
         public static EditorImports Current => s_current ?? Open();
 
-        /// <summary>The paths that the settings give.</summary>
         internal static ProjectPaths Paths =>
             new ProjectPaths(Project, FastPointsSettings.instance.Place, FastPointsUserSettings.Root);
 
@@ -83,7 +82,6 @@ namespace FastPoints.Editor
             s_current = null;
         }
 
-        /// <summary>Begins again by other settings.</summary>
         static void Begin(Action set)
         {
             Close();

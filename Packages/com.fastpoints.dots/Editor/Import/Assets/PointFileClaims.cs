@@ -55,7 +55,6 @@ namespace FastPoints.Editor
             m_offered.Clear();
         }
 
-        /// <summary>Offers the files that were there before.</summary>
         public void AddExisting() => Add(new List<string>(AssetDatabase.GetAllAssetPaths()));
 
         public static bool IsPointFile(string path) =>
@@ -72,7 +71,6 @@ namespace FastPoints.Editor
         public static bool IsForeign(string asset, string file) =>
             typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(asset)) || HasFaces(file);
 
-        /// <summary>Whether a PLY file is a mesh, by its header.</summary>
         static bool HasFaces(string file)
         {
             if (!file.EndsWith(".ply", StringComparison.OrdinalIgnoreCase))
@@ -136,10 +134,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>What becomes of point cloud files in <c>Assets</c>.</summary>
     internal enum PointFiles
     {
-        /// <summary>The user is asked once.</summary>
         Ask,
         Import,
         Leave,

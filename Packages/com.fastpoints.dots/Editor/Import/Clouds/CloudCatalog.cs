@@ -131,7 +131,6 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>A converted cloud of the project.</summary>
     internal sealed class CatalogCloud
     {
         /// <summary>Its folder: an absolute path under its final name.</summary>
@@ -152,15 +151,12 @@ namespace FastPoints.Editor
     /// <summary>How a handle's cloud was found.</summary>
     internal enum CatalogMatch
     {
-        /// <summary>It was not found.</summary>
         None,
-        /// <summary>It is where the handle says.</summary>
         InPlace,
         /// <summary>It is in another folder of the project's clouds, found by its id.</summary>
         Moved,
         /// <summary>Another cloud is where the handle says, and its own was not found.</summary>
         Another,
-        /// <summary>It is being made where the handle says.</summary>
         Building,
     }
 }

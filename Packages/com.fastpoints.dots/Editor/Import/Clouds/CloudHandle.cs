@@ -48,7 +48,6 @@ namespace FastPoints.Editor
         /// <see cref="MaxWarnings"/>.</summary>
         public List<string> Warnings = new List<string>();
 
-        /// <summary>The name of the format: "LAS", "PLY", ...</summary>
         public string Format;
 
         /// <summary>What the header claims, until the cloud is converted; -1 if unknown.</summary>
@@ -57,13 +56,11 @@ namespace FastPoints.Editor
         /// <summary>What the header claims, as with <see cref="Points"/>; may be empty.</summary>
         public BoundsGeo BoundsGeo = BoundsGeo.Empty;
 
-        /// <summary>One line, or null.</summary>
         public string Crs;
 
         /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
         public double MetresPerUnit;
 
-        /// <summary>Takes over the claims of a source's header.</summary>
         public void Describe(SourceInfo info)
         {
             // These are the same at each import, whatever a conversion finds.
@@ -77,7 +74,6 @@ namespace FastPoints.Editor
             MetresPerUnit = info.Crs.MetresPerUnit;
         }
 
-        /// <summary>Takes over what reading the sources has shown.</summary>
         public void Describe(string format, IReadOnlyList<CloudWarning> warnings)
         {
             Format = format;
@@ -88,7 +84,6 @@ namespace FastPoints.Editor
                     : new CloudWarning(Path.GetFileName(warnings[i].Path), warnings[i].ByteOffset, warnings[i].Text).ToString());
         }
 
-        /// <summary>Takes over what conversion has shown.</summary>
         public void Describe(CloudManifest manifest)
         {
             CloudId = manifest.CloudId;

@@ -62,12 +62,10 @@ namespace FastPoints.Editor
 
         static bool IsImported(string path) => File.Exists(path) && HasImportedExtension(path);
 
-        /// <summary>Whether a name ends in one of <see cref="ImportedExtensions"/>.</summary>
         public static bool HasImportedExtension(string path) =>
             Array.IndexOf(ImportedExtensions, Path.GetExtension(path).ToLowerInvariant().TrimStart('.')) >= 0;
     }
 
-    /// <summary>How a drop is handled.</summary>
     internal enum DropKind
     {
         /// <summary>Left to others: there is something else among the files.</summary>

@@ -9,7 +9,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Reads, writes, makes and updates handles on disk.</summary>
     internal static class HandleFile
     {
         /// <exception cref="PointCloudException">It cannot be read, or is not a handle.</exception>
@@ -23,7 +22,6 @@ namespace FastPoints.Editor
             TextFile.Write(path, handle.ToJson());
         }
 
-        /// <summary>Names for new handles in a folder.</summary>
         public static FreeNames NewHandles(string folder) =>
             new FreeNames(folder, CloudHandle.Extension, Directory.GetFileSystemEntries(folder));
 

@@ -20,9 +20,7 @@ namespace FastPoints.Editor
             "Assets", "Packages", "Library", "Temp", "Logs", "ProjectSettings", "UserSettings",
         };
 
-        /// <param name="project">The folder that has <c>Assets</c> in it.</param>
         /// <param name="clouds">Place of converted clouds: relative to the project, or absolute.</param>
-        /// <param name="sourceRoot">See <see cref="PointCloudPaths.SourceRoot"/>.</param>
         public ProjectPaths(string project, string clouds = DefaultClouds, string sourceRoot = "")
         {
             m_sourceRoot = sourceRoot;
@@ -55,7 +53,6 @@ namespace FastPoints.Editor
 
         public string Project { get; }
 
-        /// <summary>The folder of converted clouds; it may not exist yet.</summary>
         public string Clouds { get; }
 
         /// <summary>A path as it is stored.</summary>

@@ -41,7 +41,6 @@ namespace FastPoints.Editor
             return 0;
         }
 
-        /// <summary>The stage and its speed, for people.</summary>
         public static string Describe(StageProgress progress)
         {
             if (progress.Current == null)

@@ -22,8 +22,6 @@ namespace FastPoints.Editor
         PointReader m_reader;
         JobCoroutine m_coroutine;
 
-        /// <param name="sources">Files and folders that make one cloud.</param>
-        /// <param name="target">The folder to make.</param>
         /// <param name="settings">The settings, which the session owns from now on.</param>
         public BuildSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
         {
@@ -43,13 +41,11 @@ namespace FastPoints.Editor
         /// <summary>The source's stamp from before it was opened; null until it is open.</summary>
         public SourceStamp Stamp { get; private set; }
 
-        /// <summary>The result when done.</summary>
         public ConvertResult Result { get; private set; }
 
         /// <summary>The failure: a <see cref="PointCloudException"/> of one line, or an unexpected exception.</summary>
         public Exception Failure { get; private set; }
 
-        /// <summary>Share of the whole build that is done, 0 to 1.</summary>
         public double Share => State == BuildState.Done ? 1 : BuildProgress.ShareOf(Progress);
 
         /// <summary>Seconds of work so far, without pauses.</summary>
@@ -58,15 +54,11 @@ namespace FastPoints.Editor
         /// <summary>Estimated from the speed so far; infinity before anything is known.</summary>
         public double SecondsLeft => Share > 0 ? Seconds * (1 - Share) / Share : double.PositiveInfinity;
 
-        /// <summary>Whether nothing more will come.</summary>
         public bool IsEnded => State >= BuildState.Done;
 
-        /// <summary>Those that it keeps busy at most; 0 for all.</summary>
         public int Workers => m_settings.Workers;
 
         /// <summary>Follows what the editor does meanwhile.</summary>
-        /// <param name="workers">See <see cref="ConvertSettings.Workers"/>.</param>
-        /// <param name="inFlightMs">See <see cref="ConvertSettings.InFlightMs"/>.</param>
         public void Adapt(int workers, double inFlightMs)
         {
             m_settings.Workers = workers;
@@ -135,7 +127,6 @@ namespace FastPoints.Editor
                 End(BuildState.Suspended);
         }
 
-        /// <summary>Does the same as <see cref="Suspend"/>.</summary>
         public void Dispose() => Suspend();
 
         void Begin()
@@ -169,10 +160,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>The state of a <see cref="BuildSession"/>.</summary>
     internal enum BuildState
     {
-        /// <summary>The sources' headers are being read.</summary>
         Opening,
         Building,
         Paused,

@@ -27,18 +27,14 @@ namespace FastPoints.Editor
 
         public bool IsDrawing => m_current != null || m_waiting.Count > 0;
 
-        /// <param name="cloud">The converted folder, which need not exist.</param>
         public static string PathOf(string cloud) => Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
 
         /// <summary>Draws a cloud, finished or in the making.</summary>
         public void Add(string cloud) => Add(cloud, null);
 
         /// <summary>Draws the files that a cloud will or could be converted from.</summary>
-        /// <param name="cloud">The folder that they would be converted into.</param>
-        /// <param name="sources">Files and folders that make one cloud.</param>
         public void AddFiles(string cloud, IEnumerable<string> sources) => Add(cloud, new List<string>(sources).ToArray());
 
-        /// <summary>Called once an update of the editor.</summary>
         public void Update(double budgetMs)
         {
             if (m_current == null && m_waiting.Count > 0)

@@ -39,10 +39,8 @@ namespace FastPoints.Editor
             m_settings = settings;
         }
 
-        /// <summary>Requests in the order in which they are converted.</summary>
         public IReadOnlyList<ImportRequest> Requests => m_requests;
 
-        /// <summary>The running conversion, or null.</summary>
         public BuildSession Session { get; private set; }
 
         /// <summary>Whether nothing is begun or continued for now.</summary>
@@ -52,7 +50,6 @@ namespace FastPoints.Editor
         public bool IsAtWork =>
             m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
-        /// <summary>The request of the running conversion, or null.</summary>
         public ImportRequest Running => m_running;
 
         /// <summary>Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if
@@ -71,7 +68,6 @@ namespace FastPoints.Editor
         /// with its request.</summary>
         public void Add(ImportRequest request) => Add(new[] { request });
 
-        /// <summary>Does the same with many, and writes the file once.</summary>
         public void Add(IReadOnlyList<ImportRequest> requests)
         {
             if (requests.Count == 0)
@@ -86,7 +82,6 @@ namespace FastPoints.Editor
         internal IReadOnlyList<ImportRequest> Unsaved =>
             (m_lock == null || m_isUnsaved) && m_requests.Count > 0 ? m_requests : null;
 
-        /// <summary>Folders that are targets of requests, even if they do not exist.</summary>
         public IEnumerable<string> ReservedPaths
         {
             get
@@ -96,11 +91,8 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>The request for an asset, or null.</summary>
-        /// <param name="asset">Its number.</param>
         public ImportRequest RequestOf(string asset) => m_requests.Find(r => r.Asset == asset);
 
-        /// <summary>The request that makes a folder, or null.</summary>
         public ImportRequest RequestFor(string cloud) => m_requests.Find(r => IsSame(FolderOf(r), cloud));
 
         /// <summary>Continues the running conversion or begins the next one; called once an update.</summary>

@@ -13,7 +13,6 @@ namespace FastPoints.Editor
 
         public List<string> Sources = new List<string>();
 
-        /// <summary>The folder to make. No two requests have the same.</summary>
         public string Cloud;
 
         public Sampler Sampler;
@@ -56,7 +55,6 @@ namespace FastPoints.Editor
     {
         Waiting,
         Running,
-        /// <summary>Paused by the user: others go first.</summary>
         Paused,
         /// <summary>Failed until the user retries or removes it.</summary>
         Failed,

@@ -14,7 +14,6 @@ namespace FastPoints.Editor
         /// <summary>The most points in a converted cloud's picture.</summary>
         const long Budget = 200_000;
 
-        /// <summary>Length of each side.</summary>
         public const int SizePx = 256;
 
         /// <summary>Points in the first wave of files: about one a pixel.</summary>
@@ -32,13 +31,11 @@ namespace FastPoints.Editor
 
         public JobCoroutine Coroutine { get; }
 
-        /// <summary>The picture, when the work is done.</summary>
         public RgbaImage Image => m_image();
 
         static PictureOptions Options => new PictureOptions { WidthPx = SizePx, HeightPx = SizePx, OutlinePoints = 512 };
 
         /// <summary>Draws the top of the octree.</summary>
-        /// <param name="cloud">The folder.</param>
         /// <exception cref="PointCloudException">It cannot be read.</exception>
         public static ThumbnailDrawing OfCloud(string cloud)
         {

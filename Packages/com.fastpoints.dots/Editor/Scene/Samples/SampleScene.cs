@@ -20,21 +20,15 @@ namespace FastPoints.Editor
         /// <param name="fill">Adds the content of the sample.</param>
         public static void Create(Action<PointCloudAsset> fill)
         {
-            // The scan takes a while, and the user may have started play mode by then.
-            if (IsEditing())
-                SampleScan.Get(asset =>
-                {
-                    if (IsEditing() && EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
-                        Create(asset, fill);
-                });
-        }
-
-        /// <summary>Unity cannot make scenes in play mode.</summary>
-        static bool IsEditing()
-        {
             if (EditorApplication.isPlaying)
+            {
+                // Unity would throw.
                 Debug.LogWarning("FastPoints: no scene can be made in play mode: stop it, and choose the sample again");
-            return !EditorApplication.isPlaying;
+                return;
+            }
+            var asset = SampleScan.Get();
+            if (asset != null && EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
+                Create(asset, fill);
         }
 
         static void Create(PointCloudAsset asset, Action<PointCloudAsset> fill)

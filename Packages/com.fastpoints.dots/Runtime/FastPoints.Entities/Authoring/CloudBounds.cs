@@ -26,7 +26,6 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <summary>The box that an asset knows.</summary>
         public static bool TryGet(PointCloudAsset asset, out Bounds local)
         {
             local = default;
@@ -36,7 +35,6 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <summary>The box along the world's axes around a transformed box.</summary>
         public static Bounds Under(Matrix4x4 localToWorld, Bounds local)
         {
             Vector3 half = local.size * 0.5f, reach = default;

@@ -289,7 +289,6 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>A GameObject's transform as entities store it.</summary>
     static class TransformMatrix
     {
         /// <summary>Has an entity follow. One that stands still is not written to: that would complete others' jobs, and tell

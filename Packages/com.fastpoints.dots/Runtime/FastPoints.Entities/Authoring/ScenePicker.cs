@@ -66,7 +66,6 @@ namespace FastPoints.Entities
         PointCloudSystemGroup Group => m_world == null ? PointCloudSystemGroup.ObjectGroup
             : m_world.IsCreated ? m_world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
 
-        /// <summary>Takes the unit and up axis that are set for a cloud.</summary>
         void ReadSettings(Entity cloud)
         {
             if (cloud == Entity.Null)

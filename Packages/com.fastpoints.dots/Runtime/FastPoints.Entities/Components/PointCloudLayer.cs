@@ -9,7 +9,6 @@ namespace FastPoints.Entities
         /// <summary>0 to 31, as that of a GameObject.</summary>
         public int Value;
 
-        /// <summary>See <see cref="Streaming.CloudVisibility"/>.</summary>
         internal ulong Scenes;
 
         internal bool IsHiddenInSceneViews;

@@ -6,7 +6,6 @@ using Unity.Transforms;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Clips clouds by the boxes of entities.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateAfter(typeof(AddCloudsSystem))]

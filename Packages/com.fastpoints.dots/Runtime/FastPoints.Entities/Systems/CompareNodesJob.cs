@@ -23,10 +23,8 @@ namespace FastPoints.Entities
         /// <summary>Scratch: indexed by slot.</summary>
         public NativeList<bool> IsDrawn;
 
-        /// <summary>Entities of nodes that are gone.</summary>
         public NativeList<Entity> Removed;
 
-        /// <summary>Slots whose nodes have no entity.</summary>
         public NativeList<int> Added;
 
         /// <summary>Slots whose entities have a new state, which is in <see cref="Tracked"/> already.</summary>

@@ -14,7 +14,6 @@ namespace FastPoints.Entities
         EntityQuery m_pinned;
         EntityQuery m_tinted;
 
-        /// <summary>The nodes that the last frame changed.</summary>
         NativeList<PointCloudNode> m_set;
 
         protected override void OnCreate()
@@ -77,7 +76,6 @@ namespace FastPoints.Entities
                     cache.SetTint(nodes[i].Slot, tints[i].Rgba);
         }
 
-        /// <returns>Whether the node still exists.</returns>
         bool TrySet(NodeCache cache, PointCloudNode node)
         {
             if (!cache.IsValid(node.Slot, node.SlotVersion))

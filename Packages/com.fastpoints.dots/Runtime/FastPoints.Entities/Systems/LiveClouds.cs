@@ -13,10 +13,8 @@ namespace FastPoints.Entities
         /// <summary>The GameObject of the <see cref="PointCloud"/> that places it; null for none.</summary>
         public GameObject Object;
 
-        /// <summary>Null for none.</summary>
         public OpenedCloud Opened;
 
-        /// <summary>The error of opening the cloud; null if there was none.</summary>
         public string Error;
 
         /// <summary>The source that the stream takes over next; null for none. If the stream has one already, this is a newer
@@ -29,7 +27,6 @@ namespace FastPoints.Entities
 
         public CloudStage Stage;
 
-        /// <summary>The states in the stream; null if there are none.</summary>
         public CloudVersions Versions;
 
         /// <summary>How states that are not <see cref="CloudVersions.Cloud"/> are coloured, by their number in the stream. The

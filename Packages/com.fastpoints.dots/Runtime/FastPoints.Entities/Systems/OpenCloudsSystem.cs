@@ -124,7 +124,6 @@ namespace FastPoints.Entities
             EntityManager.SetComponentData(entity, file);
         }
 
-        /// <summary>Follows the origin of a cloud, and of the world.</summary>
         void Move(Entity entity, in PointCloudFile file, OpenedCloud opened)
         {
             double3 local = default;

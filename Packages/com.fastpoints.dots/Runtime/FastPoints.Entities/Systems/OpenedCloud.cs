@@ -30,7 +30,6 @@ namespace FastPoints.Entities
         /// <summary>The component's values that are applied: users and live baking change them.</summary>
         public PointCloudFile As;
 
-        /// <summary>The absolute path.</summary>
         public string Path { get; }
 
         /// <summary>What the world's shift that is applied, <see cref="WorldShift"/>, moves its origin by, in the space that its
@@ -44,12 +43,10 @@ namespace FastPoints.Entities
         /// <summary>Whether updates change nothing until somebody asks, or a second is over.</summary>
         public bool IsIdle => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsIdle);
 
-        /// <summary>Whether newer states are expected.</summary>
         public bool IsFollowed => m_feed != null && !m_feed.IsEnded;
 
         public bool IsBuildAborted => m_feed != null && m_feed.IsBuildAborted;
 
-        /// <summary>The state that can be taken; null for none.</summary>
         public CloudFacts Newest => m_feed?.Newest;
 
         /// <exception cref="PointCloudException">The cloud cannot be opened or read.</exception>

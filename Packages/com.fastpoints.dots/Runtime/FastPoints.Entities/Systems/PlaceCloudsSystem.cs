@@ -5,7 +5,6 @@ using Unity.Transforms;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Places clouds at the transforms of their entities.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateAfter(typeof(OpenCloudsSystem))]

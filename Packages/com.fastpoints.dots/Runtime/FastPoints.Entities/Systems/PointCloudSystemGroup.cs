@@ -194,7 +194,6 @@ namespace FastPoints.Entities
             return isShown;
         }
 
-        /// <summary>Takes the cameras of the last frame again.</summary>
         internal void ReuseViews() => m_views.AddRange(m_lastViews.AsArray());
 
         unsafe bool HasMoved(NativeArray<StreamView> next) => next.Length > 0 && (next.Length != m_lastViews.Length ||

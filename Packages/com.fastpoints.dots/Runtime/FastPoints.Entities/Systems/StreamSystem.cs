@@ -1,3 +1,4 @@
+using FastPoints.Streaming;
 using Unity.Entities;
 
 namespace FastPoints.Entities
@@ -12,5 +13,13 @@ namespace FastPoints.Entities
             base.OnCreate();
             Group = World.GetOrCreateSystemManaged<PointCloudSystemGroup>();
         }
+    }
+
+    /// <summary>Takes what arrived since the last frame.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    internal partial class ReceiveNodesSystem : StreamSystem
+    {
+        protected override void OnUpdate() => FrameStep.Receive(Group.Stream, ref Group.Stats);
     }
 }

@@ -1,0 +1,42 @@
+using FastPoints.Streaming;
+using Unity.Entities;
+
+// The steps of FrameStep behind ControlNodesSystem, in their order.
+namespace FastPoints.Entities
+{
+    /// <summary>Chooses what the cameras need, and what they will need soon.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    [UpdateAfter(typeof(ControlNodesSystem))]
+    internal partial class SelectNodesSystem : StreamSystem
+    {
+        protected override void OnUpdate() => FrameStep.Select(Group.Stream, Group.Views.AsArray(), ref Group.Stats);
+    }
+
+    /// <summary>Begins to copy nodes into the pool.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    [UpdateAfter(typeof(SelectNodesSystem))]
+    internal partial class UploadNodesSystem : StreamSystem
+    {
+        protected override void OnUpdate() => FrameStep.Upload(Group.Stream, ref Group.Stats);
+    }
+
+    /// <summary>Begins to read nodes, and evicts less useful ones.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    [UpdateAfter(typeof(UploadNodesSystem))]
+    internal partial class RequestNodesSystem : StreamSystem
+    {
+        protected override void OnUpdate() => FrameStep.Request(Group.Stream, ref Group.Stats);
+    }
+
+    /// <summary>Lists what to draw.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    [UpdateAfter(typeof(RequestNodesSystem))]
+    internal partial class ListNodesSystem : StreamSystem
+    {
+        protected override void OnUpdate() => FrameStep.List(Group.Stream, ref Group.Stats);
+    }
+}
