@@ -1,6 +1,5 @@
 namespace FastPoints.Cli;
 
-/// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process returns.</summary>
 public sealed class Failure
 {
     public required string Code { get; init; }
@@ -24,8 +23,6 @@ public sealed class Failure
         };
     }
 
-    /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a
-    /// command as much as a broken one.</param>
     public static Failure Of(Exception e, IReadOnlyCollection<string> inputs)
     {
         if (e is AggregateException { InnerExceptions.Count: 1 } one)

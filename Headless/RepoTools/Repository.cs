@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace FastPoints.RepoTools;
 
-/// <summary>Where things lie in a checkout.</summary>
 public sealed class Repository(string root)
 {
     /// <summary>Unity's generations that the package is built for, oldest first.</summary>
@@ -52,7 +51,6 @@ public sealed class Repository(string root)
         return output.Split('\n').Where(f => f.Length > 0 && File.Exists(Path.Combine(Root, f))).Distinct().ToList();
     }
 
-    /// <summary>The checkout that this program was built in.</summary>
     public static Repository Find()
     {
         for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)

@@ -1,9 +1,7 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier run.</summary>
 public static class BenchReport
 {
-    /// <summary>Times of a chart that are farther apart than this get a logarithmic axis.</summary>
     const double WideRange = 8;
 
     /// <param name="rows">The comparison of each workload, in their order; null without a baseline.</param>
@@ -103,6 +101,5 @@ public static class BenchReport
         return chart;
     }
 
-    /// <summary>Workloads whose names begin alike are shown together.</summary>
     static string FamilyOf(string workload) => workload.Split(' ', ',')[0];
 }

@@ -3,7 +3,6 @@ using System.Text.Encodings.Web;
 
 namespace FastPoints.Cli.Bench;
 
-/// <summary>Workloads' samples as a <see cref="PerformanceRun"/>, to a file and back.</summary>
 public static class PerformanceResults
 {
     /// <summary>Called as Unity's package calls its own.</summary>
@@ -63,7 +62,6 @@ public static class PerformanceResults
         SampleGroups = samples.Series().Where(s => s.Samples.Count > 0).Select(Group).ToList(),
     };
 
-    /// <summary>The figures as the package computes them; the deviation is that of the samples themselves.</summary>
     static SampleGroup Group(SampleSeries series)
     {
         double average = series.Samples.Average();
@@ -82,7 +80,6 @@ public static class PerformanceResults
         };
     }
 
-    /// <summary>Reads a run, or the <c>--json</c> summary of one, which has a median of each workload and no samples.</summary>
     public static PerformanceRun Read(string path)
     {
         try

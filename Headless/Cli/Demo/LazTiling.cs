@@ -14,7 +14,6 @@ public static class LazTiling
     /// <summary>Of the LASzip VLR's payload: the points of a chunk.</summary>
     const int ChunkPointsAt = 12;
 
-    /// <returns>Points written.</returns>
     public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
         using var source = FileSource.Open(path);

@@ -7,12 +7,8 @@ namespace FastPoints.Cli.Preview;
 public static class ThinnedChoice
 {
     const int RunLength = ColumnValues.RunLength;
-
-    /// <summary>Cells along the longest edge for each root of a point wanted, as a refined sample has them.</summary>
     const double CellsPerRootOfPoints = 1.05;
 
-    /// <param name="ranges">Of these points.</param>
-    /// <returns>A batch of its own, in the order of the other.</returns>
     public static unsafe PointBatch Take(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
     {
         var size = ranges.Robust.Size;

@@ -28,7 +28,6 @@ internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
         m_context = library.CreateContext();
     }
 
-    /// <summary>Makes it known to the package, where the system has the library and nobody else has done so.</summary>
     public static void Register()
     {
         if (Decompressors.Zstandard != null)
@@ -78,7 +77,6 @@ internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
         m_context = 0;
     }
 
-    /// <summary>As ZSTD_inBuffer and ZSTD_outBuffer.</summary>
     private struct Piece
     {
         public byte* Start;

@@ -40,7 +40,6 @@ public sealed class WorkloadTestsTests
         Assert.That(BurstCompiler.Options.EnableBurstCompileSynchronously, Is.EqualTo(was));
     }
 
-    /// <summary>Numbers in the JSON are this enum's, which the shared code does not see.</summary>
     [TestCase(SeriesUnit.Millisecond, SampleUnit.Millisecond)]
     [TestCase(SeriesUnit.Byte, SampleUnit.Byte)]
     [TestCase(SeriesUnit.Undefined, SampleUnit.Undefined)]

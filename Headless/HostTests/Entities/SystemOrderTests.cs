@@ -42,7 +42,6 @@ public sealed class SystemOrderTests
         Assert.That(logged, Is.Empty);
     }
 
-    /// <summary>The editor's world takes systems that say Editor, and no others; a group's flags are not its systems'.</summary>
     [Test]
     public void Systems_All_AreOfTheEditorsWorldAndOfPlayers()
     {

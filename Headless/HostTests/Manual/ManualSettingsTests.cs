@@ -3,8 +3,6 @@ using System.Reflection;
 
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>The tables of settings.md against the components and the settings page: each visible field has its row, with the
-/// inspector's name, the default and the range.</summary>
 public sealed class ManualSettingsTests
 {
     static readonly Type[] s_components = typeof(PointCloudSettings).Assembly.GetTypes()

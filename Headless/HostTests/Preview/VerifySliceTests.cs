@@ -50,7 +50,6 @@ namespace FastPoints.HostTests.Preview
             Assert.That(runs[typeof(MeasureSpacingJob)].Count, Is.GreaterThanOrEqualTo(sampled / maxSearched));
         }
 
-        /// <param name="spacing">Less than between most neighbours, more than between many, and more than between all.</param>
         [TestCase(0.001)]
         [TestCase(0.02)]
         [TestCase(2)]

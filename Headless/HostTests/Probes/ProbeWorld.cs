@@ -13,7 +13,6 @@ sealed class ProbeWorld : IDisposable
     readonly ScratchFolder m_scratch = new ScratchFolder();
     readonly string m_cloud;
 
-    /// <param name="world">That has the package's systems.</param>
     internal ProbeWorld(World world)
     {
         World = world;
@@ -36,7 +35,6 @@ sealed class ProbeWorld : IDisposable
 
     internal Entity AddCloud() => AddCloud(Entities);
 
-    /// <summary>To another world, too.</summary>
     internal Entity AddCloud(EntityManager entities)
     {
         var entity = entities.CreateEntity(ComponentType.ReadWrite<LocalToWorld>());

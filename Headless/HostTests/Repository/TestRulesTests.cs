@@ -40,7 +40,6 @@ public sealed class TestRulesTests
         Assert.That(problems, reported == null ? Is.Empty : Has.Some.Contains(reported));
     }
 
-    /// <summary>A filter that only leaves out runs explicit tests as well.</summary>
     [Test]
     public void Workflow_OfTests_LeavesLongTestsOut()
     {

@@ -5,7 +5,6 @@ using UnityEditor.SceneManagement;
 
 namespace FastPoints.HostTests.Samples;
 
-/// <summary>The menu commands of samples, and the scan that their scenes show.</summary>
 public sealed class SampleSceneTests
 {
     EditorProject m_project;
@@ -33,7 +32,6 @@ public sealed class SampleSceneTests
 
     string Street => m_project.Paths.Absolute("PointClouds/street.las");
 
-    /// <summary>A smaller one in its place: what is there is not scanned again.</summary>
     void PutSmallStreet()
     {
         Directory.CreateDirectory(Path.GetDirectoryName(Street));
@@ -66,7 +64,6 @@ public sealed class SampleSceneTests
         Assert.That(before == null, Is.True);
     }
 
-    /// <summary>Whatever fails: the next request begins anew.</summary>
     [Test]
     public void Get_PlaceThatCannotBeMade_ReportsItAndCanBeAskedAgain()
     {
@@ -162,7 +159,6 @@ public sealed class SampleSceneTests
         Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"), Has.Length.EqualTo(1));
     }
 
-    /// <summary>What the scan is, and its source, are for nobody's version control.</summary>
     [Test]
     public void Get_MakesThePlaceAsOthersDo()
     {
@@ -171,7 +167,6 @@ public sealed class SampleSceneTests
         Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
     }
 
-    /// <summary>Of a team's clone: the asset is there, the scan is not.</summary>
     [Test]
     public void Get_AssetWithoutItsScan_MakesItAgain()
     {

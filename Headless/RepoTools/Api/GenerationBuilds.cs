@@ -72,7 +72,6 @@ public sealed class GenerationBuilds : IDisposable
         return new[] { inPackages, inSdk }.Where(Directory.Exists);
     }
 
-    /// <summary>What was read is what is found: a definition has one identity, whoever refers to it.</summary>
     private sealed class Resolver : DefaultAssemblyResolver
     {
         internal void Register(AssemblyDefinition assembly) => RegisterAssembly(assembly);

@@ -14,7 +14,6 @@ public sealed class FlowGraph
     private readonly HashSet<string> m_functions = new HashSet<string>();
     private readonly ILookup<string, SourceFile> m_filesOf;
 
-    /// <param name="filesOf">By the full name of a type that lies in no other; a partial type has several.</param>
     public FlowGraph(IEnumerable<ModuleDefinition> modules, ILookup<string, SourceFile> filesOf)
     {
         m_filesOf = filesOf;
@@ -30,8 +29,6 @@ public sealed class FlowGraph
         }
     }
 
-    /// <summary>The types that functions reach, in no order. Throws ToolException where there is no such function.</summary>
-    /// <param name="functions">Namespace.Type.Method</param>
     public IReadOnlyCollection<string> Reach(IEnumerable<string> functions)
     {
         var reached = new HashSet<string>();
@@ -53,7 +50,6 @@ public sealed class FlowGraph
     public IReadOnlyList<SourceFile> FilesOf(IEnumerable<string> types) =>
         types.SelectMany(t => m_filesOf[t]).Distinct().OrderBy(f => f.Path, StringComparer.Ordinal).ToList();
 
-    /// <summary>Where rooms of some types name one another in a circle: an edge of it and an example each.</summary>
     public IEnumerable<string> Circles(IReadOnlyCollection<string> types)
     {
         Dictionary<string, Dictionary<string, string>> edges = new();

@@ -54,7 +54,6 @@ public static class AssemblyReferences
             .Concat(s_testRunner).ToArray(),
     };
 
-    /// <summary>What an asmdef says against the table; an assembly that is not in the table needs its row first.</summary>
     public static IEnumerable<string> CheckTable(Asmdef asmdef)
     {
         if (!s_mayReference.TryGetValue(asmdef.Name, out string[]? allowed))

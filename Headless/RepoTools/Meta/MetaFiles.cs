@@ -54,7 +54,6 @@ public sealed class MetaFiles(string packageRoot)
         return new ToolResult($"{assets.Count} files and folders, {written} written, {orphans.Count} removed", problems);
     }
 
-    /// <summary>Gives a file without .meta the one that was left behind by a file of its name, where that is plain.</summary>
     private int Adopt(List<string> missing, List<string> orphans, SortedDictionary<string, MetaText> texts)
     {
         int adopted = 0;
@@ -83,7 +82,6 @@ public sealed class MetaFiles(string packageRoot)
     private Importer ImporterOf(string asset) => Importer.Of(asset, Directory.Exists(PathOf(asset)));
     private string PathOf(string asset) => Path.Combine(m_root, asset);
 
-    /// <summary>A hash of the path; of the path and a number where a file that was born here lives elsewhere now.</summary>
     private static string Birth(string asset, HashSet<string> taken)
     {
         for (int i = 0; ; i++)

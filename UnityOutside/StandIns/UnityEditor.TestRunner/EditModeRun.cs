@@ -17,13 +17,10 @@ sealed class EditModeRun(Type fixture, string test)
 
     readonly Type m_class = fixture;
     readonly MethodInfo m_test = fixture.GetMethod(test);
-
-    /// <summary>How far it has come; this outlives a reload.</summary>
     int m_setUps, m_tearDowns, m_step;
     bool m_hasRun;
     Exception m_failure;
 
-    /// <summary>Throws what the test, or what is around it, has thrown first.</summary>
     public void Run()
     {
         while (!Continue())
@@ -32,7 +29,6 @@ sealed class EditModeRun(Type fixture, string test)
             ExceptionDispatchInfo.Throw(m_failure);
     }
 
-    /// <returns>False where scripts are to be loaded anew.</returns>
     bool Continue()
     {
         object fixture = Activator.CreateInstance(m_class);
@@ -84,10 +80,8 @@ sealed class EditModeRun(Type fixture, string test)
         return true;
     }
 
-    /// <summary>A frame between two steps of a test, as a host makes it; without any, none.</summary>
     internal Action Frame;
 
-    /// <summary>In batch mode there is no Game view: only what a script draws is drawn.</summary>
     void NextFrame()
     {
         if (Frame != null && !Application.isBatchMode && Camera.main != null && Camera.main.targetTexture != null)
@@ -121,7 +115,6 @@ sealed class EditModeRun(Type fixture, string test)
         }
     }
 
-    /// <summary>Those of what the class derives from come first.</summary>
     List<MethodInfo> Methods<T>() where T : Attribute
     {
         var found = new List<MethodInfo>();

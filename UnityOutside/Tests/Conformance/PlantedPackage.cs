@@ -83,7 +83,6 @@ internal sealed class PlantedPackage : IDisposable
     internal void Emit(OpCode code, MethodReference method) => m_method.Body.GetILProcessor().Emit(code, method);
     internal void Emit(OpCode code, FieldReference field) => m_method.Body.GetILProcessor().Emit(code, field);
 
-    /// <summary>A class or struct in the planted assembly.</summary>
     internal TypeDefinition Add(string name, bool isValue, TypeReference baseType = null, TypeReference implements = null)
     {
         TypeReference parent = baseType ?? (isValue

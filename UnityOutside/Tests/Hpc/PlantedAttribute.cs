@@ -8,7 +8,6 @@ internal sealed class PlantedAttribute(string reported = null) : Attribute
 {
     public string Reported { get; } = reported;
 
-    /// <summary>All that is planted in a class.</summary>
     internal static IEnumerable<(Type Type, string Reported)> In(Type type) => type.GetNestedTypes(BindingFlags.NonPublic)
         .Select(t => (Type: t, Planted: t.GetCustomAttribute<PlantedAttribute>())).Where(p => p.Planted != null)
         .Select(p => (p.Type, p.Planted.Reported));

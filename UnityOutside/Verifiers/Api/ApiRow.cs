@@ -30,7 +30,6 @@ public sealed record ApiRow(
     public bool IsIn(string generation) => In == "*" || In.Split(',').Contains(generation)
         || (generation != "6000.0" && In.Split(',').Contains(HdrpGeneration));
 
-    /// <summary>A flag as the list names it: static, get, set, protected, ref-return, ...</summary>
     public bool Has(string flag)
     {
         int value = Flags.IndexOf('=');
@@ -41,7 +40,6 @@ public sealed record ApiRow(
     /// <summary>A constant's or an enum value's text; null where the line has none.</summary>
     public string? Value => Flags.IndexOf('=') is var at && at >= 0 ? Flags[(at + 1)..] : null;
 
-    /// <summary>Whether using it was an error in that generation.</summary>
     public bool IsError(string generation)
     {
         foreach (string state in Obsolete.Split(',', StringSplitOptions.RemoveEmptyEntries))
@@ -54,7 +52,6 @@ public sealed record ApiRow(
         return false;
     }
 
-    /// <summary>The line as it was in an older generation.</summary>
     public ApiRow As(string generation)
     {
         ApiRow row = this;

@@ -167,7 +167,6 @@ public sealed class Conformance(UnityApi api, string generation, AssemblyTable a
         }
     }
 
-    /// <summary>On the type that the IL names or, as C# lets one write, on one that it derives from.</summary>
     private ApiRow? FindMethod(ApiRow type, MethodReference method)
     {
         for (ApiRow? at = type; at != null; at = at.Type.Length == 0 ? null : m_api.Find("T:" + at.Type, m_generation))
@@ -193,7 +192,6 @@ public sealed class Conformance(UnityApi api, string generation, AssemblyTable a
         Same(shown, "is of type", sets ? row.Type : ReturnOf(row), type);
     }
 
-    /// <summary>What the IL of a call does not show (in, ref and out are all '@') the stand-in's definition does.</summary>
     private void CheckParameters(ApiRow row, MethodReference method, string shown)
     {
         MethodDefinition? definition = Resolution.Of(method);

@@ -3,7 +3,6 @@ namespace UnityOutside.Api;
 /// <summary>Whose an assembly is, and what Unity calls the one that a line of the list is in.</summary>
 public static class Origins
 {
-    /// <summary>The assembly that a type is declared in, by name.</summary>
     public static string AssemblyOf(TypeReference type)
     {
         IMetadataScope scope = type.GetElementType().Scope;

@@ -10,7 +10,6 @@ public sealed class StandInAudit(UnityApi fullApi)
     private readonly UnityApi m_api = fullApi;
     private readonly List<string> m_problems = new List<string>();
 
-    /// <summary>"", in, out or ref.</summary>
     public static string KindOf(ParameterDefinition parameter)
     {
         if (!(parameter.ParameterType is ByReferenceType || parameter.ParameterType is RequiredModifierType))

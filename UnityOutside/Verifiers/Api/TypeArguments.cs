@@ -6,8 +6,6 @@ internal sealed class TypeArguments(UnityApi api, string generation)
     private readonly UnityApi m_api = api;
     private readonly string m_generation = generation;
 
-    /// <summary>One text for each argument that does not fit, such as "T = FastPoints.X is not unmanaged".</summary>
-    /// <param name="constraints">The list's column: "T:unmanaged&amp;Some.Interface; U".</param>
     internal IEnumerable<string> Misfits(string constraints, IReadOnlyList<TypeReference> arguments,
         IReadOnlyList<TypeReference> typeArguments, IReadOnlyList<TypeReference> methodArguments)
     {
@@ -121,7 +119,6 @@ internal sealed class TypeArguments(UnityApi api, string generation)
         return UnityImplements($"T:{signature[..brace]}`{arguments.Count}", arguments, wanted);
     }
 
-    /// <summary>Types separated by ", ", not within braces.</summary>
     internal static IEnumerable<string> SplitTypes(string detail)
     {
         int depth = 0;

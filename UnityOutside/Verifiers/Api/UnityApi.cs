@@ -40,7 +40,6 @@ public sealed class UnityApi
         return api;
     }
 
-    /// <summary>The committed list of what is used.</summary>
     public static UnityApi LoadUsed(string file) => Read(Path.GetFileName(file), new StringReader(File.ReadAllText(file)));
 
     public static UnityApi Read(string name, TextReader lines)
@@ -59,10 +58,8 @@ public sealed class UnityApi
         return row.As(generation);
     }
 
-    /// <summary>The line of that id in whatever generation.</summary>
     public ApiRow? FindAny(string id) => m_rows.GetValueOrDefault(id);
 
-    /// <summary>The members that a type itself declares, in that generation. Counts as asked for.</summary>
     public IEnumerable<ApiRow> Members(string typeId, string generation)
     {
         if (!m_membersOfType.TryGetValue(typeId, out List<ApiRow>? members))

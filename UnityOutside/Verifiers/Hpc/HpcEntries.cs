@@ -17,7 +17,6 @@ public static class HpcEntries
     public static bool IsDiscarded(ICustomAttributeProvider method) =>
         method.CustomAttributes.Any(a => a.AttributeType.FullName == "Unity.Burst.BurstDiscardAttribute");
 
-    /// <summary>The methods through which a job is run.</summary>
     internal static IEnumerable<MethodDefinition> OfJob(TypeDefinition job)
     {
         List<string> names = JobInterfaces(job)

@@ -25,8 +25,6 @@ internal static class HpcLayout
         return marshalled == null ? null : $"{type.Name} with {marshalled.Name} {HpcSignature.As(marshalled)}";
     }
 
-    /// <summary>The same for a type and all that it holds, where it is only named: a size asked for, a generic
-    /// argument.</summary>
     internal static string? OfAll(TypeReference type) => OfAll(type, new HashSet<string>());
 
     private static string? OfAll(TypeReference type, HashSet<string> seen)

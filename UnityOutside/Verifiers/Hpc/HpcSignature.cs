@@ -66,7 +66,6 @@ internal static class HpcSignature
             : null;
     }
 
-    /// <summary>A struct that is a single pointer or integer, which is passed as such.</summary>
     private static bool IsHandle(TypeReference type)
     {
         List<FieldDefinition>? fields = Resolution.Of(type)?.Fields.Where(f => !f.IsStatic).ToList();

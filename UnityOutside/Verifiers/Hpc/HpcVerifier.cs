@@ -13,10 +13,8 @@ public sealed class HpcVerifier
     private readonly Queue<HpcVisit> m_visits = new Queue<HpcVisit>();
     private string m_entry = "";
 
-    /// <param name="modules">What is walked; whatever else is called is a boundary.</param>
     public HpcVerifier(IEnumerable<ModuleDefinition> modules) => m_modules = modules.ToHashSet();
 
-    /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
     public int WalkedCount { get; private set; }
 
     /// <summary>One line for each thing that Burst would reject in what those types start: entry, calls, place, why.</summary>
@@ -80,7 +78,6 @@ public sealed class HpcVerifier
         }
     }
 
-    /// <summary>Whether what that module declares is walked, rather than a boundary.</summary>
     internal bool IsWalked(ModuleDefinition module) => m_modules.Contains(module);
 
     internal void Report(string problem) => m_problems.Add($"{m_entry}: {problem}");

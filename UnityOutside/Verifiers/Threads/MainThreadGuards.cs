@@ -14,9 +14,6 @@ public sealed class MainThreadGuards(ThreadTable table)
 
     private readonly ThreadTable m_table = table;
 
-    /// <summary>Guards a stand-in, its file and its symbols; one that is guarded stays as it is.</summary>
-    /// <param name="references">Assemblies that its types derive from.</param>
-    /// <returns>How many members were guarded.</returns>
     public int Guard(string file, IEnumerable<string> references)
     {
         using var resolver = new DefaultAssemblyResolver();

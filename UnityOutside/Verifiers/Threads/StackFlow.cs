@@ -28,7 +28,6 @@ internal sealed class StackFlow
             yield return at.Next;
     }
 
-    /// <summary>How many values a call takes: the object first, where it has one.</summary>
     internal static int ArgumentCount(Instruction call)
     {
         var method = (IMethodSignature)call.Operand;

@@ -1,6 +1,5 @@
 namespace UnityOutside.Threads;
 
-/// <summary>Where Allocator.Temp is given to a call.</summary>
 internal static class TempMemory
 {
     private const int Temp = 2;

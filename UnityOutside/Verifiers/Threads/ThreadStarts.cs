@@ -15,7 +15,6 @@ internal static class ThreadStarts
         "System.Runtime.CompilerServices.ConfiguredTaskAwaitable`1/ConfiguredTaskAwaiter",
     };
 
-    /// <summary>Whether delegates that are handed to it run elsewhere.</summary>
     internal static bool IsStart(MethodReference called) => s_types.Contains(called.DeclaringType.GetElementType().FullName)
         || called.FullName.Contains("UnityEngine.Application::add_logMessageReceivedThreaded(", StringComparison.Ordinal)
         || (called.Name == "BeginInvoke" && TypeRelations.IsDelegate(called.DeclaringType));

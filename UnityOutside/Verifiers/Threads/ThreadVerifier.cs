@@ -21,7 +21,6 @@ public sealed class ThreadVerifier
     private readonly Queue<Visit> m_visits = new Queue<Visit>();
 
     /// <param name="modules">What is walked; whatever else is called is looked up in the table, or .NET's.</param>
-    /// <param name="nested">Whose stack of work is followed.</param>
     public ThreadVerifier(IEnumerable<ModuleDefinition> modules, ThreadTable table, string generation, NestedWork nested)
     {
         m_code = new CodeIndex(modules);
@@ -31,13 +30,11 @@ public sealed class ThreadVerifier
         m_nested = nested;
     }
 
-    /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
     public int WalkedCount { get; private set; }
 
     /// <summary>Where other threads begin, in words.</summary>
     public IEnumerable<string> Roots => ThreadRoots.Of(m_code, m_origins).Select(r => r.Name);
 
-    /// <summary>One line for each fault in what those types start: root, calls, place, what.</summary>
     public IReadOnlyCollection<string> Verify(Func<TypeDefinition, bool> isAsked)
     {
         m_problems.Clear();
@@ -67,7 +64,6 @@ public sealed class ThreadVerifier
         }
     }
 
-    /// <summary>One method of a walk.</summary>
     private sealed class Walker(ThreadVerifier verifier, ThreadRoot root, Visit? visit)
     {
         private readonly ThreadVerifier m_verifier = verifier;
@@ -174,7 +170,6 @@ public sealed class ThreadVerifier
         private IReadOnlyCollection<Value> Argument(Instruction at, int index) =>
             m_verifier.m_origins.Argument(Method, m_visit!.Self, at, index);
 
-        /// <summary>On each object that is known; on any, where one is not.</summary>
         private void FollowOn(Instruction at, MethodReference called)
         {
             IReadOnlyCollection<Value> objects = at.OpCode.Code == Code.Newobj
@@ -186,7 +181,6 @@ public sealed class ThreadVerifier
                 Follow(called, Scope, self);
         }
 
-        /// <summary>A call on a type parameter or a struct: what it comes to is known when the type is.</summary>
         private void Constrained(MethodReference called, TypeReference type)
         {
             if (type is GenericParameter || !type.IsValueType)
@@ -268,8 +262,6 @@ public sealed class ThreadVerifier
             }
         }
 
-        /// <summary>Code outside calls a type argument's methods by its constraints: a comparer's, a job's that is run on
-        /// the spot.</summary>
         private void TypeArguments(GenericInstanceMethod called)
         {
             MethodDefinition? definition = Resolution.Of(called);
@@ -303,7 +295,6 @@ public sealed class ThreadVerifier
             Judge(DocId.OfField(field), m_verifier.m_table.Find(field), "");
         }
 
-        /// <summary>The static constructor, which the first use runs.</summary>
         private void Initialize(TypeDefinition type, GenericScope scope, bool isField)
         {
             MethodDefinition? constructor = type.Methods.FirstOrDefault(m => m.Name == ".cctor");

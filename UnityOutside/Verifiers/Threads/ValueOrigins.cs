@@ -17,7 +17,6 @@ internal sealed class ValueOrigins(CodeIndex code)
         new Dictionary<(Instruction, string?), IReadOnlyList<Value>>();
 
     /// <summary>What may be an argument of a call; 0 is the object, where it has one.</summary>
-    /// <param name="self">The object that the calling method works on, where it is known.</param>
     internal IReadOnlyCollection<Value> Argument(MethodDefinition method, Value? self, Instruction call, int index)
     {
         if (m_known.TryGetValue((call, index, self?.Key), out IReadOnlyCollection<Value>? known))
@@ -43,7 +42,6 @@ internal sealed class ValueOrigins(CodeIndex code)
             .Select(t => Implementation(t, called, scope)).Where(t => t != null).Select(t => t!.Value).Distinct();
     }
 
-    /// <summary>The method that a type, or the nearest of those that it derives from, has for another's.</summary>
     internal static (MethodDefinition Method, TypeReference Type)? Implementation(TypeReference type, MethodReference called,
         GenericScope scope)
     {

@@ -15,10 +15,7 @@ namespace FastPoints.Evaluation
     /// with.</summary>
     public sealed class RangeSampler : IDisposable
     {
-        /// <summary>Reads in flight for short ranges.</summary>
         const int SlotsForShortRanges = 16;
-
-        /// <summary>Points of a range that is short.</summary>
         const int ShortRange = 4096;
 
         readonly PointReader m_reader;
@@ -29,8 +26,6 @@ namespace FastPoints.Evaluation
         readonly int m_longest;
 
         /// <param name="reader">Its blocks must be known.</param>
-        /// <param name="wanted">Points; no more than the ranges hold and than <see cref="PreviewSample.MaxPoints"/> are
-        /// taken.</param>
         public RangeSampler(PointReader reader, IReadOnlyList<BlockRange> ranges, int wanted)
         {
             m_reader = reader;
@@ -50,7 +45,6 @@ namespace FastPoints.Evaluation
 
         public long BytesRead { get; private set; }
 
-        /// <summary>All points of a source, block by block.</summary>
         public static List<BlockRange> Whole(PointReader reader) => Beginnings(reader, 1);
 
         /// <summary>A share, 0 to 1, of each block from its beginning; at least one point.</summary>
@@ -66,7 +60,6 @@ namespace FastPoints.Evaluation
             return ranges;
         }
 
-        /// <summary>The first points of a source.</summary>
         public static List<BlockRange> First(PointReader reader, long points)
         {
             var ranges = new List<BlockRange>();
@@ -80,7 +73,6 @@ namespace FastPoints.Evaluation
             return ranges;
         }
 
-        /// <summary>Every n-th point of a source on its own, n = all / points: for sources of a fixed stride.</summary>
         public static List<BlockRange> Single(PointReader reader, int points)
         {
             var ranges = new List<BlockRange>(points);
@@ -95,7 +87,6 @@ namespace FastPoints.Evaluation
             return ranges;
         }
 
-        /// <summary>Coroutine, once.</summary>
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             Points = new PointBatch(m_schema, Math.Max(1, m_wanted), Allocator.Persistent);
@@ -163,7 +154,6 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>Hands the points over, once.</summary>
         public PointBatch TakePoints()
         {
             var points = Points;
@@ -178,8 +168,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Appends, of the points of a decoded range, those that a regular choice falls on: the k-th choice of
-    /// <see cref="Wanted"/> is point floor(k * Total / Wanted).</summary>
     [BurstCompile]
     public struct AppendPicksJob : IJob
     {
@@ -189,17 +177,13 @@ namespace FastPoints.Evaluation
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfRange;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
-        /// <summary>Where the range begins among the <see cref="Total"/> points to choose from.</summary>
         public long FirstPoint;
         public long Total;
-
-        /// <summary>No more than <see cref="Total"/>, and than the sample has places.</summary>
         public int Wanted;
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
         public NativeArray<byte> Sample;
 
-        /// <summary>Places filled so far.</summary>
         public NativeReference<int> Filled;
 
         public unsafe void Execute()
@@ -230,7 +214,6 @@ namespace FastPoints.Evaluation
             Filled.Value = filled;
         }
 
-        /// <summary>The first choice at a point or behind it: ceil(point * Wanted / Total).</summary>
         long FirstChoiceFrom(long point) => (point * Wanted + Total - 1) / Total;
     }
 }

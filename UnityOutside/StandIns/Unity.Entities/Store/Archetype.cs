@@ -52,8 +52,6 @@ sealed class Archetype : IDisposable
         return Count++;
     }
 
-    /// <summary>The last row takes the removed one's place.</summary>
-    /// <returns>The entity that moved, or <see cref="Entity.Null"/>.</returns>
     public Entity Remove(int row)
     {
         int last = --Count;

@@ -22,7 +22,6 @@ namespace FastPoints.Tests.Build
             return bytes;
         }
 
-        /// <summary>As a network gives it: in pieces of a few bytes to a few thousand. Waits where it is told to.</summary>
         sealed class Trickle : MemoryStream
         {
             readonly System.Random m_random = new System.Random(2);

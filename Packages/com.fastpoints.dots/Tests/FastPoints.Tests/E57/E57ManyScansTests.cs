@@ -9,7 +9,6 @@ using static FastPoints.Tests.E57.E57TestScans;
 
 namespace FastPoints.Tests.E57
 {
-    /// <summary>Several scans of one file as one cloud: their poses, their grids, and fields that not all of them have.</summary>
     public class E57ManyScansTests
     {
         [Test]

@@ -175,7 +175,6 @@ namespace FastPoints.Tests.Entities
             m_world.Dispose();
         }
 
-        /// <summary>In edit mode no frame comes but those that are asked for.</summary>
         [Test]
         public void NeedsFrame_HierarchyThatIsReadPageByPage_IsTrueUntilAllIsShown()
         {
@@ -254,7 +253,6 @@ namespace FastPoints.Tests.Entities
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
 
-        /// <summary>A reload of scripts at any moment.</summary>
         [Test]
         public void Dispose_OfTheWorldInTheMiddleOfAPreview_FreesAll()
         {

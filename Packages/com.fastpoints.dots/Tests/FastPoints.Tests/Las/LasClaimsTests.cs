@@ -12,7 +12,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Las
 {
-    /// <summary>Headers that lie: what can be saved is offered with a warning, the rest is one line.</summary>
     public class LasClaimsTests
     {
         const int CountAt = 107, Count64At = 247;

@@ -60,7 +60,6 @@ namespace FastPoints.Tests.Las
             return this;
         }
 
-        /// <summary>Seeded bytes in every field; positions within the default bounds.</summary>
         public LasTestFile RandomPoints(int count, int seed = 1)
         {
             var random = new Random(seed);
@@ -124,7 +123,6 @@ namespace FastPoints.Tests.Las
             return file.ToArray();
         }
 
-        /// <summary>Writes the file.</summary>
         public LasTestFile Save() => Save(ToBytes());
 
         public LasTestFile Save(byte[] bytes)
@@ -133,7 +131,6 @@ namespace FastPoints.Tests.Las
             return this;
         }
 
-        /// <summary>Writes the file with one field changed.</summary>
         public LasTestFile SaveWith(int at, byte[] field)
         {
             var bytes = ToBytes();

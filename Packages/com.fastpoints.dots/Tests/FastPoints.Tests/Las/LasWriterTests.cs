@@ -123,7 +123,6 @@ namespace FastPoints.Tests.Las
                 Throws.ArgumentException);
         }
 
-        /// <summary>The points of a file, under the schema of a writer's settings.</summary>
         static PointBatch Batch(LasWriterSettings settings, LasTestFile file, out PointSchema schema)
         {
             var attributes = new System.Collections.Generic.List<PointAttribute>();

@@ -10,7 +10,6 @@ using Unity.Collections;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Decoder states that are kept between ranges of a block.</summary>
     public class LazStateTests
     {
         static IEnumerable<int[]> FormatsAndSelections()

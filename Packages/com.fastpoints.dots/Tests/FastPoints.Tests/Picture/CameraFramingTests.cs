@@ -77,7 +77,6 @@ namespace FastPoints.Tests.Picture
             }
         }
 
-        /// <summary>Where nearly all points are is a little larger than one place.</summary>
         [Test]
         public void Frame_OnePlaceFarOut_IsSeenFromAUnitAwayOrMore([Values(0, 1e-7)] double size)
         {

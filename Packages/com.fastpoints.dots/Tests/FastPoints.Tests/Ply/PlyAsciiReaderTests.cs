@@ -132,7 +132,6 @@ namespace FastPoints.Tests.Ply
             }
         }
 
-        /// <summary>A line that ends, starts or runs on exactly where a block does.</summary>
         [Test]
         public void Read_LineAtABlockBorder_BelongsToTheBlockItStartsIn([Range(-4, 8)] int shift)
         {

@@ -14,7 +14,6 @@ namespace FastPoints.Tests.Ply
 
         public long Length => m_bytes.Length;
 
-        /// <summary>A header with these lines between format and end_header.</summary>
         public static PlyTestFile WithHeader(string format, params string[] lines) =>
             new PlyTestFile("ply\nformat " + format + " 1.0\n" + string.Join("\n", lines) + "\nend_header\n");
 
@@ -26,7 +25,6 @@ namespace FastPoints.Tests.Ply
             return this;
         }
 
-        /// <summary>Numbers of any type, in the order of the machine or turned round.</summary>
         public PlyTestFile Values(bool isBigEndian, params object[] values)
         {
             foreach (object value in values)

@@ -11,7 +11,6 @@ using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Reading
 {
-    /// <summary>Everything that a reader gives of a file, read block by block.</summary>
     sealed class FileContents
     {
         readonly Dictionary<string, MemoryStream> m_bytesOfName = new Dictionary<string, MemoryStream>();
@@ -31,7 +30,6 @@ namespace FastPoints.Tests.Reading
             return OfE57(file.Path, names);
         }
 
-        /// <summary>Reads the attributes of these names, or all where none are named; disposes the reader.</summary>
         static FileContents Read(PointReader opened, string[] names)
         {
             using var reader = opened;

@@ -14,7 +14,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Sampling
 {
-    /// <summary>Estimates against all points of clouds of very uneven density, in orders good and bad.</summary>
     [Category("Smoke")]
     public class DensityEstimateTests : FolderTests
     {
@@ -25,14 +24,11 @@ namespace FastPoints.Tests.Sampling
         {
             ScanLines,
             Curve,
-
-            /// <summary>Neighbours together, and what is together anywhere.</summary>
             Patches,
 
             Chance,
         }
 
-        /// <summary>A hilly surface whose density goes with the inverse square of the distance from four places.</summary>
         static double3[] Cloud(Order order, uint seed)
         {
             var random = new System.Random((int)seed);
@@ -80,7 +76,6 @@ namespace FastPoints.Tests.Sampling
             return Estimate(sampler.Sample);
         }
 
-        /// <summary>Points of the cloud in each leaf.</summary>
         static int[] Count(IReadOnlyList<DensityLeaf> leaves, double3[] points)
         {
             var edges = leaves.Select(l => l.Edge).Distinct().ToArray();
@@ -172,7 +167,6 @@ namespace FastPoints.Tests.Sampling
             Assert.That(results[0], Is.EqualTo(results[1]));
         }
 
-        /// <summary>Blocks of which only prefixes are cheap.</summary>
         static MemoryPointReader Blocks(double3[] points)
         {
             var batch = TestBatches.New(Points, TestBatches.Xyz(AttributeType.Float64));

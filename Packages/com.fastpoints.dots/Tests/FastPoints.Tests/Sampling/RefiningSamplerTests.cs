@@ -85,7 +85,6 @@ namespace FastPoints.Tests.Sampling
             Assert.That(waves, Is.EqualTo(2));
         }
 
-        /// <summary>Of a point of <see cref="Square"/>.</summary>
         static int IndexOf((int X, int Y, int Z) point) =>
             (point.Y / 20 * 10 + point.X / 20) * 1600 + point.Z * 400 + point.Y % 20 * 20 + point.X % 20;
 

@@ -56,8 +56,6 @@ namespace FastPoints.Tests.Streaming
             return hashes.ToArray();
         }
 
-        /// <summary>Read from the files, and brought to the source's grid in double.</summary>
-        /// <param name="names">Of the attributes, in the order of the streamed planes' columns.</param>
         public static ulong[] Of(string path, CloudGrid grid, params string[] names)
         {
             var hashes = new List<ulong>();
@@ -71,7 +69,6 @@ namespace FastPoints.Tests.Streaming
             return hashes.ToArray();
         }
 
-        /// <summary>Those of a batch, in the same way.</summary>
         public static ulong[] Of(PointBatch points, PositionTransform transform, CloudGrid grid, params string[] names)
         {
             var hashes = new List<ulong>();

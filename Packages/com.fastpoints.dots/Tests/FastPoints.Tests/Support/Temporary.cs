@@ -28,11 +28,9 @@ namespace FastPoints.Tests.Support
 
         public string Path { get; private set; }
 
-        /// <summary>A path in it.</summary>
         public string File(string relative) =>
             System.IO.Path.Combine(Path, relative.Replace('/', System.IO.Path.DirectorySeparatorChar));
 
-        /// <returns>The file's path.</returns>
         public string Write(string relative, byte[] bytes)
         {
             string path = File(relative);
@@ -43,7 +41,6 @@ namespace FastPoints.Tests.Support
 
         public string Write(string relative, string text) => Write(relative, Encoding.UTF8.GetBytes(text));
 
-        /// <summary>Renames the folder.</summary>
         public void Move()
         {
             Directory.Move(Path, Path + " moved");
@@ -57,7 +54,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>Tests of which each has a folder of its own.</summary>
     public abstract class FolderTests
     {
         protected TemporaryFolder Folder { get; private set; }

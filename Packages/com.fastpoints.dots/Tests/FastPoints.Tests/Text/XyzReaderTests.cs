@@ -35,7 +35,6 @@ namespace FastPoints.Tests.Text
             return reader;
         }
 
-        /// <summary>All points as text: each stored value, positions with their scale, by line.</summary>
         static List<string> Points(PointReader reader, params string[] names)
         {
             var schema = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
@@ -276,7 +275,6 @@ namespace FastPoints.Tests.Text
                 Assert.That(reader.Info.HasPointsClaimed, Is.False);
         }
 
-        /// <summary>Lines over block borders, in any order of blocks and ranges.</summary>
         [Test]
         public void Read_ManyBlocks_InAnyOrder()
         {

@@ -13,8 +13,6 @@ sealed unsafe class GpuBuffer
     internal byte* Mapped => Allocation.Mapped;
 
     /// <summary>A buffer, or null where there is no memory for it.</summary>
-    /// <param name="isForHost">In memory that the host sees.</param>
-    /// <param name="isRead">The host reads it: cached, where there is such memory.</param>
     internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, VkBufferUsageFlags usage, bool isForHost,
         bool isRead = false)
     {

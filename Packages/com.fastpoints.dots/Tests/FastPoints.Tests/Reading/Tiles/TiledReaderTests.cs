@@ -117,7 +117,6 @@ namespace FastPoints.Tests.Reading
             }
         }
 
-        /// <summary>The decimal number that a double was written as.</summary>
         static decimal Decimal(double value) =>
             decimal.Parse(value.ToString("G12", System.Globalization.CultureInfo.InvariantCulture),
                 System.Globalization.NumberStyles.Float, System.Globalization.CultureInfo.InvariantCulture);

@@ -18,7 +18,6 @@ namespace FastPoints.Tests.Support
         /// <summary>Elements of the root besides those that must be.</summary>
         public string RootXml = "";
 
-        /// <summary>The whole XML section, where it is not to be made of the rest.</summary>
         public Func<string, string> EditXml = xml => xml;
 
         public E57FileWriter(params E57TestScan[] scans) => Scans.AddRange(scans);
@@ -41,7 +40,6 @@ namespace FastPoints.Tests.Support
             return Paged(content.ToArray());
         }
 
-        /// <summary>Sets right the checksums of pages that a test has changed.</summary>
         public static void Seal(byte[] file)
         {
             for (int page = 0; page + PageBytes <= file.Length; page += PageBytes)
@@ -52,7 +50,6 @@ namespace FastPoints.Tests.Support
             }
         }
 
-        /// <summary>A bit at a time.</summary>
         public static uint Crc32C(byte[] bytes, int first, int count)
         {
             uint crc = uint.MaxValue;
