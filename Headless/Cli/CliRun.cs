@@ -42,7 +42,6 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     /// <summary>Runs work on this thread until it is done, or cancelled.</summary>
     public void RunSteps(IEnumerator<JobStep> work) => JobCoroutine.RunToEnd(work, Cancellation);
 
-    /// <returns>How it failed; null where it did not.</returns>
     public Failure? Try(Action work)
     {
         try

@@ -8,7 +8,6 @@ namespace FastPoints.Cli;
 
 public static class CommandLine
 {
-    /// <param name="errorIsTerminal">Whether progress may be redrawn in place.</param>
     public static int Run(IReadOnlyList<string> args, TextWriter output, TextWriter error, bool errorIsTerminal,
         CancellationToken cancellation, CancellationToken discard = default)
     {
@@ -70,7 +69,6 @@ public static class CommandLine
         word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./,:=+@%".Contains(c)) ? word
             : "'" + word.Replace("'", "'\\''", StringComparison.Ordinal) + "'";
 
-    /// <summary>What is wrong with the arguments, or null.</summary>
     static string? Misread(ParseResult parsed, List<Verb> verbs)
     {
         var command = parsed.CommandResult.Command;

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>An earlier run to compare with, and what of it a comparison may believe.</summary>
 public sealed class Baseline
 {
     /// <summary>Points are recovered from points a second and times, both rounded.</summary>
@@ -88,7 +87,6 @@ public sealed class Baseline
 }
 
 /// <param name="time">Null where nothing can be compared.</param>
-/// <param name="limit">The same of times by the limit's; null without one in both runs.</param>
 public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
     double? error, string result)
 {

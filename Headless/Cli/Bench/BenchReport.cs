@@ -4,7 +4,6 @@ public static class BenchReport
 {
     const double WideRange = 8;
 
-    /// <param name="rows">The comparison of each workload, in their order; null without a baseline.</param>
     public static byte[] Make(PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline? baseline,
         IReadOnlyList<BaselineRow>? rows, int points)
     {
@@ -66,7 +65,6 @@ public static class BenchReport
     static double[] Interval(SampleComparison? comparison) => comparison == null ? []
         : comparison.IsUnknown ? [comparison.Ratio] : [comparison.Low, comparison.Ratio, comparison.High];
 
-    /// <summary>What a comparison of two runs cannot know.</summary>
     public static IEnumerable<string> Honesty(IReadOnlyList<BaselineRow> rows)
     {
         var times = rows.Select(r => r.Time).OfType<SampleComparison>().ToList();

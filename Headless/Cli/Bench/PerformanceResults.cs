@@ -5,7 +5,6 @@ namespace FastPoints.Cli.Bench;
 
 public static class PerformanceResults
 {
-    /// <summary>Called as Unity's package calls its own.</summary>
     public const string FileName = "PerformanceTestResults.json";
 
     /// <summary>The test that times a workload in Unity: results of both have one name.</summary>
@@ -45,7 +44,6 @@ public static class PerformanceResults
 
     public static byte[] ToBytes(PerformanceRun run) => JsonSerializer.SerializeToUtf8Bytes(run, s_options);
 
-    /// <summary>The workload that a result of the headless run or of Unity's test runner is of; or null.</summary>
     public static string? WorkloadOf(PerformanceTestResult result)
     {
         string begin = TestClass + "." + TestMethod + "(\"";

@@ -2,10 +2,8 @@ using System.Buffers.Binary;
 
 namespace FastPoints.Cli.Demo;
 
-/// <summary>
-/// Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
-/// differences, so that a chunk is moved by four of its bytes.
-/// </summary>
+/// <summary>Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
+/// differences, so that a chunk is moved by four of its bytes.</summary>
 /// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
 public static class LazTiling
 {

@@ -3,8 +3,6 @@ namespace FastPoints.Cli.Draw;
 public sealed class DrawStep
 {
     public required long Points { get; init; }
-
-    /// <summary>Nodes of the octree; null for a source file, which has none.</summary>
     public int? Nodes { get; init; }
     public required double Seconds { get; init; }
     public required RgbaImage Image { get; init; }

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <param name="pictures">So many must be added.</param>
 abstract class Animation(string path, int widthPx, int heightPx, int pictures) : IDisposable
 {
     readonly OutputFile m_file = new(path);

@@ -1,9 +1,7 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>
-/// A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>, deleted
-/// when it never came to that.
-/// </summary>
+/// <summary>A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>,
+/// deleted when it never came to that.</summary>
 public sealed class OutputFile : IDisposable
 {
     readonly string m_path;

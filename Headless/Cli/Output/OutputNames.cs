@@ -77,7 +77,6 @@ static class OutputNames
     static bool HasEnding(string path, string ending) =>
         path.TrimEnd('/', Path.DirectorySeparatorChar).EndsWith(ending, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether it is empty, or its head names this tool, or it is a summary.</summary>
     static bool IsOwn(string path)
     {
         var head = new byte[512];

@@ -20,7 +20,6 @@ public sealed class ReportPage(string title, string? lead = null)
     public void Html(string html) => m_body.Append(html).Append('\n');
 
     /// <summary>The 3D view.</summary>
-    /// <param name="png">Stands in where it cannot be drawn, and on paper.</param>
     public void View(string json, byte[] png, string alt, string time, string note)
     {
         string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))

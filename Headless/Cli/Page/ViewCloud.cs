@@ -37,10 +37,7 @@ sealed class ViewCloud
     public ViewPoints Points => m_sets[^1];
     public double Spacing { get; private set; }
     public required Camera Camera { get; init; }
-
-    /// <summary>The cameras of a flight, and every how many frames there is one; null without.</summary>
     public (List<Camera> Cameras, int Every)? Path { get; init; }
-
     public double3 PositionError => Bounds.Size / Steps / 2;
 
     public static ViewCloud Take(Func<PointReader> open, PictureOptions options, Camera camera, CliRun run)

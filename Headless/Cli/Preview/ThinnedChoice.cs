@@ -37,7 +37,6 @@ public static class ThinnedChoice
         return Copy(points, Choose(isFirst, firsts, Math.Min(wanted, points.Count)));
     }
 
-    /// <summary>Evenly of the first ones where they are too many, otherwise all of them and evenly of the others.</summary>
     static List<int> Choose(bool[] isFirst, int firsts, int wanted)
     {
         long fromFirsts = Math.Min(firsts, wanted), fromOthers = wanted - fromFirsts, others = isFirst.Length - firsts;

@@ -89,7 +89,6 @@ public sealed class SourceFacts(PointReader reader)
                 + Human.Value(time.Max));
     }
 
-    /// <summary>What the scan found; null where there is none.</summary>
     ColumnSummary? GpsTime => Found != null && Info.Schema.IndexOf(AttributeNames.GpsTime) is >= 0 and var i
         && Found.Columns[i].Finite > 0 ? Found.Columns[i] : null;
 

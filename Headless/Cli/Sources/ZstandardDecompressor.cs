@@ -2,10 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Sources;
 
-/// <summary>
-/// Zstandard (RFC 8878) by the system's libzstd, which Debian, Fedora and others have always installed: .NET has no decoder
-/// of its own before version 11. The package knows it by <see cref="Decompressors.Zstandard"/> only.
-/// </summary>
+/// <summary>Zstandard (RFC 8878) by the system's libzstd, which Debian, Fedora and others have always installed: .NET has no
+/// decoder of its own before version 11. The package knows it by <see cref="Decompressors.Zstandard"/> only.</summary>
 internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
 {
     /// <summary>A frame that wants more memory (32 MiB) is refused: its header may claim anything.</summary>

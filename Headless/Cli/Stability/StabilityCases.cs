@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>The extremes of input that must end in a whole cloud or in a clear error.</summary>
 public static class StabilityCases
 {
     const int Side = 100000;

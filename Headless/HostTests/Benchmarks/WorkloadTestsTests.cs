@@ -4,7 +4,6 @@ using Unity.PerformanceTesting;
 
 namespace FastPoints.HostTests.Benchmarks;
 
-/// <summary>The driver that Unity's test runner calls, called here: it and the command line say the same of a workload.</summary>
 public sealed class WorkloadTestsTests
 {
     [TearDown]

@@ -3,7 +3,6 @@ using StandIns.Entities;
 
 namespace FastPoints.HostTests.Entities;
 
-/// <summary>Systems are made by Unity, from their attributes alone.</summary>
 public sealed class SystemOrderTests
 {
     static Type[] Systems => typeof(PointCloudSystemGroup).Assembly.GetTypes()

@@ -14,7 +14,6 @@ sealed class ManualPage
     public static ManualPage Of(string name) =>
         All().Single(p => p.Path.EndsWith("/Documentation~/" + name, StringComparison.Ordinal));
 
-    /// <summary>What a link with '#' may go to, as GitHub and Unity's documentation tool name headings.</summary>
     public IEnumerable<string> Anchors() => Regex.Matches(Text, @"^#+ +(.+?)\s*$", RegexOptions.Multiline)
         .Select(m => Regex.Replace(m.Groups[1].Value.ToLowerInvariant(), @"[^\w\- ]", "").Replace(' ', '-'));
 

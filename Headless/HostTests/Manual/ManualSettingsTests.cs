@@ -54,7 +54,6 @@ public sealed class ManualSettingsTests
     static string Row(string label, FieldInfo field, string range) =>
         string.Join(", ", label, "`" + field.Name + "`", DefaultOf(field), range ?? ChoicesOf(field.FieldType));
 
-    /// <summary>Those that Unity serializes and shows, as they are declared.</summary>
     static IEnumerable<FieldInfo> Fields(Type type) =>
         type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
             .Where(f => (f.IsPublic || f.GetCustomAttribute<SerializeField>() != null) &&

@@ -2,7 +2,6 @@ using Unity.Transforms;
 
 namespace FastPoints.HostTests.Probes;
 
-/// <summary>A world of Unity's with the package's systems, and a converted cloud for it.</summary>
 sealed class ProbeWorld : IDisposable
 {
     const int MaxFrames = 200_000;

@@ -4,7 +4,6 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Repository;
 
-/// <summary>What of the package's tests runs in Unity's Test Runner when.</summary>
 public sealed class TestRulesTests
 {
     [Test]

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>The package's assemblies as one generation of Unity compiles them, and the stand-ins beside them.</summary>
 public sealed class GenerationBuilds : IDisposable
 {
     private static readonly string[] s_assemblies =

@@ -1,9 +1,8 @@
 namespace FastPoints.RepoTools.Behaviour;
 
-/// <summary>
-/// Headless/Api/behaviour.tsv: what Unity does, beyond its signatures, that the package relies on. A row has its evidence,
-/// and either the stand-in and the test that hold it, or the step of the manual's page that would show it in an editor.
-/// </summary>
+/// <summary>Headless/Api/behaviour.tsv: what Unity does, beyond its signatures, that the package relies on. A row has its
+/// evidence, and either the stand-in and the test that hold it, or the step of the manual's page that would show it in an
+/// editor.</summary>
 public sealed class BehaviourLedger
 {
     private const string Header = "behaviour\twhat\tevidence\tsure\theld by\ttest\tstep";

@@ -22,7 +22,6 @@ public sealed class Ceilings(string text, string source, string? problem = null)
         return new Ceilings(text, given, text == copied ? null : $"{copy} is no copy of {given}");
     }
 
-    /// <summary>The ceiling of a measure; null where it has none. Throws ToolException where there is no such part.</summary>
     public long? Of(string measure, int part)
     {
         if (!m_cellsOfPart.TryGetValue(part, out string[]? cells) || cells.Length <= s_measures.Length)

@@ -2,12 +2,10 @@ using FastPoints.RepoTools.Layers;
 
 namespace FastPoints.RepoTools.House;
 
-/// <summary>
-/// Which types of the product name which others, so which files one may have to read to follow a flow. A type is reached with
-/// all its members, and with the types within it; a job with the code that schedules it. A base or an interface reaches itself
-/// alone: what derives from it is reached where code of the flow names it. Constants are not in the IL, so what only they join
-/// is not.
-/// </summary>
+/// <summary>Which types of the product name which others, so which files one may have to read to follow a flow. A type is reached
+/// with all its members, and with the types within it; a job with the code that schedules it. A base or an interface reaches
+/// itself alone: what derives from it is reached where code of the flow names it. Constants are not in the IL, so what only they
+/// join is not.</summary>
 public sealed class FlowGraph
 {
     private readonly Dictionary<string, HashSet<string>> m_namedBy = new Dictionary<string, HashSet<string>>();

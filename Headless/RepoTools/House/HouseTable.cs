@@ -1,11 +1,9 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>
-/// Headless/Api/house.tsv. A measure's row (its place is '*') has what one thing may have, how many may have more (or,
-/// without the first, the whole figure), and the goal of that. The row 'part' has the part of the work whose ceilings hold.
-/// A row 'flow-files' or 'flow-rooms' has a flow's name, a limit and a goal, and the former the functions that begin it. Every
-/// other row is an exception: a file or a folder, what one thing may have there, and why.
-/// </summary>
+/// <summary>Headless/Api/house.tsv. A measure's row (its place is '*') has what one thing may have, how many may have more (or,
+/// without the first, the whole figure), and the goal of that. The row 'part' has the part of the work whose ceilings hold. A row
+/// 'flow-files' or 'flow-rooms' has a flow's name, a limit and a goal, and the former the functions that begin it. Every other
+/// row is an exception: a file or a folder, what one thing may have there, and why.</summary>
 public sealed class HouseTable
 {
     private const string Header = "measure\twhere\teach\tlimit\tgoal\twhy";

@@ -2,7 +2,6 @@ using System.Xml.Linq;
 
 namespace FastPoints.RepoTools.Layers;
 
-/// <summary>Which assembly may reference which, and whether asmdef and csproj agree on what it does.</summary>
 public static class AssemblyReferences
 {
     private static readonly string[] s_dots = { "Unity.Burst", "Unity.Collections", "Unity.Mathematics" };

@@ -1,10 +1,8 @@
 namespace FastPoints.RepoTools.Layers;
 
-/// <summary>
-/// The assemblies of <c>Samples~</c>. In Unity each sample has its own, since it is imported by itself; here one project has
-/// the scripts of all, and another their menu commands. That proves the same where all samples refer to the same assemblies,
-/// and none uses another: which <see cref="Check"/> holds.
-/// </summary>
+/// <summary>The assemblies of <c>Samples~</c>. In Unity each sample has its own, since it is imported by itself; here one project
+/// has the scripts of all, and another their menu commands. That proves the same where all samples refer to the same assemblies,
+/// and none uses another: which <see cref="Check"/> holds.</summary>
 public static class SampleAssemblies
 {
     public const string Folder = "Samples~";

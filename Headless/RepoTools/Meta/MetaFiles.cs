@@ -2,11 +2,9 @@ using System.Security.Cryptography;
 
 namespace FastPoints.RepoTools.Meta;
 
-/// <summary>
-/// The .meta files of a package: one for every file and folder that Unity imports. A guid is born from the path and then
-/// kept for good, since scenes and other projects refer to it: a .meta that moved with its file is left alone, and one
-/// that stayed behind follows the file of the same name.
-/// </summary>
+/// <summary>The .meta files of a package: one for every file and folder that Unity imports. A guid is born from the path and then
+/// kept for good, since scenes and other projects refer to it: a .meta that moved with its file is left alone, and one that
+/// stayed behind follows the file of the same name.</summary>
 public sealed class MetaFiles(string packageRoot)
 {
     private const string Extension = ".meta";

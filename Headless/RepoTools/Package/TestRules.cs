@@ -1,10 +1,8 @@
 namespace FastPoints.RepoTools.Package;
 
-/// <summary>
-/// What Unity's Test Runner makes of the package's tests. It runs all that is not explicit, and with a filter explicit
-/// tests, too, where they match: one that only leaves categories out matches all others. In a test that loads scripts anew
-/// it runs [SetUp] again.
-/// </summary>
+/// <summary>What Unity's Test Runner makes of the package's tests. It runs all that is not explicit, and with a filter explicit
+/// tests, too, where they match: one that only leaves categories out matches all others. In a test that loads scripts anew it
+/// runs [SetUp] again.</summary>
 public static class TestRules
 {
     private const string Smoke = "Smoke";

@@ -5,12 +5,10 @@ using UnityEditor;
 
 namespace UnityEngine.TestTools;
 
-/// <summary>
-/// Runs one test of a class as Unity's runner does in edit mode. Where an instruction has scripts loaded anew, the class is
-/// made anew, and so is the test's enumerator, which goes on behind the instruction without its variables. What was done by
-/// [UnitySetUp] is known and not done again; [SetUp] is. Fields of the class are gone, which is stricter than Unity: it
-/// keeps those that it can serialise. Statics stay here.
-/// </summary>
+/// <summary>Runs one test of a class as Unity's runner does in edit mode. Where an instruction has scripts loaded anew, the class
+/// is made anew, and so is the test's enumerator, which goes on behind the instruction without its variables. What was done by
+/// [UnitySetUp] is known and not done again; [SetUp] is. Fields of the class are gone, which is stricter than Unity: it keeps
+/// those that it can serialise. Statics stay here.</summary>
 sealed class EditModeRun(Type fixture, string test)
 {
     const BindingFlags Any = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;

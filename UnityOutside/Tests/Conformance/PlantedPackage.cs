@@ -105,7 +105,6 @@ internal sealed class PlantedPackage : IDisposable
         return method;
     }
 
-    /// <summary>Makes Unity.Things resolvable, as a stand-in that shows by-reference kinds.</summary>
     internal void ProvideStandIn(Action<ModuleDefinition> fill)
     {
         m_resolver.Assembly = AssemblyDefinition.CreateAssembly(new AssemblyNameDefinition("Unity.Things", new Version(1, 0)),

@@ -2,7 +2,6 @@ using System.Reflection;
 
 namespace UnityOutside.Tests.Hpc;
 
-/// <summary>A job or a class that a verifier must report with that text, or, without one, let pass.</summary>
 [AttributeUsage(AttributeTargets.Struct | AttributeTargets.Class)]
 internal sealed class PlantedAttribute(string reported = null) : Attribute
 {

@@ -21,7 +21,6 @@ public sealed record ApiRow(
         return new ApiRow(c[0], At(1), At(2), At(3), At(4), At(5), At(6), At(7), At(8), At(9));
     }
 
-    /// <summary>The line without its trailing empty columns.</summary>
     public string Compose() => string.Join('\t', Id, Assembly, Kind, Type, Flags, Detail, Constraints, Obsolete, In, Varied)
         .TrimEnd('\t');
 
@@ -37,7 +36,6 @@ public sealed record ApiRow(
         return flags.Split(',').Contains(flag);
     }
 
-    /// <summary>A constant's or an enum value's text; null where the line has none.</summary>
     public string? Value => Flags.IndexOf('=') is var at && at >= 0 ? Flags[(at + 1)..] : null;
 
     public bool IsError(string generation)

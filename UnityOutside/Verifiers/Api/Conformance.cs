@@ -1,10 +1,8 @@
 namespace UnityOutside.Api;
 
-/// <summary>
-/// Compares all of Unity that an assembly's IL names with the signatures that one generation of Unity has. The assembly
-/// was compiled against stand-ins, so each name is a claim: that the type or member exists, in that assembly, with that
-/// return type, staticness, by-reference kinds and constraints, and that using it is no error.
-/// </summary>
+/// <summary>Compares all of Unity that an assembly's IL names with the signatures that one generation of Unity has. The assembly
+/// was compiled against stand-ins, so each name is a claim: that the type or member exists, in that assembly, with that return
+/// type, staticness, by-reference kinds and constraints, and that using it is no error.</summary>
 public sealed class Conformance(UnityApi api, string generation, AssemblyTable assemblies)
 {
     private readonly UnityApi m_api = api;

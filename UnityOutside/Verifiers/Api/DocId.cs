@@ -1,10 +1,8 @@
 namespace UnityOutside.Api;
 
-/// <summary>
-/// Documentation-comment ids of what IL names. A generic definition is named with its arity (<c>NativeArray`1</c>), a
-/// generic type in a signature with its arguments, each level its own (<c>NativeArray{System.Int32}.ReadOnly</c>); the
-/// declaring type's parameters are <c>`0</c>, the method's own <c>``0</c>; by-reference is <c>@</c> of whatever kind.
-/// </summary>
+/// <summary>Documentation-comment ids of what IL names. A generic definition is named with its arity (<c>NativeArray`1</c>), a
+/// generic type in a signature with its arguments, each level its own (<c>NativeArray{System.Int32}.ReadOnly</c>); the declaring
+/// type's parameters are <c>`0</c>, the method's own <c>``0</c>; by-reference is <c>@</c> of whatever kind.</summary>
 public static class DocId
 {
     public static string OfType(TypeReference type) => "T:" + DefinitionName(type);

@@ -1,6 +1,5 @@
 namespace UnityOutside.Api;
 
-/// <param name="Within">The type that the naming is in; null for the assembly's own attributes.</param>
 public sealed record IlUse(MemberReference Member, string Site, TypeDefinition? Within, Code? Code);
 
 public static class IlUses

@@ -4,14 +4,12 @@ namespace UnityOutside.Api;
 /// since C# takes another overload silently where one is gone.</summary>
 public sealed class StandInUse
 {
-    /// <summary>What Unity, and the stand-ins, call by name.</summary>
     private static readonly string[] s_messages = { "OnEnable", "OnDisable", "OnDestroy" };
 
     private readonly HashSet<string> m_names = new HashSet<string>(StringComparer.Ordinal);
     private readonly HashSet<string> m_virtual = new HashSet<string>(StringComparer.Ordinal);
     private string m_within = "";
 
-    /// <param name="files">Of the stand-ins, in every build, and of all that may name what they show.</param>
     public static IEnumerable<string> Check(IReadOnlyList<string> files, IEnumerable<string> standIns, string folder)
     {
         var use = new StandInUse();

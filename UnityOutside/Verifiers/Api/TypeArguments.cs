@@ -1,6 +1,5 @@
 namespace UnityOutside.Api;
 
-/// <summary>Whether type arguments satisfy the constraints that Unity's own definition has.</summary>
 internal sealed class TypeArguments(UnityApi api, string generation)
 {
     private readonly UnityApi m_api = api;
@@ -50,7 +49,6 @@ internal sealed class TypeArguments(UnityApi api, string generation)
         _ => argument.IsValueType && argument.GetElementType().FullName != "System.Nullable`1",
     };
 
-    /// <summary>A struct whose fields are, all the way down, no references. Of Unity's own the list says so.</summary>
     private bool IsUnmanaged(TypeReference argument)
     {
         switch (argument)

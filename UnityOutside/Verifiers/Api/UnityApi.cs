@@ -49,7 +49,6 @@ public sealed class UnityApi
         return api;
     }
 
-    /// <summary>The line of that id as it was in that generation; null where there is none.</summary>
     public ApiRow? Find(string id, string generation)
     {
         if (!m_rows.TryGetValue(id, out ApiRow? row) || !row.IsIn(generation))

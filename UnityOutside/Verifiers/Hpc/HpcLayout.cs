@@ -4,7 +4,6 @@ namespace UnityOutside.Hpc;
 /// is the stricter one.</summary>
 internal static class HpcLayout
 {
-    /// <summary>What is wrong with a struct's own layout, beginning with its name; null where nothing is.</summary>
     internal static string? Objection(TypeDefinition type)
     {
         // What an array's initial values lie in is packed, and Burst knows it.

@@ -1,10 +1,8 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>
-/// Walks the IL that is reachable from each job and each [BurstCompile] method and says what Burst would reject. .NET
-/// runs it all, so without this walk a build here proves nothing of Burst. It stops at Unity's and .NET's own API, by
-/// an allow rule (<see cref="HpcBoundary"/>), and walks each instance of generic code by itself.
-/// </summary>
+/// <summary>Walks the IL that is reachable from each job and each [BurstCompile] method and says what Burst would reject. .NET
+/// runs it all, so without this walk a build here proves nothing of Burst. It stops at Unity's and .NET's own API, by an allow
+/// rule (<see cref="HpcBoundary"/>), and walks each instance of generic code by itself.</summary>
 public sealed class HpcVerifier
 {
     private readonly HashSet<ModuleDefinition> m_modules;

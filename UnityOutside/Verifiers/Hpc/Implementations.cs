@@ -2,7 +2,6 @@ namespace UnityOutside.Hpc;
 
 internal static class Implementations
 {
-    /// <summary>The method that the type itself declares for it; null where it declares none.</summary>
     internal static MethodDefinition? Find(TypeReference type, MethodReference called, GenericScope scope)
     {
         TypeDefinition? definition = Resolution.Of(type);

@@ -1,10 +1,8 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>
-/// What one method comes to for one processor: "Is...Supported" is a constant there, so of each branch on it one way is left.
-/// Burst judges each method by itself, whoever calls it and whether it is inlined or not; what is left may call no intrinsic
-/// that the processor lacks (BC1200).
-/// </summary>
+/// <summary>What one method comes to for one processor: "Is...Supported" is a constant there, so of each branch on it one way is
+/// left. Burst judges each method by itself, whoever calls it and whether it is inlined or not; what is left may call no
+/// intrinsic that the processor lacks (BC1200).</summary>
 internal sealed class IntrinsicCode
 {
     private readonly HpcTarget m_target;

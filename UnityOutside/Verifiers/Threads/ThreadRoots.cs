@@ -1,7 +1,6 @@
 namespace UnityOutside.Threads;
 
 /// <summary>Code that begins on a thread that need not be the main one.</summary>
-/// <param name="Method">What runs; null where the delegate's origin is not to be seen.</param>
 internal sealed record ThreadRoot(string Name, TypeDefinition Within, MethodReference? Method,
     Value? Self = null, bool IsJob = false, Instruction? From = null);
 

@@ -21,7 +21,6 @@ public sealed record ThreadRow(string Id, string Threads, string Why, string Var
         return new ThreadRow(c[0], At(1), At(2), At(3));
     }
 
-    /// <summary>The line without its trailing empty columns.</summary>
     public string Compose() => string.Join('\t', Id, Threads, Why, Varied).TrimEnd('\t');
 
     /// <summary>On which threads that generation lets it be called.</summary>

@@ -25,7 +25,6 @@ internal static class ThreadStarts
         && called.DeclaringType.Namespace.StartsWith("System.Threading.Tasks", StringComparison.Ordinal)
         && at.Previous?.OpCode.Code == Code.Ldc_I4_0;
 
-    /// <summary>The state machine that a call of an async method's builder starts; null where it is another call.</summary>
     internal static TypeReference? StateMachine(MethodReference called) =>
         called is GenericInstanceMethod { Name: "Start" } start
         && called.DeclaringType.Namespace == "System.Runtime.CompilerServices"

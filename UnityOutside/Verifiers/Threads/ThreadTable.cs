@@ -6,7 +6,6 @@ namespace UnityOutside.Threads;
 /// were asked for.</summary>
 public sealed class ThreadTable
 {
-    /// <summary>The full table's name in the folder of Unity's signatures.</summary>
     public const string FullName = "threads.tsv.gz";
 
     private readonly Dictionary<string, ThreadRow> m_rows = new Dictionary<string, ThreadRow>(StringComparer.Ordinal);

@@ -1,11 +1,9 @@
 namespace UnityOutside.Threads;
 
-/// <summary>
-/// Walks the IL that is reachable from whatever begins on a thread that need not be the main one (<see cref="ThreadRoots"/>)
-/// and says where it uses a member of Unity that the table does not have for any thread, or takes Allocator.Temp outside of
-/// jobs. Unity throws there; .NET runs it all. Calls through interfaces, base types and delegates are followed to all that
-/// may be there (<see cref="ValueOrigins"/>).
-/// </summary>
+/// <summary>Walks the IL that is reachable from whatever begins on a thread that need not be the main one (<see
+/// cref="ThreadRoots"/>) and says where it uses a member of Unity that the table does not have for any thread, or takes
+/// Allocator.Temp outside of jobs. Unity throws there; .NET runs it all. Calls through interfaces, base types and delegates are
+/// followed to all that may be there (<see cref="ValueOrigins"/>).</summary>
 public sealed class ThreadVerifier
 {
     private sealed record Visit(MethodDefinition Method, GenericScope Scope, Value? Self, IReadOnlyList<string> Path,
@@ -221,7 +219,6 @@ public sealed class ThreadVerifier
                 Run(made.Target!, made.Place == Method ? Scope : GenericScope.None, made.Inner);
         }
 
-        /// <summary>What .NET's and Unity's code may call of what it is given.</summary>
         private void HandOver(Instruction at, MethodReference called)
         {
             if (ThreadStarts.StateMachine(called) is { } machine)

@@ -1,10 +1,8 @@
 namespace UnityOutside.Threads;
 
-/// <summary>
-/// Goes back from where a value is used to where it was made: through variables, fields, parameters (to all callers) and
+/// <summary>Goes back from where a value is used to where it was made: through variables, fields, parameters (to all callers) and
 /// results (to all that may be called). Where the way is lost, in a collection or in other people's code, the type of the
-/// variable is all that is known.
-/// </summary>
+/// variable is all that is known.</summary>
 internal sealed class ValueOrigins(CodeIndex code)
 {
     private const string OuterThis = "<>4__this";
@@ -27,7 +25,6 @@ internal sealed class ValueOrigins(CodeIndex code)
         return search.Found;
     }
 
-    /// <summary>The methods that a call may come to.</summary>
     internal IEnumerable<(MethodDefinition Method, TypeReference Type)> Targets(MethodReference called, Value receiver,
         GenericScope scope)
     {
@@ -102,7 +99,6 @@ internal sealed class ValueOrigins(CodeIndex code)
             }
         }
 
-        /// <summary>A search of its own for what this one needs to know on its way; null where that is what it is for.</summary>
         private IReadOnlyList<Value>? Sub(MethodDefinition method, Value? self, Instruction at,
             IEnumerable<Instruction> producers)
         {

@@ -4,10 +4,7 @@ namespace FastPoints.Evaluation
     /// taken of a cell with f points then has the variance p (1 - p) / f, where p is the share taken of all.</remarks>
     public struct CellError
     {
-        /// <summary>Points of the full cloud that a block must hold to count for <see cref="Variation"/>.</summary>
         public const int MinPointsOfBlock = 100;
-
-        /// <summary>A region must hold one in so many of the full cloud's points to count for <see cref="Bias"/>.</summary>
         public const int MinRegion = 1000;
 
         public long PointsOfCloud;

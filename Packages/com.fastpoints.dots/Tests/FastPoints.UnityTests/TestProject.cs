@@ -117,7 +117,6 @@ namespace FastPoints.UnityTests
         public static int DrawnNodes() => (PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld)
             ?.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stats.DrawnNodes ?? 0;
 
-        /// <summary>Entities that are converted clouds on disk.</summary>
         public static int CloudFiles() => Count(ComponentType.ReadOnly<PointCloudFile>());
 
         public static EnterPlayMode EnterPlayMode() => new EnterPlayMode(!EditorSettings.enterPlayModeOptionsEnabled ||

@@ -36,7 +36,6 @@ sealed class Archetype : IDisposable
         return null;
     }
 
-    /// <returns>The new row, its components zero and enabled.</returns>
     public int Add(Entity entity)
     {
         if (Count == m_entities.Length)

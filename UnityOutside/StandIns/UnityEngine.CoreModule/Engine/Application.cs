@@ -10,7 +10,6 @@ public sealed partial class Application
     /// <summary>As a test says.</summary>
     public static bool isBatchMode { get; internal set; }
 
-    /// <summary>Of a project that a test has made.</summary>
     internal static string AssetsPath;
 
     public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";

@@ -31,7 +31,6 @@ unsafe struct SafetyNode
         }
     }
 
-    /// <param name="recycle">False while jobs in flight may still look at the node.</param>
     internal static void Release(SafetyNode* node, bool recycle)
     {
         lock (s_lock)

@@ -32,7 +32,6 @@ static class SimulatedWorkers
         JobWorkers.Count = workers;
     }
 
-    /// <summary>Everything must have ended.</summary>
     internal static void End()
     {
         IsOn = false;

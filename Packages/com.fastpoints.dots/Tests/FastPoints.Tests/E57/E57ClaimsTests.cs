@@ -2,7 +2,6 @@ using System;
 using System.Linq;
 using System.Text;
 using FastPoints.Core;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

@@ -19,7 +19,6 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
 {
-    /// <summary>Entities whose clouds are not converted yet, or never are.</summary>
     public sealed class CloudStatesTests
     {
         static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);

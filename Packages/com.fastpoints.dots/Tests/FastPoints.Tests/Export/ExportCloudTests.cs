@@ -8,7 +8,6 @@ using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

@@ -71,7 +71,6 @@ namespace FastPoints.Tests.Las
             return this;
         }
 
-        /// <summary>Points that are zero but for the position.</summary>
         public LasTestFile Positions(params int[] xyz)
         {
             Points = new byte[xyz.Length / 3 * RecordBytes];

@@ -5,7 +5,6 @@ using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

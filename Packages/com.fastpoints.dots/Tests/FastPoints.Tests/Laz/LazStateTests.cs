@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -1,6 +1,5 @@
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Drawing;
 using FastPoints.Picture;
 using NUnit.Framework;
 using Unity.Collections;

@@ -5,7 +5,6 @@ using System.IO;
 using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

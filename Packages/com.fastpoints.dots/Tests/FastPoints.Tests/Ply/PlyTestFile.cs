@@ -5,7 +5,6 @@ using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Ply
 {
-    /// <summary>A PLY file built by hand in the temporary folder, gone when disposed.</summary>
     sealed class PlyTestFile : TemporaryFile
     {
         readonly MemoryStream m_bytes = new MemoryStream();

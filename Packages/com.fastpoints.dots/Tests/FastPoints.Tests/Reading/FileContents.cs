@@ -6,7 +6,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Ply;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Reading
@@ -68,7 +67,6 @@ namespace FastPoints.Tests.Reading
 
         public bool HasWarning(string part) => Info.Warnings.Exists(warning => warning.Text.Contains(part));
 
-        /// <summary>The first warning with this text, which must be there.</summary>
         public CloudWarning Warning(string part) => Info.Warnings.First(warning => warning.Text.Contains(part));
 
         public bool HasFact(string part) => Info.Facts.Exists(fact => (fact.Key + ": " + fact.Value).Contains(part));

@@ -4,7 +4,6 @@ using System.Linq;
 using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using Unity.Collections;
 
 namespace FastPoints.Tests.Reading

@@ -6,7 +6,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using NUnit.Framework;
 using Unity.Mathematics;
 

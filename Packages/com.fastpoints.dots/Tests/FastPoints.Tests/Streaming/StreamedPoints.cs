@@ -3,7 +3,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;

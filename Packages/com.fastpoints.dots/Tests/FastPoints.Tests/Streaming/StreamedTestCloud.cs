@@ -3,7 +3,6 @@ using System.IO;
 using System.Threading;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Drawing;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Store;
@@ -114,7 +113,6 @@ namespace FastPoints.Tests.Streaming
             return default;
         }
 
-        /// <summary>Frames until nothing is under way, though not all may have room.</summary>
         public static FrameStats Rest(StreamContext stream, Camera camera)
         {
             int quiet = 0;

@@ -71,7 +71,6 @@ namespace FastPoints.Tests.Support
             Sample("Potree", "potree/v2-mixedconifer-default/metadata.json", true),
         };
 
-        /// <summary>Writes the cloud into an empty folder. A test that wants a sample which is not there is skipped.</summary>
         public string Write(string folder)
         {
             if (m_sample == null)

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Core;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Mathematics;

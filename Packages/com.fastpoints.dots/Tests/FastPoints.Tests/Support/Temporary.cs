@@ -18,7 +18,6 @@ namespace FastPoints.Tests.Support
         public void Dispose() => File.Delete(Path);
     }
 
-    /// <summary>A folder in the temporary folder, gone when disposed.</summary>
     public sealed class TemporaryFolder : IDisposable
     {
         public TemporaryFolder() => Directory.CreateDirectory(Path = NewPath());

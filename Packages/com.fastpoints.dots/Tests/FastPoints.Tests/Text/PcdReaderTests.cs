@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text;
 using FastPoints.Core;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using FastPoints.Text;

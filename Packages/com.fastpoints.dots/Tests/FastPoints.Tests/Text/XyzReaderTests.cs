@@ -9,7 +9,6 @@ using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

@@ -5,7 +5,6 @@ sealed unsafe class GpuBuffer
     internal readonly ulong Handle;
     internal readonly ulong Bytes;
     internal readonly GpuAllocation Allocation;
-    /// <summary>The last submission that may touch it.</summary>
     internal ulong LastUse;
 
     GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation) => (Handle, Bytes, Allocation) = (handle, bytes, allocation);

@@ -83,7 +83,6 @@ sealed unsafe class GpuDevice
         return (properties.optimalTilingFeatures & colorAttachmentBlend) != 0;
     }
 
-    /// <summary>Vertex shaders may say which slice is drawn into.</summary>
     internal bool ChoosesSlices { get; private set; }
 
     IntPtr Create(uint family, out bool writesAnyFormat)

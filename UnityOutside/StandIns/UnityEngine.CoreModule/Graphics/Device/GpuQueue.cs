@@ -120,7 +120,6 @@ sealed unsafe class GpuQueue
         SetDone(number);
     }
 
-    /// <summary>Lets a <see cref="GpuBuffer"/> or <see cref="GpuImage"/> go when nothing in flight may use it.</summary>
     internal void Retire(object resource)
     {
         m_retired.Enqueue((m_open != null ? Next : m_submitted, resource));

@@ -16,7 +16,6 @@ public sealed class ComputeShader : Object
             m_kernels.Add(new ComputeKernel(source, kernel));
     }
 
-    /// <summary>The constants: all kernels have them in common.</summary>
     internal PropertySheet Constants { get; } = new PropertySheet();
 
     internal KeywordSet Keywords => m_keywords;

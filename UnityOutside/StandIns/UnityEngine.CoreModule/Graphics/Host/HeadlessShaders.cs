@@ -1,6 +1,5 @@
 namespace UnityOutside.Graphics;
 
-/// <summary>Shaders from their files, as Unity's importers make them of assets.</summary>
 public static class HeadlessShaders
 {
     public static Shader Load(string path) => new Shader(ShaderLabReader.Read(path));

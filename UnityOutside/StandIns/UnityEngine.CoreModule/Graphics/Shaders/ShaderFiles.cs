@@ -29,7 +29,6 @@ sealed class ShaderFiles
         }
     }
 
-    /// <summary>All files that a text may include, whatever its conditions say, each once.</summary>
     internal IEnumerable<string> Includes(string text)
     {
         var found = new HashSet<string>();

@@ -9,7 +9,6 @@ sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
     internal ShaderMember[] Members { get; set; } = System.Array.Empty<ShaderMember>();
     internal int Stride { get; set; }
 
-    /// <summary>A buffer that the shader may write.</summary>
     internal bool IsWritten { get; set; }
 
     internal bool IsArray { get; set; }

@@ -21,7 +21,6 @@ namespace FastPoints.Benchmarks
         readonly SliceTimes m_ticks = new SliceTimes(Allocator.Persistent);
         NativeArray<uint> m_values = new NativeArray<uint>(JobsPerFrame, Allocator.Persistent);
 
-        /// <param name="workers">Workers until it is disposed.</param>
         public FrameLoop(double tickMs, int workers)
         {
             m_tickMs = tickMs;

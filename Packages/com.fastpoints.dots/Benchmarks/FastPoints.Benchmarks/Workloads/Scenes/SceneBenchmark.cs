@@ -44,7 +44,6 @@ namespace FastPoints.Benchmarks
         public bool IsIdle => m_group.Stats.IsSettled && !m_group.IsOpening && IsOpen;
         public bool IsOpen => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
 
-        /// <summary>The pool's limit.</summary>
         public long PoolBytes
         {
             set => m_group.Stream.Pool.LimitBytes = value;

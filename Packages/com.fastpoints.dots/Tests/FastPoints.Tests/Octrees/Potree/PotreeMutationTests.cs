@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Octrees;
 using FastPoints.Reading;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;

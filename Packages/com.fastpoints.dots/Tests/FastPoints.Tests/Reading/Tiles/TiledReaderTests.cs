@@ -11,7 +11,6 @@ using FastPoints.Export;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -14,8 +14,6 @@ namespace FastPoints.Tests.Support
         const int PageBytes = 1024, DataBytes = 1020, MaxStreamBytes = 65000;
 
         public readonly List<E57TestScan> Scans = new List<E57TestScan>();
-
-        /// <summary>Elements of the root besides those that must be.</summary>
         public string RootXml = "";
 
         public Func<string, string> EditXml = xml => xml;

@@ -46,7 +46,6 @@ namespace FastPoints.Tests.Support
             return points;
         }
 
-        /// <summary>The records that can be had, block after block, without gaps for those that cannot.</summary>
         internal static byte[] Present(PointReader reader, LasRecordLayout layout)
         {
             var records = new byte[reader.PointCount * layout.RecordBytes];
