@@ -29,7 +29,6 @@ public sealed class AssetDatabase
     internal static readonly Dictionary<string, Type> Overrides = new Dictionary<string, Type>();
     internal static readonly Dictionary<string, string[]> Dependencies = new Dictionary<string, string[]>();
     static readonly Dictionary<string, ulong> s_imported = new Dictionary<string, ulong>();
-
     static Type[] s_postprocessors;
     static Type[] s_modifications;
     static string s_importing;

@@ -56,7 +56,6 @@ public sealed class EditorGUILayout
 public class EditorUtility
 {
     internal static bool s_agrees;
-
     internal static readonly List<string> s_dialogs = new List<string>();
 
     public static bool DisplayDialog(string title, string message, string ok, string cancel)

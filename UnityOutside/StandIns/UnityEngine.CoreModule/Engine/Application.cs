@@ -11,7 +11,6 @@ public sealed partial class Application
     public static bool isBatchMode { get; internal set; }
 
     internal static string AssetsPath;
-
     public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
 
     /// <summary>Of a test; there is none otherwise.</summary>

@@ -20,7 +20,6 @@ public class Behaviour : Component
     }
 
     public bool isActiveAndEnabled => enabled && gameObject.activeInHierarchy;
-
     internal bool IsAwake { get; set; }
     internal bool IsTold { get; set; }
     internal bool IsStarted { get; set; }

@@ -37,7 +37,6 @@ public partial class SceneManager
     internal static Scene s_active;
     internal static readonly HashSet<int> s_closed = new HashSet<int>();
     internal static readonly List<Scene> s_open = new List<Scene>();
-
     public static int sceneCount => Math.Max(1, s_open.Count);
 
     public static Scene GetSceneAt(int index) => s_open.Count > 0 || index > 0 ? s_open[index] : s_active;

@@ -45,7 +45,6 @@ public sealed class Camera : Behaviour
     internal Rect? Part { get; set; }
 
     internal float DynamicScale { get; set; } = 1;
-
     public int pixelWidth => (int)(Part?.width ?? (Target == null ? 0 : Target.width));
     public int pixelHeight => (int)(Part?.height ?? (Target == null ? 0 : Target.height));
     public int scaledPixelWidth => (int)(pixelWidth * DynamicScale);

@@ -17,7 +17,6 @@ public sealed class ComputeShader : Object
     }
 
     internal PropertySheet Constants { get; } = new PropertySheet();
-
     internal KeywordSet Keywords => m_keywords;
 
     /// <exception cref="ArgumentException">No such kernel.</exception>

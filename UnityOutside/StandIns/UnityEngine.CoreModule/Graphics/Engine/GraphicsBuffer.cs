@@ -53,7 +53,6 @@ public sealed partial class GraphicsBuffer : IDisposable
     public UsageFlags usageFlags { get; }
     public string name { private get; set; }
     internal long Bytes => (long)count * stride;
-
     internal string Label => string.IsNullOrEmpty(name) ? $"GraphicsBuffer ({target})" : name;
 
     public bool IsValid() => m_buffer != null;

@@ -8,9 +8,7 @@ sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
     internal readonly uint Variable = variable;
     internal ShaderMember[] Members { get; set; } = System.Array.Empty<ShaderMember>();
     internal int Stride { get; set; }
-
     internal bool IsWritten { get; set; }
-
     internal bool IsArray { get; set; }
 
     /// <summary>Of a texture that is read and written at random; undefined where it may have any.</summary>
