@@ -6,13 +6,8 @@ using StandIns.Engine;
 
 namespace FastPoints.Cli;
 
-/// <summary>From arguments to an exit status. Everything that the command line says goes through the writers given
-/// here.</summary>
 public static class CommandLine
 {
-    /// <param name="errorIsTerminal">Whether progress may be redrawn in place.</param>
-    /// <param name="discard">Cancelled besides where a build that ends early is not to be kept.</param>
-    /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public static int Run(IReadOnlyList<string> args, TextWriter output, TextWriter error, bool errorIsTerminal,
         CancellationToken cancellation, CancellationToken discard = default)
     {
@@ -57,7 +52,6 @@ public static class CommandLine
         return Run(chosen, parsed, common, run, output, error, errorIsTerminal);
     }
 
-    /// <summary>The main job first.</summary>
     static List<Verb> AllVerbs() =>
     [
         new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
@@ -71,12 +65,10 @@ public static class CommandLine
         return ExitStatus.Usage;
     }
 
-    /// <summary>As a shell reads it again.</summary>
     static string Quoted(string word) =>
         word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./,:=+@%".Contains(c)) ? word
             : "'" + word.Replace("'", "'\\''", StringComparison.Ordinal) + "'";
 
-    /// <summary>What is wrong with the arguments, or null.</summary>
     static string? Misread(ParseResult parsed, List<Verb> verbs)
     {
         var command = parsed.CommandResult.Command;
@@ -114,7 +106,6 @@ public static class CommandLine
         return nearest == null ? "" : ": did you mean " + nearest + "?";
     }
 
-    /// <summary>Letters to change, leave out or put in.</summary>
     static int Distance(string a, string b)
     {
         var row = Enumerable.Range(0, b.Length + 1).ToArray();

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli;
 
-/// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process returns.</summary>
 public sealed class Failure
 {
     public required string Code { get; init; }
@@ -11,7 +10,6 @@ public sealed class Failure
     /// <summary>Byte in the file, or -1.</summary>
     public long Offset { get; init; } = -1;
 
-    /// <summary>What <c>--strict</c> makes of a run that is done; null where nothing is lost or odd.</summary>
     public static Failure? OfStrict(CliRun run)
     {
         string lost = run.Points.Lost > 0 ? Human.Count(run.Points.Lost) + " points that are claimed are not there" : "";
@@ -24,8 +22,6 @@ public sealed class Failure
         };
     }
 
-    /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a
-    /// command as much as a broken one.</param>
     public static Failure Of(Exception e, IReadOnlyCollection<string> inputs)
     {
         if (e is AggregateException { InnerExceptions.Count: 1 } one)
@@ -57,7 +53,6 @@ public sealed class Failure
         }
     }
 
-    /// <summary>The folder that is the input, or whose index is; null for a file of its own.</summary>
     static string? FolderOf(string input) => Directory.Exists(input) ? input
         : Path.GetFileName(input) is "ept.json" or "metadata.json" or "cloud.js" ? Path.GetDirectoryName(input) : null;
 }

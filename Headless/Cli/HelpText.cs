@@ -59,7 +59,6 @@ public static class HelpText
         "Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.",
     ];
 
-    /// <summary>The same as a page for <c>man</c>: <c>help --man | man -l -</c>.</summary>
     public static void WriteManual(TextWriter writer, List<Verb> verbs, CommonOptions common)
     {
         // Backslashes, hyphens, and what begins a line as a request would, are not text to it.
@@ -124,7 +123,6 @@ public static class HelpText
             Wrap(writer, "  " + Names(option), "".PadRight(26), option.Description!);
     }
 
-    /// <summary>A head, and text in a column beside it.</summary>
     static void Wrap(TextWriter writer, string head, string indent, string text)
     {
         string line = head.Length < indent.Length ? head.PadRight(indent.Length) : head.Length == 0 ? "" : head + "  ";

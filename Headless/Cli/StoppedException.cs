@@ -1,6 +1,5 @@
 namespace FastPoints.Cli;
 
-/// <summary>A build was stopped whose points so far are kept.</summary>
 public sealed class StoppedException(string target, string line) : OperationCanceledException(
     "cancelled; what is built of " + target + " is kept, and this goes on: " + line
     + "   (--discard begins anew and keeps nothing)");

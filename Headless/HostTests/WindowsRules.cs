@@ -13,7 +13,6 @@ static class WindowsRules
 #pragma warning restore CA2255
     internal static void Follow() => FileChanges.Intercept = Check;
 
-    /// <summary>For one test.</summary>
     internal static IDisposable On()
     {
         var before = new Restored(WindowsFiles.IsOn);

@@ -11,7 +11,6 @@ namespace FastPoints.MonoTests
     /// are managed code here as well, unlike in Unity, so that their speed means nothing.</summary>
     internal static class Bench
     {
-        /// <summary>Fewer than the command line's: jobs are slow here.</summary>
         private const int Points = 1_000_000;
 
         public static int Run(string scratch)

@@ -13,8 +13,6 @@ using FastPoints.Tests;
 
 namespace FastPoints.MonoTests
 {
-    /// <summary>Converts samples and seeded clouds with each sampler, and prints a line for each: what came out, to be compared
-    /// with another run time's.</summary>
     internal static class Conversions
     {
         private const int SeededPoints = 300_000;
@@ -41,7 +39,6 @@ namespace FastPoints.MonoTests
             }
         }
 
-        /// <summary>Files of the folders that hold one cloud each, and those folders that are clouds.</summary>
         private static IEnumerable<string> Samples()
         {
             if (TestData.Samples == null)
@@ -59,7 +56,6 @@ namespace FastPoints.MonoTests
         private static string Name(string path) => Path.GetFileName(Path.GetDirectoryName(path)) is "seeded"
             ? Path.GetFileName(path) : Path.GetFileName(Path.GetDirectoryName(path)) + "/" + Path.GetFileName(path);
 
-        /// <returns>Hashes of the cloud's files, and of what was told of the source; or why there is none.</returns>
         private static string Convert(string source, Sampler sampler, string target)
         {
             try

@@ -5,14 +5,11 @@ using Mono.Cecil;
 
 namespace FastPoints.MonoTests
 {
-    /// <summary>
-    /// Makes assemblies for .NET Standard run on Debian's Mono. Debian compiles Mono's libraries with mcs (Roslyn is not built
-    /// from its sources there), which leaves the modifier out that "ref readonly" results have everywhere else, Unity's Mono
-    /// included: without this ReadOnlySpan's indexer is a method that is not found.
-    /// </summary>
+    /// <summary>Makes assemblies for .NET Standard run on Debian's Mono. Debian compiles Mono's libraries with mcs (Roslyn is not
+    /// built from its sources there), which leaves the modifier out that "ref readonly" results have everywhere else, Unity's
+    /// Mono included: without this ReadOnlySpan's indexer is a method that is not found.</summary>
     internal static class DebianMono
     {
-        /// <summary>Copies the assemblies of a folder into another, changed where they must be.</summary>
         public static void Adapt(string from, string to)
         {
             Directory.CreateDirectory(to);

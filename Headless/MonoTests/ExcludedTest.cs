@@ -21,9 +21,7 @@ namespace FastPoints.MonoTests
             Reason = reason;
         }
 
-        /// <summary>Full name of a test, a fixture or a namespace.</summary>
         public string Name { get; }
-
         public string Reason { get; }
     }
 }

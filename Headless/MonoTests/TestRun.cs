@@ -11,13 +11,9 @@ using NUnit.Framework.Internal;
 
 namespace FastPoints.MonoTests
 {
-    /// <summary>Runs the package's tests in this process and prints those that fail. The last line is "N passed, N failed, N
-    /// skipped".</summary>
     internal sealed class TestRun : ITestListener
     {
-        /// <summary>While tests run, the console is what they said.</summary>
         private readonly TextWriter m_out = Console.Out;
-
         private int m_passed, m_failed, m_skipped;
 
         /// <param name="pattern">A part of the full names of the tests to run; all but the long ones where empty.</param>

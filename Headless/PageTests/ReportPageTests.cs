@@ -2,7 +2,6 @@
 
 namespace FastPoints.PageTests;
 
-/// <summary>Pages as a reader's browser shows them. Chromium draws WebGL in software here.</summary>
 public sealed class ReportPageTests
 {
     const int GridWidth = 160, GridHeight = 90;
@@ -62,7 +61,6 @@ public sealed class ReportPageTests
         return Path.Combine(m_scratch[name], "report.html");
     }
 
-    /// <summary>Opens a page; whatever it says or asks a network for fails the test.</summary>
     async Task Open(string path, int width = 1280, int height = 900, string script = null)
     {
         m_said = [];
@@ -103,7 +101,6 @@ public sealed class ReportPageTests
     Task NewFrame(int after) =>
         m_page.WaitForFunctionAsync("n => Number(document.getElementById('view').dataset.frames) > n", after);
 
-    /// <summary>The canvas, made smaller: red, green, blue, alpha.</summary>
     async Task<byte[]> Pixels() => System.Convert.FromBase64String(await m_page.EvaluateAsync<string>($$"""
         () => {
           const small = document.createElement("canvas"), context = small.getContext("2d");
@@ -256,7 +253,6 @@ public sealed class ReportPageTests
         }
     }
 
-    /// <summary>Frames that the browser decodes, and how large they are.</summary>
     [TestCase("flown.webp", "image/webp"), TestCase("flown.png", "image/png")]
     public async Task Flight_Animation_IsDecodedWhole(string name, string type)
     {

@@ -9,7 +9,6 @@ using FastPoints.RepoTools.Threads;
 
 namespace FastPoints.RepoTools;
 
-/// <summary>Writes, and with --check proves, what in this repository is made from something else.</summary>
 public static class Program
 {
     private const string Usage = """
@@ -154,5 +153,4 @@ public static class Program
     }
 }
 
-/// <summary>What a verb did or found: one line, and what is wrong, one line each.</summary>
 public sealed record ToolResult(string Summary, IReadOnlyList<string> Problems);

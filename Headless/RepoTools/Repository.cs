@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace FastPoints.RepoTools;
 
-/// <summary>Where things lie in a checkout.</summary>
 public sealed class Repository(string root)
 {
     /// <summary>Unity's generations that the package is built for, oldest first.</summary>
@@ -14,11 +13,7 @@ public sealed class Repository(string root)
     public string StandIns => Path.Combine(Root, "UnityOutside", "StandIns");
     public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
     public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
-
-    /// <summary>What Unity does that the package relies on.</summary>
     public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
-
-    /// <summary>How large the repository's parts may be.</summary>
     public string House => Path.Combine(Headless, "Api", "house.tsv");
 
     /// <summary>How large it may be at most after each part of the work: a copy of what may lie beside the repository.</summary>
@@ -32,7 +27,6 @@ public sealed class Repository(string root)
 
     private string DataRoot => Environment.GetEnvironmentVariable("FASTPOINTS_DATA") ?? Path.Combine(Root, "..", "shared");
 
-    /// <summary>The folder of an assembly as one generation of Unity compiles it.</summary>
     public string BuildOf(string assembly, string generation) =>
         Path.Combine(Headless, "artifacts", "bin", assembly, "unity-" + generation);
 
@@ -52,7 +46,6 @@ public sealed class Repository(string root)
         return output.Split('\n').Where(f => f.Length > 0 && File.Exists(Path.Combine(Root, f))).Distinct().ToList();
     }
 
-    /// <summary>The checkout that this program was built in.</summary>
     public static Repository Find()
     {
         for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)

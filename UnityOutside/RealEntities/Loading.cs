@@ -20,8 +20,6 @@ namespace RealEntities
         const BindingFlags Any = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
 
         static bool s_isDone;
-
-        /// <summary>The assemblies that post-processors were at.</summary>
         public static HashSet<string> Processed { get; } = new HashSet<string>();
 
         public static void Once()

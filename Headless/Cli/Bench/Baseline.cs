@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>An earlier run to compare with, and what of it a comparison may believe.</summary>
 public sealed class Baseline
 {
     /// <summary>Points are recovered from points a second and times, both rounded.</summary>
@@ -21,7 +20,6 @@ public sealed class Baseline
 
     public string Path { get; }
 
-    /// <summary>When and where it ran, as far as it says.</summary>
     public string Describe() => m_run.Date == 0 ? Path : string.Create(CultureInfo.InvariantCulture,
         $"{Path}: {DateTimeOffset.FromUnixTimeMilliseconds(m_run.Date):yyyy-MM-dd HH:mm} UTC, "
             + $"{m_run.Hardware.ProcessorType}, "
@@ -42,7 +40,6 @@ public sealed class Baseline
         return different.Count == 0 ? null : "not the same machine or runtime: " + string.Join("; ", different);
     }
 
-    /// <summary>Each workload beside its earlier self, in their order.</summary>
     public List<BaselineRow> Compare(IReadOnlyList<WorkloadSamples> now)
     {
         var rows = now.Select(Compare).ToList();
@@ -89,14 +86,10 @@ public sealed class Baseline
         result.SampleGroups.Find(g => g.Name == group)?.Samples ?? [];
 }
 
-/// <summary>One workload beside its earlier self.</summary>
-/// <param name="times">Milliseconds of the earlier run.</param>
 /// <param name="time">Null where nothing can be compared.</param>
-/// <param name="limit">The same of times by the limit's; null without one in both runs.</param>
 public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
     double? error, string result)
 {
-    /// <summary>Of the logarithm of the median ratio: less is not held against the machine.</summary>
     const double CommonChange = 0.03;
 
     public string Name => name;
@@ -107,7 +100,6 @@ public sealed class BaselineRow(string name, IReadOnlyList<double> times, Sample
     public string Verdict => result;
 
     /// <summary>What has only its time to be judged by is not called slower where all are: that may be the machine.</summary>
-    /// <param name="all">The median ratio of all workloads.</param>
     public BaselineRow BesideAll(double all)
     {
         if (time == null || (result != Baseline.Slower && result != Baseline.Faster))

@@ -1,12 +1,9 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier run.</summary>
 public static class BenchReport
 {
-    /// <summary>Times of a chart that are farther apart than this get a logarithmic axis.</summary>
     const double WideRange = 8;
 
-    /// <param name="rows">The comparison of each workload, in their order; null without a baseline.</param>
     public static byte[] Make(PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline? baseline,
         IReadOnlyList<BaselineRow>? rows, int points)
     {
@@ -68,7 +65,6 @@ public static class BenchReport
     static double[] Interval(SampleComparison? comparison) => comparison == null ? []
         : comparison.IsUnknown ? [comparison.Ratio] : [comparison.Low, comparison.Ratio, comparison.High];
 
-    /// <summary>What a comparison of two runs cannot know.</summary>
     public static IEnumerable<string> Honesty(IReadOnlyList<BaselineRow> rows)
     {
         var times = rows.Select(r => r.Time).OfType<SampleComparison>().ToList();
@@ -103,6 +99,5 @@ public static class BenchReport
         return chart;
     }
 
-    /// <summary>Workloads whose names begin alike are shown together.</summary>
     static string FamilyOf(string workload) => workload.Split(' ', ',')[0];
 }

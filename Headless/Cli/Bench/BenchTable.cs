@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>Workloads as rows of text, for a terminal and for a page.</summary>
 public static class BenchTable
 {
     public static TextTable Of(IReadOnlyList<WorkloadSamples> samples, IReadOnlyList<BaselineRow>? baseline)
@@ -40,7 +39,6 @@ public static class BenchTable
         samples.ErrorUnit != null ? Human.Measured(samples.MedianError) + " " + samples.ErrorUnit
         : samples.MedianError == 0 ? "exact" : Human.Measured(samples.MedianError);
 
-    /// <summary>From the shortest to the longest sample, as shares of the median.</summary>
     static string Scatter(WorkloadSamples samples) => samples.Ms.Count < 2 || samples.MedianMs <= 0 ? "" : string.Create(
         CultureInfo.InvariantCulture,
         $"-{100 * (1 - samples.Ms.Min() / samples.MedianMs):0} +{100 * (samples.Ms.Max() / samples.MedianMs - 1):0} %");

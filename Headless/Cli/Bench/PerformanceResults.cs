@@ -3,10 +3,8 @@ using System.Text.Encodings.Web;
 
 namespace FastPoints.Cli.Bench;
 
-/// <summary>Workloads' samples as a <see cref="PerformanceRun"/>, to a file and back.</summary>
 public static class PerformanceResults
 {
-    /// <summary>Called as Unity's package calls its own.</summary>
     public const string FileName = "PerformanceTestResults.json";
 
     /// <summary>The test that times a workload in Unity: results of both have one name.</summary>
@@ -46,7 +44,6 @@ public static class PerformanceResults
 
     public static byte[] ToBytes(PerformanceRun run) => JsonSerializer.SerializeToUtf8Bytes(run, s_options);
 
-    /// <summary>The workload that a result of the headless run or of Unity's test runner is of; or null.</summary>
     public static string? WorkloadOf(PerformanceTestResult result)
     {
         string begin = TestClass + "." + TestMethod + "(\"";
@@ -63,7 +60,6 @@ public static class PerformanceResults
         SampleGroups = samples.Series().Where(s => s.Samples.Count > 0).Select(Group).ToList(),
     };
 
-    /// <summary>The figures as the package computes them; the deviation is that of the samples themselves.</summary>
     static SampleGroup Group(SampleSeries series)
     {
         double average = series.Samples.Average();
@@ -82,7 +78,6 @@ public static class PerformanceResults
         };
     }
 
-    /// <summary>Reads a run, or the <c>--json</c> summary of one, which has a median of each workload and no samples.</summary>
     public static PerformanceRun Read(string path)
     {
         try

@@ -2,7 +2,6 @@
 // reads its PerformanceTestResults.json reads a run of ours.
 namespace FastPoints.Cli.Bench;
 
-/// <summary>One run of tests or workloads: where, with what, and every sample.</summary>
 public sealed class PerformanceRun
 {
     public string TestSuite = "";
@@ -12,13 +11,10 @@ public sealed class PerformanceRun
     public RunPlayer Player = new();
     public RunHardware Hardware = new();
     public RunEditor Editor = new();
-
-    /// <summary>Packages as <c>name@version</c>.</summary>
     public List<string> Dependencies = [];
     public List<PerformanceTestResult> Results = [];
 }
 
-/// <summary>One test with its groups of samples.</summary>
 public sealed class PerformanceTestResult
 {
     public string Name = "";
@@ -27,12 +23,9 @@ public sealed class PerformanceTestResult
     public string Version = "1";
     public List<string> Categories = ["Performance"];
     public List<SampleGroup> SampleGroups = [];
-
-    /// <summary>Negative: none.</summary>
     public double Threshold = -1;
 }
 
-/// <summary>Samples of one kind, and what follows from them.</summary>
 public sealed class SampleGroup
 {
     public string Name = "";
@@ -45,8 +38,6 @@ public sealed class SampleGroup
     public double Max;
     public double Median;
     public double Average;
-
-    /// <summary>Of these samples, not an estimate for all that might have been taken.</summary>
     public double StandardDeviation;
     public double Sum;
 }

@@ -1,29 +1,20 @@
 namespace FastPoints.Cli.Bench;
 
-/// <summary>
-/// Samples of now beside those of an earlier run: the ratio of their medians, and the ratios that the scatter of both allows.
-/// </summary>
 /// <remarks>The interval is that of Hodges and Lehmann (1963) for the shift between two samples, on logarithms: of all ratios
 /// of a sample of now to an earlier one, as many are cut off at each end as the rank-sum distribution of Mann and Whitney
 /// gives for the confidence. It assumes no shape of the noise, and knows only noise that is within each run.</remarks>
 public sealed class SampleComparison
 {
-    /// <summary>Confidence of the interval.</summary>
     public const double Confidence = 0.95;
 
     SampleComparison(double ratio, double low, double high) => (Ratio, Low, High) = (ratio, low, high);
 
-    /// <summary>Median of now over the earlier median.</summary>
     public double Ratio { get; }
 
     /// <summary>The least and the greatest ratio that the scatter allows; NaN where there are too few samples to say.</summary>
     public double Low { get; }
     public double High { get; }
-
-    /// <summary>Whether samples are too few for an interval: four in each run are wanted.</summary>
     public bool IsUnknown => double.IsNaN(Low);
-
-    /// <summary>Whether no change at all is beyond what the scatter allows.</summary>
     public bool IsBeyondNoise => !IsUnknown && (Low > 1 || High < 1);
 
     /// <summary>Null where either has no sample, or one that is not above 0.</summary>

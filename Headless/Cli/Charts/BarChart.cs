@@ -6,8 +6,6 @@ public static class BarChart
 {
     const int Width = 400, Left = 12, Right = 12, Top = 34, PlotHeight = 120, RowPx = 22, NameWidth = 132;
     const int Bins = 56;
-
-    /// <summary>Of the values, this share at either end is beyond the axis.</summary>
     const double OutlierShare = 0.002;
 
     static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
@@ -56,7 +54,6 @@ public static class BarChart
         return svg.Append("</svg>\n").ToString();
     }
 
-    /// <param name="rows">Name, amount, and what is written behind its bar.</param>
     public static string Rows(string title, IReadOnlyList<(string Name, double Amount, string Text)> rows)
     {
         var svg = new StringBuilder();

@@ -30,7 +30,6 @@ public sealed class ChartAxis
         return new ChartAxis(isLog, !isLog && low == 0 && high > low ? 0 : low - margin, high + margin, lowPx, highPx);
     }
 
-    /// <summary>Whether a value has a place of its own.</summary>
     public bool Holds(double value) => !m_isLog || value > 0;
 
     public double At(double value)

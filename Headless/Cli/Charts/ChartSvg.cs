@@ -2,16 +2,11 @@ using System.Net;
 
 namespace FastPoints.Cli.Charts;
 
-/// <summary>What charts are made of: SVG elements and one style, legible on light and on dark pages.</summary>
 public static class ChartSvg
 {
-    /// <summary>About what a letter takes, in most people's fonts.</summary>
     public const double LetterPx = 6.8;
-
-    /// <summary>Before an SVG that is a file of its own.</summary>
     public const string Declaration = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 
-    /// <summary>Series that have a colour of their own.</summary>
     public static int ColorCount => s_onLight.Length;
 
     // Okabe and Ito's colours, which most people can tell apart: darkened for light pages, lightened for dark ones.
@@ -37,7 +32,6 @@ public static class ChartSvg
         $".chart .c{i} .line {{ stroke: {color}; }} "
         + $".chart .c{i} .mark {{ fill: {color}; stroke: {color}; stroke-width: 1.5; }}\n"));
 
-    /// <summary>The element's beginning, its page and its title; ends with <c>&lt;/svg&gt;</c>.</summary>
     public static void Begin(StringBuilder svg, string title, int width, int height, double titleX) =>
         svg.Append("<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" ")
             .Append(s_c, $"viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" ")
@@ -46,7 +40,6 @@ public static class ChartSvg
             .Append(s_c, $"<rect class=\"page\" width=\"{width}\" height=\"{height}\"/>\n")
             .Append(s_c, $"<text class=\"title\" x=\"{titleX:0.#}\" y=\"22\">{Escape(title)}</text>\n");
 
-    /// <summary>Circle, square, triangle, diamond, then again.</summary>
     public static void Mark(StringBuilder svg, int index, double x, double y, bool isFilled)
     {
         string style = isFilled ? "mark" : "mark hollow";
@@ -75,7 +68,6 @@ public static class ChartSvg
 
     public static string Escape(string text) => WebUtility.HtmlEncode(text);
 
-    /// <summary>Up to a million and down to a ten-thousandth as people write it.</summary>
     public static string Label(double value)
     {
         double size = Math.Abs(value);

@@ -1,9 +1,5 @@
 namespace FastPoints.Cli.Charts;
 
-/// <summary>
-/// A line chart as SVG: linear or logarithmic axes, a legend, a marker of its own for each series, legible on light and on
-/// dark pages.
-/// </summary>
 /// <remarks>What a logarithmic axis cannot show (zero or less) stands on its lower end, with a hollow marker; what is not
 /// finite is left out.</remarks>
 public sealed class LineChart(string title, string xLabel, string yLabel)
@@ -23,10 +19,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     public bool HasLegend { get; init; } = true;
 
     public string Title => title;
-
-    /// <summary>No series has a point that could be shown.</summary>
     public bool IsEmpty => m_series.All(s => s.Points.Count == 0);
-
     public bool LogX { get; init; }
     public bool LogY { get; init; }
 

@@ -1,9 +1,5 @@
 namespace FastPoints.Cli.Charts;
 
-/// <summary>
-/// Named rows of samples along one axis as SVG: each row has a lane for each series, in which every sample is a marker, with
-/// a bar from the least to the greatest and a tick at the median; what stands to the right of it is text.
-/// </summary>
 public sealed class RowChart(string title, string xLabel, string textHead, params string[] series)
 {
     const int Top = 62, Bottom = 46, PlotWidth = 430, LanePx = 15, RowGap = 11, Gap = 12, HeadY = 54;
@@ -13,11 +9,8 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
     readonly List<Row> m_rows = [];
 
     public bool LogX { get; init; }
-
-    /// <summary>A value with a line of its own through all rows, for what they are compared with.</summary>
     public double? Reference { get; init; }
 
-    /// <param name="lanes">Samples of each series; none where a row has none of it.</param>
     public void Add(string name, string text, params IReadOnlyList<double>[] lanes) =>
         m_rows.Add(new Row(name, text, lanes.Select(l => l.Where(double.IsFinite).ToArray()).ToArray()));
 

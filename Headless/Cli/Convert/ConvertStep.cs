@@ -3,7 +3,6 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Convert;
 
-/// <summary>A cloud that was converted, and what is to be said of it.</summary>
 public sealed class ConvertStep
 {
     public required ConvertResult Result { get; init; }
@@ -64,7 +63,6 @@ public sealed class ConvertStep
             + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds) + note;
     }
 
-    /// <summary>The keys of <c>convert</c>, into an object that is open.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         var manifest = Result.Manifest;

@@ -5,24 +5,16 @@ namespace FastPoints.Cli.Convert
     /// <summary>How evenly the sampled points of one level lie. Lengths are in CRS units.</summary>
     public sealed class LevelQuality
     {
-        /// <summary>Nearest neighbours are looked for up to so many spacings away; a point without one there is left
-        /// out.</summary>
         const double FarthestSpacings = 3;
 
         public required int Level { get; init; }
         public required int Nodes { get; init; }
         public required long Points { get; init; }
         public required double Spacing { get; init; }
-
-        /// <summary>Inside of chunks.</summary>
         public required double MinDistance { get; init; }
         public required double ShareNearAcrossChunks { get; init; }
-
-        /// <summary>Standard deviation by mean of the distances from the level's points to their nearest neighbours, in what is
-        /// drawn down to the level.</summary>
         public required double Variation { get; init; }
 
-        /// <summary>Of every level with a spacing; the cloud is verified on the way.</summary>
         public static List<LevelQuality> Measure(string cloud, CliRun run)
         {
             var verified = new VerifyResult();

@@ -4,16 +4,12 @@ namespace FastPoints.Cli.Convert;
 /// measured, and fixed views drawn under several budgets against a picture of all points.</summary>
 public sealed class SamplerReport(PointReader reader, string folder, ConvertSettings settings, CliRun run)
 {
-    /// <summary>Memory in MiB where it is not that of the build itself: little memory makes smaller chunks, with more
-    /// faces.</summary>
     static readonly (Sampler Sampler, int CellsLog2, int MemoryMiB)[] s_settings =
     [
         (Sampler.Random, 7, 0), (Sampler.Poisson, 6, 0), (Sampler.Poisson, 7, 0),
         (Sampler.Poisson, 8, 0), (Sampler.Average, 7, 0), (Sampler.Poisson, 7, 64),
     ];
     static readonly long[] s_budgets = [250_000, 500_000, 1_000_000, 2_000_000, 5_000_000];
-
-    /// <summary>Of the distance from the eye to what the standard view looks at.</summary>
     const double CloseUp = 0.2;
 
     sealed record Built(string Name, double Seconds, double BytesPerPoint, List<LevelQuality> Levels, List<Drawn> Pictures);

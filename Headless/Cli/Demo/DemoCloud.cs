@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Demo;
 
-/// <summary>The seeded scan as a file.</summary>
 public static class DemoCloud
 {
     public const long DefaultPoints = 5_000_000;

@@ -2,17 +2,14 @@ using System.Buffers.Binary;
 
 namespace FastPoints.Cli.Demo;
 
-/// <summary>
-/// Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and every
-/// header record comes along; shifts are whole grid steps, so that nothing is rounded.
-/// </summary>
+/// <summary>Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and
+/// every header record comes along; shifts are whole grid steps, so that nothing is rounded.</summary>
 public static class LasTiling
 {
     const int BufferBytes = 1 << 20;
     const int MaxX = 179, MinX = 187, ScaleX = 131, VersionMinor = 25, LegacyCount = 107, LegacyByReturn = 111;
     const int WaveformStart = 227, EvlrStart = 235, Count64 = 247, ByReturn64 = 255;
 
-    /// <returns>Points written.</returns>
     public static long Write(string source, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
         long points, pointsAt;
@@ -106,7 +103,6 @@ public static class LasTiling
         return (min, max);
     }
 
-    /// <summary>Counts, bounds, and where that which follows the points begins.</summary>
     /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
     internal static long PatchHead(string source, byte[] head, long points, long total, int times,
         int recordBytes, long pointsAt, long shift)

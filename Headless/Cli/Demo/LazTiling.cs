@@ -2,10 +2,8 @@ using System.Buffers.Binary;
 
 namespace FastPoints.Cli.Demo;
 
-/// <summary>
-/// Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
-/// differences, so that a chunk is moved by four of its bytes.
-/// </summary>
+/// <summary>Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
+/// differences, so that a chunk is moved by four of its bytes.</summary>
 /// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
 public static class LazTiling
 {
@@ -14,7 +12,6 @@ public static class LazTiling
     /// <summary>Of the LASzip VLR's payload: the points of a chunk.</summary>
     const int ChunkPointsAt = 12;
 
-    /// <returns>Points written.</returns>
     public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
         using var source = FileSource.Open(path);

@@ -53,7 +53,6 @@ internal sealed class PlyOutput : IReturnSink
             Flush();
     }
 
-    /// <summary>Hands on what is still in the buffer.</summary>
     public void Flush()
     {
         m_stream.Write(m_buffer, 0, m_end);

@@ -1,9 +1,5 @@
 namespace FastPoints.Cli.Draw;
 
-/// <summary>
-/// Where a camera goes: places and targets at some frames, and a smooth way between them; at a cut it is somewhere else at
-/// once. As a file: a line each, <c>frame eyeX eyeY eyeZ targetX targetY targetZ [cut]</c>, in the cloud's coordinates.
-/// </summary>
 public sealed class CameraPath
 {
     readonly record struct Key(int Frame, double3 Eye, double3 Target, bool IsCut);
@@ -16,7 +12,6 @@ public sealed class CameraPath
 
     public int FrameCount => m_keys[^1].Frame + 1;
 
-    /// <summary>Whether the camera is somewhere else than the frame before leads to.</summary>
     public bool IsCut(int frame) => m_keys.Exists(k => k.IsCut && k.Frame == frame);
 
     public static CameraPath Read(string path, double3 up, double fovDegrees)
@@ -53,7 +48,6 @@ public sealed class CameraPath
         return result;
     }
 
-    /// <summary>An overview, a dive, a way along the ground, a cut to the other side, and a rest there.</summary>
     public static CameraPath Around(BoundsGeo bounds, UpAxis upAxis, int frames, double fovDegrees)
     {
         upAxis.Directions(out var east, out var north, out var up);
@@ -79,7 +73,6 @@ public sealed class CameraPath
         return path;
     }
 
-    /// <summary>The camera of a frame; beyond the last key it rests.</summary>
     public Camera CameraAt(int frame)
     {
         int next = m_keys.FindIndex(k => k.Frame > frame);
@@ -91,7 +84,6 @@ public sealed class CameraPath
         return Camera.Perspective(Way(last, along, k => k.Eye), Way(last, along, k => k.Target), m_up, m_fovDegrees);
     }
 
-    /// <summary>Catmull and Rom's curve through the keys; beyond an end or a cut the key is its own neighbour.</summary>
     double3 Way(int key, double t, Func<Key, double3> of)
     {
         double3 b = of(m_keys[key]), c = of(m_keys[key + 1]);

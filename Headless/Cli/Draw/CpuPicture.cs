@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Draw;
 
-/// <summary>Software pictures of all clouds that are streamed.</summary>
 public sealed class CpuPicture(StreamContext stream, PictureOptions options) : FlightPicture(options)
 {
     readonly StreamedPicture m_picture = new(options);

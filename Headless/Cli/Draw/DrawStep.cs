@@ -1,21 +1,14 @@
 namespace FastPoints.Cli.Draw;
 
-/// <summary>A picture that was drawn from a source file or a converted cloud, and what is to be said of it.</summary>
 public sealed class DrawStep
 {
     public required long Points { get; init; }
-
-    /// <summary>Nodes of the octree; null for a source file, which has none.</summary>
     public int? Nodes { get; init; }
     public required double Seconds { get; init; }
     public required RgbaImage Image { get; init; }
     public required Legend Legend { get; init; }
     public required IReadOnlyList<string> Assumptions { get; init; }
-
-    /// <summary>What drew it.</summary>
     public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
-
-    /// <summary>Against another picture, where one was given.</summary>
     internal ImageError? Error { get; set; }
 
     /// <param name="budget">Points to draw at most; 0 for all.</param>
@@ -35,7 +28,6 @@ public sealed class DrawStep
         };
     }
 
-    /// <summary>From a converted cloud.</summary>
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunStored(string path, PictureOptions options, long budget, CliRun run)
     {
@@ -55,7 +47,6 @@ public sealed class DrawStep
     }
 
     /// <summary>Streamed to a graphics card as a game would, and drawn there when all has come.</summary>
-    /// <param name="paths">Clouds that can be streamed; the first decides on the camera, unless one is given.</param>
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
     {
@@ -96,7 +87,6 @@ public sealed class DrawStep
         };
     }
 
-    /// <summary>Frames until all that is selected is there.</summary>
     static FrameStats Settle(StreamContext stream, GpuPicture picture, Camera camera, PictureOptions options, CliRun run)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);

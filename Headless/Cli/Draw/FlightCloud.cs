@@ -4,15 +4,10 @@ using FastPoints.Sampling;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>A cloud before it is streamed: converted, with an octree of its own (COPC, Potree, EPT), or any other file as its
-/// preview. What colours it has, and what is streamed for them.</summary>
 public static class FlightCloud
 {
-    /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
     const int PointsToPlanWith = DrawStored.PointsToPlanWith;
 
-    /// <summary>Adds a cloud to a stream.</summary>
-    /// <returns>What it looks like.</returns>
     internal static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
         out DisplayRanges ranges, out int number, out double metresPerUnit)
     {
@@ -23,7 +18,6 @@ public static class FlightCloud
         return AddSource(reader, stream, options, cancellation, out ranges, out number);
     }
 
-    /// <param name="reader">Becomes the stream's.</param>
     internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options,
         CancellationToken cancellation, out DisplayRanges ranges, out int number)
     {
@@ -48,7 +42,6 @@ public static class FlightCloud
         }
     }
 
-    /// <summary>What a source without an octree can show: its preview.</summary>
     static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options,
         CancellationToken cancellation, out DisplayRanges ranges, out int number)
     {

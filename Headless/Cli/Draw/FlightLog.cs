@@ -1,9 +1,7 @@
 namespace FastPoints.Cli.Draw;
 
-/// <summary>What the frames of a flight did.</summary>
 public sealed class FlightLog
 {
-    /// <summary>Of what is selected, so much is drawn when a cut counts as overcome.</summary>
     const double FullShare = 0.95;
 
     /// <summary>A frame that takes longer than two of 60 a second.</summary>
@@ -24,11 +22,7 @@ public sealed class FlightLog
 
     public int Count => m_frames.Count;
     public long GarbageBytes => m_frames.Sum(f => f.GarbageBytes);
-
-    /// <summary>Of frames in which everything has been made once.</summary>
     public long LaterGarbageBytes => m_frames.Skip(FramesToWarmUp).Sum(f => f.GarbageBytes);
-
-    /// <summary>In the first frame code is compiled or loaded.</summary>
     public double FirstMs => m_frames[0].MainThreadMs;
     public double MaxLaterMs => m_frames.Skip(1).Select(f => f.MainThreadMs).DefaultIfEmpty().Max();
     public long BytesRead => m_frames.Sum(f => f.Stats.ReadBytes);
@@ -40,7 +34,6 @@ public sealed class FlightLog
     public double[] SelectMs => Percentiles(f => f.Stats.SelectMs);
     public double[] RequestMs => Percentiles(f => f.Stats.RequestMs);
 
-    /// <summary>By number of the frame.</summary>
     public IEnumerable<(double, double)> Of(Func<FrameStats, double> value) =>
         m_frames.Select((f, i) => ((double)i, value(f.Stats)));
 

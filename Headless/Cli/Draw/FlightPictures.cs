@@ -2,8 +2,6 @@ using System.Text.RegularExpressions;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>The pictures of a flight: an animation as WebP or PNG, whichever its name says, or is smaller; or single
-/// files.</summary>
 sealed partial class FlightPictures : IDisposable
 {
     readonly List<Animation> m_animations = [];
@@ -11,8 +9,6 @@ sealed partial class FlightPictures : IDisposable
     int m_count;
 
     /// <param name="output">A folder, NAME.webp, NAME.png, or NAME%04d.png for single pictures.</param>
-    /// <param name="canWebp">Whether there is something to write it with.</param>
-    /// <exception cref="UsageException">The name asks for WebP, which cannot be written here.</exception>
     public FlightPictures(string output, PictureOptions options, int pictures, int delayMs, bool canWebp)
     {
         canWebp &= Math.Max(options.WidthPx, options.HeightPx) <= AnimatedWebp.MaxEdgePx;
@@ -36,10 +32,8 @@ sealed partial class FlightPictures : IDisposable
 
     public long Bytes { get; private set; }
 
-    /// <summary>In place of a folder that has more than pictures.</summary>
     public static bool IsFile(string output) => Path.GetExtension(output).ToLowerInvariant() is ".png" or ".webp";
 
-    /// <summary>Of single pictures, the file of one.</summary>
     public static string NameOf(string output, int number) => Numbers().Replace(output, match =>
         number.ToString("D" + match.Groups[1].Value, CultureInfo.InvariantCulture), 1);
 
@@ -54,7 +48,6 @@ sealed partial class FlightPictures : IDisposable
         (Kept, Bytes) = (m_singles, Bytes + png.Length);
     }
 
-    /// <summary>Of two animations, the smaller is kept.</summary>
     public void Keep()
     {
         foreach (var animation in m_animations.OrderBy(a => a.Bytes))

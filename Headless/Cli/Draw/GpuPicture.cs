@@ -18,7 +18,6 @@ public sealed class GpuPicture : FlightPicture
     readonly CommandBuffer m_commands = new() { name = "FastPoints" };
     float m_edlStrength;
 
-    /// <param name="stream">Its pool is one of the graphics card's.</param>
     /// <param name="canCompute">Points of one pixel by a compute shader; without, as point primitives.</param>
     public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
         : base(options)
@@ -87,7 +86,6 @@ public sealed class GpuPicture : FlightPicture
         };
     }
 
-    /// <summary>How far before or behind an eye a cloud reaches.</summary>
     double DepthAround(in Camera camera)
     {
         double depth = 0;

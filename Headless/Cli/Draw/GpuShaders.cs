@@ -2,12 +2,10 @@ using UnityEngine;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>The package's shaders on a graphics card.</summary>
 public sealed class GpuShaders
 {
     const string Folder = "Packages/com.fastpoints.dots/Shaders";
 
-    /// <exception cref="UsageException">There is no card, or no compiler, or not the package's sources: which.</exception>
     public GpuShaders()
     {
         if (!HeadlessGraphics.IsAvailable)
@@ -26,7 +24,6 @@ public sealed class GpuShaders
 
     public NodePool CreatePool(long limitBytes, int bankBytes) => new GraphicsNodePool(CopyPages, limitBytes, bankBytes);
 
-    /// <summary>The program is built within the repository.</summary>
     static string FindFolder()
     {
         for (string? at = AppContext.BaseDirectory; at != null; at = Path.GetDirectoryName(at))

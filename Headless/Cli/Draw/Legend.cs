@@ -2,14 +2,10 @@ using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>What is written on a picture: what its colours mean, at the bottom left, and a length, at the bottom right. Pictures
-/// too small to read it on have none.</summary>
 /// <param name="metresPerUnit">Of the coordinates: NaN for degrees, 0 where it is not known.</param>
 public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, PictureOptions options, double metresPerUnit)
 {
     const int MinWidthPx = 320, MinHeightPx = 180, MaxRows = 8;
-
-    /// <summary>Columns of seven dots of each letter, the topmost in the lowest bit.</summary>
     const string Letters = "0123456789abcdefghijklmnopqrstuvwxyz.,-+%/:()";
     const string Dots = "3E5149453E00427F40004261514946214145 4B311814127F1027454545393C4A494930017109050336494949360649"
         + "49291E20545454787F4844443838444444203844 44487F3854545418087E0901020C5252523E7F0804047800447D4000"
@@ -22,7 +18,6 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
     internal static Legend Of(PicturePlan plan, PictureOptions options, double metresPerUnit) =>
         new(plan.Mode, plan.Ranges, plan.Camera, options, metresPerUnit);
 
-    /// <summary>A copy with the legend.</summary>
     public RgbaImage On(RgbaImage image)
     {
         var copy = new RgbaImage(image.Width, image.Height);
@@ -98,7 +93,6 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
 
     static int WidthOf(string text, int dot) => (6 * text.Length - 1) * dot;
 
-    /// <summary>Small letters, digits and a few signs; all else is a space.</summary>
     void Write(RgbaImage image, int dot, int left, int top, string text)
     {
         foreach (var (color, shift) in new[] { (Shadow, dot), (Ink, 0) })

@@ -6,11 +6,8 @@ namespace FastPoints.Cli.Draw;
 /// <summary>Makes views of a picture's camera, where the engine has no camera. Depth is reversed: 1 near, 0 far.</summary>
 internal static class RenderViews
 {
-    /// <summary>Distance below which a perspective camera sees nothing: as near as floats still resolve depths at any
-    /// distance.</summary>
     public const double NearGeo = 1e-6;
 
-    /// <param name="depthGeo">How far an orthographic camera sees before and behind its eye.</param>
     public static RenderView Of(in Camera camera, int widthPx, int heightPx, double depthGeo)
     {
         double aspect = (double)widthPx / heightPx;

@@ -1,7 +1,5 @@
 namespace FastPoints.Cli.Draw;
 
-/// <summary>A picture of clouds that bring octrees along, of several kinds at once: they are streamed for the camera until
-/// nothing more comes.</summary>
 public static class StreamedPictureStep
 {
     const long PoolBytes = 2L << 30;
@@ -61,7 +59,6 @@ public static class StreamedPictureStep
         };
     }
 
-    /// <summary>Frames until nothing more comes: all is there, or the pool has no room for more.</summary>
     static FrameStats Rest(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
     {
         using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)],

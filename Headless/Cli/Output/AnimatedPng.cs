@@ -2,7 +2,6 @@ namespace FastPoints.Cli.Output;
 
 /// <summary>An animation in the PNG format (APNG 1.0), without loss: viewers that know no animations show the first
 /// picture.</summary>
-/// <param name="delayMs">Each is shown for so long.</param>
 sealed class AnimatedPng(string path, int widthPx, int heightPx, int pictures, int delayMs)
     : Animation(path, widthPx, heightPx, pictures)
 {

@@ -2,17 +2,12 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>An animation in the WebP format, with loss: a sixth of a PNG's bytes. The system's libwebp packs each picture; the
-/// container around them is plain.</summary>
-/// <param name="delayMs">Each is shown for so long.</param>
 sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pictures, int delayMs)
     : Animation(path, widthPx, heightPx, pictures)
 {
     public const int MaxEdgePx = 16_383;
 
     const float Quality = 80;
-
-    /// <summary>The head of a single picture's file: RIFF, its length, WEBP.</summary>
     const int HeadBytes = 12;
 
     static readonly string[] s_names = OperatingSystem.IsWindows() ? ["libwebp.dll", "libwebp-7.dll"]
@@ -32,7 +27,6 @@ sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pic
             }
     }
 
-    /// <summary>Whether this machine has libwebp.</summary>
     public static bool CanWrite => s_encode != null;
 
     protected override void Write(RgbaImage image, int number)
@@ -59,7 +53,6 @@ sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pic
         Stream.Write(Little(Stream.Length - 8, 4));
     }
 
-    /// <summary>A picture's chunk.</summary>
     static byte[] Pack(RgbaImage image)
     {
         byte[] rgba = (byte[])image.Rgba.Clone();

@@ -1,8 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>Pictures that browsers show one after the other, for ever. They go to the file as they come; it is complete or
-/// absent.</summary>
-/// <param name="pictures">So many must be added.</param>
 abstract class Animation(string path, int widthPx, int heightPx, int pictures) : IDisposable
 {
     readonly OutputFile m_file = new(path);
@@ -15,7 +12,6 @@ abstract class Animation(string path, int widthPx, int heightPx, int pictures) :
     protected int Pictures => pictures;
     protected Stream Stream => m_file.Stream;
 
-    /// <summary>The next picture; transparency is left out. The last one completes the file.</summary>
     public void Add(RgbaImage image)
     {
         if (image.Width != widthPx || image.Height != heightPx || m_count >= pictures)
@@ -32,7 +28,6 @@ abstract class Animation(string path, int widthPx, int heightPx, int pictures) :
         });
     }
 
-    /// <summary>What is not complete is deleted.</summary>
     public void Dispose() => m_file.Dispose();
 
     /// <param name="number">From 0.</param>

@@ -1,7 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>The clouds of a run, each with its own outcome. <c>files</c> has them all; the keys of a single one stand at the
-/// top of the summary as well.</summary>
 public sealed class CloudList(IEnumerable<string> inputs)
 {
     sealed record Entry(string Input)
@@ -14,8 +12,6 @@ public sealed class CloudList(IEnumerable<string> inputs)
     readonly List<Entry> m_all = inputs.Select(i => new Entry(i)).ToList();
     int m_taken;
 
-    /// <summary>Works on the next one: where it is bad input, the run goes on.</summary>
-    /// <param name="work">Gives what writes the cloud's keys.</param>
     public void Take(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointsAccount Points)> work)
     {
         var entry = m_all[m_taken++];

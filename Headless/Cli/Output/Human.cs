@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>Numbers as people read them.</summary>
 public static class Human
 {
     public static string Count(long value) => value.ToString("N0", CultureInfo.InvariantCulture);
@@ -46,7 +45,6 @@ public static class Human
         return minutes < 100 ? minutes + " min" : minutes / 60 + " h " + minutes % 60 + " min";
     }
 
-    /// <summary>As many decimals as the step of the coordinates has.</summary>
     public static string Coordinate(double value, double step)
     {
         int decimals = step > 0 && step < 1 ? Math.Min(12, (int)Math.Ceiling(-Math.Log10(step) - 1e-9)) : 3;
@@ -60,7 +58,6 @@ public static class Human
                 .ToString(CultureInfo.InvariantCulture)
             : value.ToString("0.###e0", CultureInfo.InvariantCulture);
 
-    /// <summary>What lengths are in.</summary>
     /// <param name="metresPerUnit">NaN for degrees, whose lengths are metres; 0 where it is not known.</param>
     public static string Unit(double metresPerUnit) => double.IsNaN(metresPerUnit) || metresPerUnit == 1 ? "m"
         : metresPerUnit == 0 ? "units" : Math.Abs(metresPerUnit - 0.3048) < 1e-5 ? "ft"

@@ -10,7 +10,6 @@ public static class Machine
         + RuntimeInformation.OSDescription.Trim() + ", "
         + RuntimeInformation.ProcessArchitecture + "; " + RuntimeInformation.FrameworkDescription;
 
-    /// <summary>What the processor calls itself.</summary>
     public static string Processor()
     {
         const string CpuInfo = "/proc/cpuinfo";

@@ -1,9 +1,7 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>
-/// A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>, deleted
-/// when it never came to that.
-/// </summary>
+/// <summary>A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>,
+/// deleted when it never came to that.</summary>
 public sealed class OutputFile : IDisposable
 {
     readonly string m_path;
@@ -46,7 +44,6 @@ public sealed class OutputFile : IDisposable
             File.Delete(m_temporaryPath);
     }
 
-    /// <summary>A pipe or a device, /dev/stdout for one, which is written to and not replaced.</summary>
     public static bool IsDevice(string path) =>
         !OperatingSystem.IsWindows() && Path.GetFullPath(path) is var full && (full.StartsWith("/dev/", StringComparison.Ordinal)
             && !full.StartsWith("/dev/shm/", StringComparison.Ordinal) || full.StartsWith("/proc/", StringComparison.Ordinal));
@@ -65,10 +62,8 @@ public sealed class OutputFile : IDisposable
         file.Commit();
     }
 
-    /// <summary>Makes a folder and those above it.</summary>
     public static void MakeFolder(string path) => Guarded(path, () => Directory.CreateDirectory(path));
 
-    /// <summary>Runs something that writes <paramref name="path"/>, and says in one line what went wrong with it.</summary>
     public static void Guarded(string path, Action write)
     {
         try

@@ -13,8 +13,6 @@ static class OutputNames
 
     static readonly string[] s_others = [".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp", ".tif", ".tiff", ".html", ".csv"];
 
-    /// <param name="option">The option that gives the name.</param>
-    /// <param name="what">What is written there, which is neither a point cloud nor a picture.</param>
     public static void RefuseOther(string option, string what, string path)
     {
         if (IsCloud(path) || s_others.Any(ending => HasEnding(path, ending)))
@@ -22,14 +20,12 @@ static class OutputNames
                 + ", got the name " + path);
     }
 
-    /// <summary>The name of a picture.</summary>
     public static void RefuseNoPicture(string path)
     {
         if (Path.GetExtension(path) is { Length: > 0 } ending && !HasEnding(path, ".png"))
             throw new UsageException("--output: a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
     }
 
-    /// <summary>The name of a point cloud file.</summary>
     public static void RefuseNoExport(string path)
     {
         if (!ExportCloud.CanWrite(path))
@@ -38,7 +34,6 @@ static class OutputNames
             throw new UsageException("--output: this is a folder: " + path);
     }
 
-    /// <summary>The name of a folder that is converted into.</summary>
     public static void RefuseFile(string path)
     {
         if (IsCloud(path) && !HasEnding(path, StoreFormat.FolderExtension))
@@ -48,7 +43,6 @@ static class OutputNames
             RefuseOther("--output", "a converted cloud", path);
     }
 
-    /// <summary>Nothing is written over what is read: not by another spelling, nor through links.</summary>
     public static void RefuseInputs(string output, IEnumerable<string> inputs)
     {
         string written = Real(output);
@@ -61,8 +55,6 @@ static class OutputNames
         }
     }
 
-    /// <summary>What somebody else has made is not replaced.</summary>
-    /// <param name="force">Do it all the same.</param>
     public static void RefuseForeign(string path, bool force)
     {
         if (!force && !OutputFile.IsDevice(path) && File.Exists(path) && !IsOwn(path))
@@ -70,8 +62,6 @@ static class OutputNames
     }
 
     /// <summary>The name of a folder for several files: new, empty, or one that the same verb has filled before.</summary>
-    /// <param name="what">What is written there.</param>
-    /// <param name="marker">A file that this verb always writes there.</param>
     public static void RefuseForeignFolder(string what, string path, string marker, bool force)
     {
         RefuseOther("--output", what, path);
@@ -82,13 +72,11 @@ static class OutputNames
             throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
 
-    /// <summary>By its name alone.</summary>
     public static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
 
     static bool HasEnding(string path, string ending) =>
         path.TrimEnd('/', Path.DirectorySeparatorChar).EndsWith(ending, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether it is empty, or its head names this tool, or it is a summary.</summary>
     static bool IsOwn(string path)
     {
         var head = new byte[512];
@@ -104,7 +92,6 @@ static class OutputNames
             || text.StartsWith('{') && text[1..].TrimStart().StartsWith("\"verb\":", StringComparison.Ordinal);
     }
 
-    /// <summary>The full path with all links followed.</summary>
     static string Real(string path)
     {
         string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));

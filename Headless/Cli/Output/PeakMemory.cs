@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>The most memory that this process ever had resident.</summary>
 public static class PeakMemory
 {
     public static long ResidentBytes

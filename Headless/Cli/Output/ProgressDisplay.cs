@@ -2,10 +2,8 @@ using System.Diagnostics;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>
-/// Progress on standard error: a line redrawn in place on a terminal, elsewhere plain lines, at most one a second. Short
-/// stages say nothing.
-/// </summary>
+/// <summary>Progress on standard error: a line redrawn in place on a terminal, elsewhere plain lines, at most one a second. Short
+/// stages say nothing.</summary>
 public sealed class ProgressDisplay : IDisposable
 {
     const int BarCells = 24;

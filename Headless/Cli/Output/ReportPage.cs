@@ -2,11 +2,8 @@ using System.Net;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>A page: one file with everything in it, pictures too, which asks nothing of any network. Its style and scripts are
-/// the host's resources.</summary>
 public sealed class ReportPage(string title, string? lead = null)
 {
-    /// <summary>Nothing is fetched from anywhere, whatever a file's name or text holds.</summary>
     const string Policy = "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
     readonly StringBuilder m_body = new();
@@ -20,13 +17,9 @@ public sealed class ReportPage(string title, string? lead = null)
         return reader.ReadToEnd();
     }
 
-    /// <summary>HTML as it is.</summary>
     public void Html(string html) => m_body.Append(html).Append('\n');
 
     /// <summary>The 3D view.</summary>
-    /// <param name="json">What its script reads.</param>
-    /// <param name="png">Stands in where it cannot be drawn, and on paper.</param>
-    /// <param name="note">HTML below it.</param>
     public void View(string json, byte[] png, string alt, string time, string note)
     {
         string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))
@@ -35,16 +28,13 @@ public sealed class ReportPage(string title, string? lead = null)
         m_scripts.Add("view.js");
     }
 
-    /// <summary>What stands first: large figures with small names.</summary>
     public void Tiles(IEnumerable<(string Name, string Value)> tiles) =>
         Html("<dl class=\"tiles\">" + string.Concat(tiles.Select(t =>
             $"<div><dt>{Escape(t.Name)}</dt><dd>{Escape(t.Value)}</dd></div>\n")) + "</dl>");
 
-    /// <summary>Side by side, as many as fit.</summary>
     public void Row(IEnumerable<string> html) => Html("<div class=\"row\">" + string.Concat(html.Select(h =>
         "<figure>" + h + "</figure>\n")) + "</div>");
 
-    /// <summary>Lines to copy, each with what it is for.</summary>
     public void Lines(IEnumerable<(string What, string Line)> lines)
     {
         Html("<ul class=\"lines\">" + string.Concat(lines.Select(l => $"<li>{Escape(l.What)}<div class=\"copy\"><code>"
@@ -69,7 +59,6 @@ public sealed class ReportPage(string title, string? lead = null)
 
     public void Charts(IEnumerable<LineChart> charts) => Row(charts.Select(c => c.ToSvg()));
 
-    /// <summary>Pictures side by side, as many as fit.</summary>
     public void Pictures(IEnumerable<(byte[] Png, string Caption)> pictures)
     {
         m_body.Append("<div class=\"row\">\n");
@@ -78,7 +67,6 @@ public sealed class ReportPage(string title, string? lead = null)
         m_body.Append("</div>\n");
     }
 
-    /// <summary>Scrolls where the page is too narrow for it.</summary>
     public void Table(TextTable table)
     {
         m_body.Append("<div class=\"wide\"><table>\n");

@@ -1,9 +1,7 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>What took how long.</summary>
 public static class StageTable
 {
-    /// <param name="first">Stages before this one are another matter.</param>
     public static TextTable Of(StageProgress progress, int first = 0)
     {
         var table = new TextTable("stage", "seconds", "points", "points/s", "MB/s");

@@ -3,7 +3,6 @@ using System.Text.Encodings.Web;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>The <c>--json</c> summary: the keys that every verb has, around the verb's own.</summary>
 public static class Summary
 {
     /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
@@ -12,7 +11,6 @@ public static class Summary
     static readonly JsonWriterOptions s_options =
         new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <param name="destination">A file, or <c>-</c> for <paramref name="output"/>.</param>
     public static void Write(string destination, TextWriter output, string verb, CliRun run, Failure? failure)
     {
         byte[] bytes = ToBytes(json =>
@@ -43,7 +41,6 @@ public static class Summary
             OutputFile.Write(destination, bytes);
     }
 
-    /// <summary>A file with one object.</summary>
     public static void WriteFile(string path, Action<Utf8JsonWriter> keys) => OutputFile.Write(path, ToBytes(keys));
 
     static byte[] ToBytes(Action<Utf8JsonWriter> keys)

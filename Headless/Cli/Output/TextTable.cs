@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>Columns for a terminal: the first to the left, the others to the right.</summary>
 public sealed class TextTable
 {
     readonly List<string[]> m_rows = [];

@@ -3,7 +3,6 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Page;
 
-/// <summary>The page of the main job: what somebody who gets it wants to know of a cloud, from the top down.</summary>
 sealed class CloudPage
 {
     public required string Name { get; init; }
@@ -195,7 +194,6 @@ sealed class CloudPage
             yield return Picture(Gpu.Image, "Streamed, and drawn as a game would: " + Gpu.Describe() + ", " + Gpu.Device);
     }
 
-    /// <summary>At half its size: the page stays small, and the files beside it are whole.</summary>
     static string Picture(RgbaImage image, string caption)
     {
         var half = new RgbaImage(Math.Max(1, image.Width / 2), Math.Max(1, image.Height / 2));
@@ -226,7 +224,6 @@ sealed class CloudPage
             "<address of the FastPoints repository>.git?path=/Packages/com.fastpoints.dots");
     }
 
-    /// <summary>As a shell takes it.</summary>
     public static string Quoted(string word) =>
         word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./\\:=,+@".Contains(c)) ? word
             : "'" + word.Replace("'", "'\\''") + "'";

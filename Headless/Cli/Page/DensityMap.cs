@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Page;
 
-/// <summary>How many points there are on a square of ground, from above: counted in a sample, and scaled up to all.</summary>
 sealed class DensityMap
 {
     const int MaxCells = 256;
@@ -10,9 +9,7 @@ sealed class DensityMap
 
     readonly RgbaImage m_image;
 
-    /// <param name="bounds">What is outside of them is not counted.</param>
     /// <param name="lengths">Of a unit of each axis.</param>
-    /// <param name="points">Of the whole cloud, that the sample stands for.</param>
     public DensityMap(ViewPoints sample, BoundsGeo bounds, double3 lengths, UpAxis upAxis, long points)
     {
         upAxis.Directions(out var east, out var north, out _);
@@ -41,16 +38,12 @@ sealed class DensityMap
                 m_image[i % columns, i / columns] = Palettes.Viridis(Math.Min(1, counts[i] * perCount / High));
     }
 
-    /// <summary>Otherwise it is a point or a line from above.</summary>
     public bool HasArea { get; }
-
-    /// <summary>Of a cell, in lengths.</summary>
     public double Edge { get; }
 
     /// <summary>Over the cells that have points, in points on a square unit of length.</summary>
     public double[] Quartiles { get; }
 
-    /// <summary>The brightest colour.</summary>
     public double High { get; }
 
     public string ToHtml(string unit)

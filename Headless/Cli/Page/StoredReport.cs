@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Page;
 
-/// <summary>The main job on a converted cloud: what it is, pictures, and a page.</summary>
 sealed class StoredReport
 {
     /// <summary>Of the page's 8 MB.</summary>
@@ -14,7 +13,6 @@ sealed class StoredReport
     public string Page { get; private set; } = "";
     public PointsAccount Account => m_facts.Account;
 
-    /// <param name="budget">Points of a picture at most.</param>
     public static StoredReport Make(string path, (PictureOptions Options, bool IsPlain) look, long budget, string folder,
         string command, CliRun run)
     {

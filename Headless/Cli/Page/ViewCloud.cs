@@ -7,15 +7,12 @@ namespace FastPoints.Cli.Page;
 /// one.</summary>
 sealed class ViewCloud
 {
-    /// <summary>Few enough for a page that is sent around, and for a telephone's graphics.</summary>
     public const int MaxPoints = 400_000;
-
     const int Steps = 65_535;
 
     /// <summary>Of base 64.</summary>
     const double BytesOfLetters = 4 / 3.0;
 
-    /// <summary>So many times as large as where nearly all points are.</summary>
     const double FarBounds = 4;
 
     readonly List<ViewPoints> m_sets = [];
@@ -37,22 +34,12 @@ sealed class ViewCloud
     /// steps.</summary>
     public BoundsGeo Bounds { get; private set; } = new(new double3(0, 0, 0), new double3(1, 1, 1));
 
-    /// <summary>All that is shown in the end.</summary>
     public ViewPoints Points => m_sets[^1];
-
-    /// <summary>About how far these are from one another.</summary>
     public double Spacing { get; private set; }
-
     public required Camera Camera { get; init; }
-
-    /// <summary>The cameras of a flight, and every how many frames there is one; null without.</summary>
     public (List<Camera> Cameras, int Every)? Path { get; init; }
-
-    /// <summary>Half the step of the positions along each axis: no point is farther from where it was.</summary>
     public double3 PositionError => Bounds.Size / Steps / 2;
 
-    /// <summary>Takes the sample anew, with all attributes, and measures its waves.</summary>
-    /// <param name="open">Opens the source.</param>
     public static ViewCloud Take(Func<PointReader> open, PictureOptions options, Camera camera, CliRun run)
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
@@ -74,8 +61,6 @@ sealed class ViewCloud
         return view;
     }
 
-    /// <summary>Clouds that are flown over, where their coordinates put them: upper levels of octrees, previews of
-    /// files.</summary>
     /// <param name="every">The frames from one camera to the next; 0 for a single camera.</param>
     public static ViewCloud OfFlight(string[] clouds, PictureOptions options, List<Camera> cameras, int every, CliRun run)
     {
@@ -102,7 +87,6 @@ sealed class ViewCloud
 
     static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
-    /// <summary>About so many points of a cloud, with all attributes.</summary>
     static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CoordinateSystem crs)
     {
         if (!CloudFolder.IsCloud(path))
@@ -132,7 +116,6 @@ sealed class ViewCloud
         return sampler;
     }
 
-    /// <summary>Its samples keep all attributes.</summary>
     static PointReader WithAll(PointReader reader)
     {
         reader.Info.SampledToo = reader.Info.Schema.Select(a => a.Name).ToArray();
@@ -150,8 +133,6 @@ sealed class ViewCloud
     }
 
     /// <summary>For the page's script; fewer points where the page would be too large.</summary>
-    /// <param name="maxBytes">At most so long, or a thousand points.</param>
-    /// <param name="shown">The points of the last set that are in it.</param>
     public string ToJson(int maxBytes, out int shown)
     {
         List<int[]> kept;
@@ -251,7 +232,6 @@ sealed class ViewCloud
         json.WriteEndObject();
     }
 
-    /// <summary>In lengths from the middle of the bounds.</summary>
     void Write(Utf8JsonWriter json, string? name, Camera camera)
     {
         if (name != null)

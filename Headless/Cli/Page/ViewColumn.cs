@@ -19,7 +19,6 @@ sealed class ViewColumn
 
     public bool IsRgb => m_planes.Length == 3;
 
-    /// <summary>What can be coloured by: whatever is not the same everywhere.</summary>
     public static List<ViewColumn> Of(IReadOnlyList<ViewPoints> sets, DisplayRanges ranges)
     {
         string[] rgb = [AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue];
@@ -73,14 +72,12 @@ sealed class ViewColumn
         m_toByte = v => (v - low) * perStep + 0.5;
     }
 
-    /// <summary>Its bytes, plane by plane.</summary>
     public IEnumerable<byte[]> Planes(ViewPoints points, int[] kept) => m_planes.Select(plane =>
     {
         var values = plane(points);
         return kept.Select(i => (byte)Math.Clamp(double.IsFinite(values[i]) ? m_toByte(values[i]) : 0, 0, 255)).ToArray();
     });
 
-    /// <summary>What a value is called.</summary>
     public static string NameOf(string attribute, double value)
     {
         string number = value.ToString(Math.Abs(value) < 1e15 ? "0.######" : "0.####e0", CultureInfo.InvariantCulture);

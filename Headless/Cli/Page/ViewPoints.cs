@@ -3,17 +3,12 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Page;
 
-/// <summary>Points for a page, by column: georeferenced positions and attributes as they are meant, scaled.</summary>
 sealed class ViewPoints(int count)
 {
     public int Count { get; } = count;
-
-    /// <summary>X, Y, Z.</summary>
     public ViewValues[] Positions { get; } = new ViewValues[3];
-
     public Dictionary<string, ViewValues> Attributes { get; } = [];
 
-    /// <param name="count">The first so many of the batch.</param>
     public static ViewPoints Of(PointBatch batch, int count, PositionTransform transform)
     {
         var points = new ViewPoints(count);
@@ -48,8 +43,6 @@ sealed class ViewPoints(int count)
 
     public double3 this[int point] => new(Positions[0][point], Positions[1][point], Positions[2][point]);
 
-    /// <summary>About how far points are from their neighbours, as on surfaces, where half of the space has them nearer: by the
-    /// cubes that they occupy, of an edge that leaves some points to each.</summary>
     public double Spacing(BoundsGeo bounds, double3 lengths)
     {
         const int PointsOfCube = 6;
@@ -77,7 +70,6 @@ sealed class ViewPoints(int count)
 }
 
 /// <summary>A column as the file has it: as doubles, it would take up to eight times the memory.</summary>
-/// <param name="scale">The value that is meant = stored value * scale + offset.</param>
 sealed class ViewValues(byte[] stored, AttributeType type, double scale, double offset) : IReadOnlyList<double>
 {
     public int Count { get; } = stored.Length / type.SizeOf();
@@ -105,7 +97,5 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
-/// <summary>A beginning of a sample, as a page shows it.</summary>
-/// <param name="Set">Which points it is the beginning of.</param>
 /// <param name="Rms">Distance from points of the cloud to the nearest of these; NaN where it was not measured.</param>
 sealed record ViewWave(int Set, int Points, double Seconds, long BytesRead, double Rms);

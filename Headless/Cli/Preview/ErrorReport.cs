@@ -1,11 +1,9 @@
 namespace FastPoints.Cli.Preview;
 
-/// <summary>The page of <c>preview --report</c>, with its charts, pictures and table as files beside it.</summary>
 public static class ErrorReport
 {
     static readonly string[] s_viewNames = ["top", "front", "iso"];
 
-    /// <summary>Writes report.html, errors.csv, a chart a metric (*.svg) and the pictures (*.png) into a folder.</summary>
     public static void Write(string folder, ErrorStep step, SourceInfo info)
     {
         OutputFile.MakeFolder(folder);

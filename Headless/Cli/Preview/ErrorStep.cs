@@ -1,15 +1,9 @@
 namespace FastPoints.Cli.Preview;
 
-/// <summary>The errors of a preview over its time, beside those of other ways of sampling: what <c>preview --report</c>
-/// measures.</summary>
 public sealed class ErrorStep
 {
     public const string OursName = "ours, in waves", ScanName = "full scan";
-
-    /// <summary>Shares of each block that the points are chosen from.</summary>
     static readonly (double Share, string Name)[] s_shares = [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
-
-    /// <summary>Points that are decoded for one that is shown, where prefixes are thinned.</summary>
     const int TimesDecoded = 5;
 
     readonly CliRun m_run;
@@ -23,16 +17,10 @@ public sealed class ErrorStep
     public List<ErrorCurve> Curves { get; } = [];
     public long PointsInCloud => m_comparison.PointCount;
     public RgbaImage[] FullViews => m_comparison.FullViews;
-
-    /// <summary>The page, once it is written.</summary>
     public string? Page { get; set; }
-
     public ErrorCurve? Ours => Curves.FirstOrDefault(c => c.Name == OursName);
-
-    /// <summary>The last of ours.</summary>
     public ErrorWave? Last => Ours?.Waves.LastOrDefault();
 
-    /// <param name="open">Opens the source anew: each way of sampling does so itself, and is timed from there.</param>
     public static ErrorStep Run(Func<PointReader> open, PreviewOptions options, CliRun run)
     {
         using var reader = open();
@@ -127,7 +115,6 @@ public sealed class ErrorStep
         m_run.Progress.End();
     }
 
-    /// <summary>The values of a wave by name, for the table and the summary.</summary>
     public static IEnumerable<(string Key, double Value)> Values(ErrorWave wave)
     {
         var error = wave.Error;
@@ -198,7 +185,6 @@ public sealed class ErrorStep
     static string Short(double value, string format = "0.000") =>
         double.IsNaN(value) ? "-" : double.IsInfinity(value) ? "inf" : value.ToString(format, CultureInfo.InvariantCulture);
 
-    /// <summary>The key <c>error</c>: that of the last wave of ours, and all curves.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteStartObject("error");

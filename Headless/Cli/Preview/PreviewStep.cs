@@ -2,23 +2,15 @@ using FastPoints.Cli.Draw;
 
 namespace FastPoints.Cli.Preview;
 
-/// <summary>A preview that was taken, and what is to be said of it.</summary>
 public sealed class PreviewStep
 {
     public required int Points { get; init; }
     public required double Share { get; init; }
     public required long BytesRead { get; init; }
     public required string Method { get; init; }
-
-    /// <summary>When which beginning of the sample could be drawn.</summary>
     public required IReadOnlyList<SampleWave> Waves { get; init; }
-
-    /// <summary>How long its jobs were.</summary>
     public required SliceLengths Slices { get; set; }
-
-    /// <summary>From the beginning to the picture.</summary>
     public required double Seconds { get; init; }
-
     public required RgbaImage Image { get; init; }
     public required Legend Legend { get; init; }
     public required Camera Camera { get; init; }
@@ -56,7 +48,6 @@ public sealed class PreviewStep
     public string Describe() => Human.Count(Points, "point") + ", " + Human.Value(100 * Share) + "% of the cloud, from "
         + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";
 
-    /// <summary>The keys of <c>preview</c>, into an object that is open.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteInteger("points", Points);

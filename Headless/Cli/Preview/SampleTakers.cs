@@ -2,20 +2,12 @@ using System.Diagnostics;
 
 namespace FastPoints.Cli.Preview;
 
-/// <summary>Ways of sampling a source, each timed from the open call: ours, and those that it is compared with.</summary>
 public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options, CliRun run)
 {
-    /// <summary>Runs of what is quick, of which the fastest counts: it takes so little that anything else on the machine
-    /// shows.</summary>
     public int Runs { get; init; } = 3;
-
-    /// <summary>What takes longer is run once.</summary>
     const double QuickSeconds = 3;
-
-    /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
     const int MaxSinglePoints = 20_000;
 
-    /// <summary>The product's own sample, in its waves.</summary>
     public TakenSample Ours() => Timed((reader, opened) =>
     {
         var taken = new TakenSample(reader.Info.Transform);
@@ -40,7 +32,6 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         return taken;
     });
 
-    /// <summary>One hashed point of each stratum, by a scan of all points: the reference.</summary>
     public TakenSample FullScan(int points) => Timed((reader, opened) =>
     {
         var watch = Stopwatch.StartNew();
@@ -59,12 +50,9 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
     public TakenSample First(int points) =>
         Timed((reader, opened) => Ranges(reader, opened, RangeSampler.First(reader, points), points));
 
-    /// <summary>Regular choices from a share of each block.</summary>
     public TakenSample Beginnings(double share, int points) =>
         Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
 
-    /// <summary>Points of the prefixes of all blocks, so many times as many decoded: those that stand where no other does
-    /// before all others.</summary>
     public TakenSample ThinnedBeginnings(int points, int times) => Timed((reader, opened) =>
     {
         var watch = Stopwatch.StartNew();

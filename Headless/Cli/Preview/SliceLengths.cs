@@ -2,17 +2,14 @@ using StandIns.Scheduling;
 
 namespace FastPoints.Cli.Preview;
 
-/// <summary>How long single runs of jobs took, all of them or by kind: nothing else of a frame gets a worker meanwhile.</summary>
 public sealed class SliceLengths
 {
-    /// <summary>Kinds that the summary names.</summary>
     const int KindsNamed = 8;
 
     readonly Dictionary<Type, JobRuns> m_runsOfKind;
 
     SliceLengths(Dictionary<Type, JobRuns> runsOfKind) => m_runsOfKind = runsOfKind;
 
-    /// <summary>Of all jobs that run meanwhile.</summary>
     public static SliceLengths Measure(Action work)
     {
         JobTimes.Begin();
@@ -44,7 +41,6 @@ public sealed class SliceLengths
         return 0;
     }
 
-    /// <summary>The key <c>sliceMs</c>, into an object that is open.</summary>
     public void WriteKey(Utf8JsonWriter json)
     {
         json.WriteStartObject("sliceMs");

@@ -6,14 +6,9 @@ public sealed class TakenSample(PositionTransform transform) : IDisposable
     readonly List<(SampleWave Wave, PointBatch Points)> m_waves = [];
 
     public PositionTransform Transform { get; } = transform;
-
-    /// <summary>Seconds are from the open call.</summary>
     public IReadOnlyList<(SampleWave Wave, PointBatch Points)> Waves => m_waves;
-
-    /// <summary>Until all of it was there.</summary>
     public double Seconds => m_waves.Count == 0 ? 0 : m_waves[^1].Wave.Seconds;
 
-    /// <param name="secondsBefore">From the open call to the wave's own start.</param>
     /// <param name="points">Owned by this from now on; waves may share one.</param>
     public void Add(SampleWave wave, double secondsBefore, PointBatch points)
     {

@@ -7,12 +7,8 @@ namespace FastPoints.Cli.Preview;
 public static class ThinnedChoice
 {
     const int RunLength = ColumnValues.RunLength;
-
-    /// <summary>Cells along the longest edge for each root of a point wanted, as a refined sample has them.</summary>
     const double CellsPerRootOfPoints = 1.05;
 
-    /// <param name="ranges">Of these points.</param>
-    /// <returns>A batch of its own, in the order of the other.</returns>
     public static unsafe PointBatch Take(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
     {
         var size = ranges.Robust.Size;
@@ -41,7 +37,6 @@ public static class ThinnedChoice
         return Copy(points, Choose(isFirst, firsts, Math.Min(wanted, points.Count)));
     }
 
-    /// <summary>Evenly of the first ones where they are too many, otherwise all of them and evenly of the others.</summary>
     static List<int> Choose(bool[] isFirst, int firsts, int wanted)
     {
         long fromFirsts = Math.Min(firsts, wanted), fromOthers = wanted - fromFirsts, others = isFirst.Length - firsts;

@@ -1,10 +1,8 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>What every verb can be told, before its name or behind it.</summary>
 /// <param name="Json">Where the summary goes: a file, - or null.</param>
 public sealed record RunSettings(string? Json = null, bool IsQuiet = false, bool IsForced = false, bool IsStrict = false);
 
-/// <summary>The options that all verbs have. They belong to the root: the parser knows them at any place.</summary>
 public sealed class CommonOptions
 {
     readonly Option<string?> m_json = new("--json")
@@ -42,6 +40,5 @@ public sealed class CommonOptions
         parsed.GetValue(m_force), parsed.GetValue(m_strict));
 
     /// <returns>What is to be said about the number of threads; null where it is as asked.</returns>
-    /// <exception cref="UsageException">There is no such number.</exception>
     public string? UseThreads(ParseResult parsed) => Threads.Use(parsed.GetValue(m_threads));
 }

@@ -24,7 +24,6 @@ public static class Counts
         CustomParser = result => Parse(result, min),
     };
 
-    /// <summary>More than an int holds is as much as it holds.</summary>
     public static int ToInt(long count) => (int)Math.Min(int.MaxValue, count);
 
     static long Parse(ArgumentResult result, long min)

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options on how pictures look, whatever their camera.</summary>
 public sealed class LookSettings
 {
     readonly Option<string?> m_style = new("--style")
@@ -24,7 +23,6 @@ public sealed class LookSettings
 
     public bool IsPlain(ParseResult parsed) => parsed.GetValue(m_plain);
 
-    /// <exception cref="UsageException">A value cannot be read.</exception>
     public PictureOptions Read(ParseResult parsed)
     {
         var options = new PictureOptions { GuessesUpAxis = true };

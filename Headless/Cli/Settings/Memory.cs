@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>What <c>--memory</c> means.</summary>
 public static class Memory
 {
     /// <summary>What the process takes whatever the cloud: code, the runtime's own, readers, stacks. Measured with a thousand
@@ -8,7 +7,6 @@ public static class Memory
     const long ProcessBytes = 96L << 20;
     const long MinBytes = ProcessBytes + (64L << 20);
 
-    /// <summary>What is left for the points.</summary>
     public static long ForBuild(string text)
     {
         long bytes = Parse(text);

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options of the verbs that draw, and what they come to.</summary>
 public sealed class PictureSettings
 {
     readonly Option<string> m_size = new("--size")
@@ -41,7 +40,6 @@ public sealed class PictureSettings
     readonly bool m_canFilter;
     readonly LookSettings m_look;
 
-    /// <param name="canFilter">Whether the verb streams clouds, which can be clipped, and shown by class.</param>
     public PictureSettings(Command command, bool canFilter)
     {
         m_canFilter = canFilter;
@@ -60,7 +58,6 @@ public sealed class PictureSettings
 
     public bool IsPlain(ParseResult parsed) => m_look.IsPlain(parsed);
 
-    /// <exception cref="UsageException">A value cannot be read, or two of them exclude each other.</exception>
     public PictureOptions Read(ParseResult parsed)
     {
         var options = m_look.Read(parsed);
@@ -114,7 +111,6 @@ public sealed class PictureSettings
             : throw new UsageException(option + ": wanted x,y,z, got " + text);
     }
 
-    /// <exception cref="UsageException">It is no box.</exception>
     internal static ClipBox Box(string option, string text, bool cuts)
     {
         var numbers = Numbers(text);
@@ -123,7 +119,6 @@ public sealed class PictureSettings
             : throw new UsageException(option + ": wanted x,y,z,X,Y,Z, got " + text);
     }
 
-    /// <summary>None where any is no number.</summary>
     static double[] Numbers(string text)
     {
         var parts = text.Split(',');

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options of the verbs that read point clouds: what the caller knows of the files.</summary>
 public sealed class SourceSettings
 {
     readonly Option<string?> m_columns = new("--columns")
@@ -12,7 +11,6 @@ public sealed class SourceSettings
 
     public SourceSettings(Command command) => command.Add(m_columns);
 
-    /// <exception cref="UsageException">A value cannot be read.</exception>
     public ReadOptions Read(ParseResult parsed)
     {
         string? columns = parsed.GetValue(m_columns);

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>What helps with an input that cannot be read, beside what is wrong with it.</summary>
 public static class Hints
 {
     /// <returns>A sentence that goes on from the failure's message; empty where there is nothing to say.</returns>

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>What a source is, for people and for the summary: its header's claims, and what a scan found.</summary>
 public sealed class SourceFacts(PointReader reader)
 {
     const int NameWidth = 22;
@@ -11,9 +10,7 @@ public sealed class SourceFacts(PointReader reader)
     /// <summary>What the scan of all points found, or null without one.</summary>
     internal CloudSummary? Found { get; set; }
 
-    /// <summary>How the points lie, where they were scanned and any has a position.</summary>
     internal Spread? Spread { get; set; }
-
     public SourceInfo Info { get; } = reader.Info;
 
     /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
@@ -25,7 +22,6 @@ public sealed class SourceFacts(PointReader reader)
         + (Info.PointFormat >= 0 ? ", point format " + Info.PointFormat : "")
         + (Info.RecordBytes > 0 ? ", " + Info.RecordBytes + " bytes a point" : "");
 
-    /// <summary>Name and value, in the order in which people ask for them.</summary>
     public IEnumerable<(string Name, string Value)> Lines()
     {
         yield return ("format", Kind);
@@ -58,7 +54,6 @@ public sealed class SourceFacts(PointReader reader)
                 + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages, "page") + " of hierarchy" : ""));
     }
 
-    /// <summary>Keeps what is known of the source's own octree: the summary is written when the source is closed.</summary>
     void TakeTree()
     {
         if (reader.Tree != null)
@@ -94,7 +89,6 @@ public sealed class SourceFacts(PointReader reader)
                 + Human.Value(time.Max));
     }
 
-    /// <summary>What the scan found; null where there is none.</summary>
     ColumnSummary? GpsTime => Found != null && Info.Schema.IndexOf(AttributeNames.GpsTime) is >= 0 and var i
         && Found.Columns[i].Finite > 0 ? Found.Columns[i] : null;
 
@@ -162,8 +156,6 @@ public sealed class SourceFacts(PointReader reader)
                 ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
     }
 
-    /// <summary>Of the horizontal axes.</summary>
-    /// <param name="metresPerUnit">As <see cref="CoordinateSystem.MetresPerUnit"/>.</param>
     public static string UnitOf(double metresPerUnit) => metresPerUnit switch
     {
         0 => "unknown, taken for metres",
@@ -189,7 +181,6 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteNull(key);
     }
 
-    /// <summary>What the scan counted by value: classes and return numbers, as far as there are any.</summary>
     IEnumerable<(string Name, long[] Counts)> Counted()
     {
         if (Found?.ClassCounts is { } classes)
@@ -225,7 +216,6 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteEndObject();
     }
 
-    /// <summary>The keys of <c>info</c> but for those of <see cref="Account"/>, into an object that is open.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteString("format", Info.Format);

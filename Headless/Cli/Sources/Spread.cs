@@ -3,10 +3,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Sources;
 
-/// <summary>How a cloud's points lie, by an even choice of them: where nearly all are, and how densely.</summary>
 sealed class Spread
 {
-    /// <summary>Along each axis this share is farther out, half of it at either end.</summary>
     const double OutlierShare = 0.001;
 
     readonly DensityMap m_density;
@@ -16,7 +14,6 @@ sealed class Spread
     /// <summary>What 99.9 % of the points lie in, along each axis.</summary>
     public BoundsGeo NearlyAll { get; }
 
-    /// <summary>Of lengths.</summary>
     public string Unit { get; }
 
     /// <summary>Points on a square unit, over the squares that have any; null where all lie on a line from above.</summary>
@@ -24,7 +21,6 @@ sealed class Spread
 
     public double SquareEdge => m_density.Edge;
 
-    /// <param name="sample">Of the whole scan.</param>
     /// <returns>Null where no point has a position.</returns>
     public static Spread? Of(PointReader reader, SpreadSample sample, CliRun run)
     {
@@ -66,7 +62,6 @@ sealed class Spread
     }
 }
 
-/// <summary>An even choice of the positions that a scan decodes anyway: one of each stretch of points.</summary>
 sealed class SpreadSample(PointReader reader) : IDisposable
 {
     const int Wanted = 200_000;
@@ -77,7 +72,6 @@ sealed class SpreadSample(PointReader reader) : IDisposable
     /// <summary>Null before the first, and without positions.</summary>
     public PointBatch? Points { get; private set; }
 
-    /// <summary>All that went by.</summary>
     public long Found { get; private set; }
 
     public unsafe void Take(BlockRead read)

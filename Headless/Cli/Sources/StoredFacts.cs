@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>What a converted cloud is, from its own tables: nothing is decoded.</summary>
 public sealed class StoredFacts
 {
     sealed class Level
@@ -19,7 +18,6 @@ public sealed class StoredFacts
     readonly List<(string Name, long Bytes)> m_planes = [];
     readonly long m_bytes;
 
-    /// <exception cref="PointCloudException">A file of it is missing or damaged.</exception>
     public StoredFacts(string path)
     {
         m_path = path;
@@ -72,7 +70,6 @@ public sealed class StoredFacts
         }
     }
 
-    /// <summary>Attributes, levels, planes.</summary>
     public IEnumerable<TextTable> Tables()
     {
         var attributes = new TextTable("attribute", "type", "min", "max");

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>A source's own octree as far as it was read, for when the source itself is closed.</summary>
 public sealed class TreeFacts
 {
     public required int Nodes { get; init; }
@@ -22,7 +21,6 @@ public sealed class TreeFacts
     };
 }
 
-/// <summary>One level of a source's own octree, as its hierarchy claims it.</summary>
 public sealed class TreeLevel
 {
     public required int Level { get; init; }

@@ -2,10 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Sources;
 
-/// <summary>
-/// Zstandard (RFC 8878) by the system's libzstd, which Debian, Fedora and others have always installed: .NET has no decoder
-/// of its own before version 11. The package knows it by <see cref="Decompressors.Zstandard"/> only.
-/// </summary>
+/// <summary>Zstandard (RFC 8878) by the system's libzstd, which Debian, Fedora and others have always installed: .NET has no
+/// decoder of its own before version 11. The package knows it by <see cref="Decompressors.Zstandard"/> only.</summary>
 internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
 {
     /// <summary>A frame that wants more memory (32 MiB) is refused: its header may claim anything.</summary>
@@ -28,7 +26,6 @@ internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
         m_context = library.CreateContext();
     }
 
-    /// <summary>Makes it known to the package, where the system has the library and nobody else has done so.</summary>
     public static void Register()
     {
         if (Decompressors.Zstandard != null)
@@ -78,7 +75,6 @@ internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
         m_context = 0;
     }
 
-    /// <summary>As ZSTD_inBuffer and ZSTD_outBuffer.</summary>
     private struct Piece
     {
         public byte* Start;

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>The extremes of input that must end in a whole cloud or in a clear error.</summary>
 public static class StabilityCases
 {
     const int Side = 100000;
@@ -71,7 +70,6 @@ public static class StabilityCases
         return new int3(i % perLine * 10, i / perLine * 10, (int)(300 * Math.Sin(i % perLine * 0.05)));
     }
 
-    /// <summary>A scanner above a plane: as many points on each ring, to a thousand times its height.</summary>
     static int3 Terrestrial(int i)
     {
         var random = Random(i);
@@ -80,7 +78,6 @@ public static class StabilityCases
         return new int3((int)(range * Math.Cos(angle)), (int)(range * Math.Sin(angle)), random.NextInt(3));
     }
 
-    /// <summary>The first half is dense in one corner.</summary>
     static int3 Spiral(int i, int count)
     {
         if (i < count / 2)
@@ -139,7 +136,6 @@ public static class StabilityCases
         return new StabilityInput(files, files.Length * inFile);
     }
 
-    /// <summary>A header that breaks off.</summary>
     static StabilityInput Truncated(string folder)
     {
         string file = StabilityFiles.Las(folder, "cloud", 100, 0.01, 0, Uniform);

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>Small writers of the files of stability cases.</summary>
 static class StabilityFiles
 {
     const int RecordBytes = 26;
@@ -41,17 +40,14 @@ static class StabilityFiles
         return path;
     }
 
-    /// <summary>Puts another number of points into the header.</summary>
     public static void ClaimCount(string path, uint count) => Patch(path, CountAt, BitConverter.GetBytes(count));
 
-    /// <summary>Puts one number into all six bounds of the header.</summary>
     public static void ClaimBounds(string path, double value)
     {
         for (int i = 0; i < 6; i++)
             Patch(path, BoundsAt + i * sizeof(double), BitConverter.GetBytes(value));
     }
 
-    /// <summary>A little-endian PLY file with doubles.</summary>
     public static string Ply(string folder, string name, int count, Func<int, double3> placeOf)
     {
         string path = Path.Combine(folder, name + ".ply");

@@ -2,13 +2,10 @@ using System.Diagnostics;
 
 namespace FastPoints.Cli.Stability;
 
-/// <summary>One case through all stages: each with outcome, error, time and memory.</summary>
 public sealed class StabilityRun
 {
     const int PictureWidthPx = 320, PictureHeightPx = 200;
 
-    /// <summary>What one stage came to.</summary>
-    /// <param name="Outcome">"ok", "error" for a failure that says what it wanted, or what went wrong.</param>
     /// <param name="Error">Read and build: points too many or too few. Preview and draw: share of the pixels of a picture
     /// of all points that are left uncovered. Card: share of the covered pixels that differ from the software
     /// rasteriser's.</param>
@@ -27,7 +24,6 @@ public sealed class StabilityRun
     /// <summary>What is not as it must be; empty for a case that holds.</summary>
     public List<string> Problems { get; } = [];
 
-    /// <param name="scratch">A folder of the run's own is made in it, and deleted.</param>
     public static StabilityRun Run(StabilityCase stabilityCase, int points, string scratch, Sampler sampler)
     {
         string folder = Path.Combine(scratch, "case");

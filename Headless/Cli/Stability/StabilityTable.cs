@@ -1,13 +1,11 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>All cases, as a table.</summary>
 public static class StabilityTable
 {
     public const int DefaultPoints = 200_000;
 
     static readonly string[] s_stages = ["read", "preview", "build", "draw", "stream", "card"];
 
-    /// <param name="points">About what a case has.</param>
     public static void Run(int points, CliRun run)
     {
         string scratch = Directory.CreateTempSubdirectory("fastpoints-stability-").FullName;

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>A stored cloud streamed until nothing more comes: all of it, then what a camera needs.</summary>
 static class StreamStage
 {
     /// <summary>A read that never ends is a failure, not a hang.</summary>
@@ -25,7 +24,6 @@ static class StreamStage
         return ImageError.Compare(picture.Draw(plan.Camera), reference, options.Background).Uncovered;
     }
 
-    /// <summary>Frames until nothing more comes.</summary>
     public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems, Action? endFrame = null)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = view };

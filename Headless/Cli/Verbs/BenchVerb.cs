@@ -3,7 +3,6 @@ using FastPoints.Cli.Stability;
 
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>Runs workloads and prints what they took, as ratios to what bounds them.</summary>
 public sealed class BenchVerb : Verb
 {
     readonly Argument<string[]> m_names = new("NAME")

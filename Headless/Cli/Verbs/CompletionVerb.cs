@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>Completion of words for shells: each asks the command line itself, which knows its verbs and options.</summary>
 public sealed class CompletionVerb : Verb
 {
     readonly Argument<string> m_shell = new("SHELL") { Description = "bash, zsh, fish or powershell." };

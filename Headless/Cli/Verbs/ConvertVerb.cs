@@ -2,7 +2,6 @@ using FastPoints.Cli.Convert;
 
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>Files into one octree on disk.</summary>
 public sealed class ConvertVerb : Verb
 {
     readonly Argument<string[]> m_files = new("FILE")

@@ -2,7 +2,6 @@ using FastPoints.Cli.Demo;
 
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>Makes a cloud to try things on, or a larger one of a file.</summary>
 public sealed class DemoCloudVerb : Verb
 {
     readonly Option<string> m_output = new("--output", "-o")
@@ -91,7 +90,6 @@ public sealed class DemoCloudVerb : Verb
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    /// <returns>Points written.</returns>
     static long Tile(string tile, string output, int times, CliRun run)
     {
         bool toLaz = HasExtension(output, ".laz");

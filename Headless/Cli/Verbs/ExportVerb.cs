@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>Points out again, into one file.</summary>
 public sealed class ExportVerb : Verb
 {
     readonly Argument<string[]> m_clouds = new("CLOUD")

@@ -142,7 +142,6 @@ public sealed class FlyVerb : Verb
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
 
-    /// <returns>The last picture; null where none is drawn.</returns>
     static RgbaImage? Fly(StreamContext stream, CameraPath path, int frames, FlightPicture picture, FlightPictures? pictures,
         int every, FlightLog log, CliRun run)
     {

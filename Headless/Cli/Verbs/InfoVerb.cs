@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>What files say of themselves, and, with a scan, what they hold.</summary>
 public sealed class InfoVerb : Verb
 {
     readonly Argument<string[]> m_files = new("FILE")

@@ -4,7 +4,6 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>What the command does without a verb: everything, for one cloud after the other, and a page about it.</summary>
 public sealed class MainJob : Verb
 {
     readonly Argument<string[]> m_files = new("FILE")
@@ -114,17 +113,11 @@ public sealed class MainJob : Verb
             run.Out.WriteLine(page);
     }
 
-    /// <summary>One cloud's part of the job.</summary>
     sealed class Report
     {
         const int PreviewPoints = 1_000_000;
-
-        /// <summary>Streamed to the card: few enough for a processor that stands in for it.</summary>
         public const int GpuPoints = 1_000_000;
-
         const string PageGroup = "page";
-
-        /// <summary>A summary of the cloud for scripts; it tells as well whose report is in a folder.</summary>
         const string SummaryName = "report.json";
 
         public required string Page { get; init; }
@@ -138,7 +131,6 @@ public sealed class MainJob : Verb
 
         public required PointsAccount Account { get; init; }
 
-        /// <summary>A folder for each cloud, by its name; where two have the same, by that of the file, then by number.</summary>
         public static string[] FoldersOf(string[][] clouds)
         {
             string[] names = clouds.Select(c => CloudName.Of(c[0])).ToArray();
@@ -153,7 +145,6 @@ public sealed class MainJob : Verb
             }).ToArray();
         }
 
-        /// <exception cref="UsageException">In the folder is a report on another cloud, or something else.</exception>
         public static void Refuse(string folder, string file, bool force)
         {
             OutputNames.RefuseForeignFolder("a report", folder, SummaryName, force);
@@ -179,7 +170,6 @@ public sealed class MainJob : Verb
             }
         }
 
-        /// <summary>Says whose report the folder will have.</summary>
         public static void Mark(string folder, string file)
         {
             OutputFile.MakeFolder(folder);
@@ -274,7 +264,6 @@ public sealed class MainJob : Verb
             };
         }
 
-        /// <summary>Indexes of octrees are all of one name: that of their folder tells more.</summary>
         static string NameOf(string file) => Directory.Exists(file) || SourceFolder.IsIndex(Path.GetFileName(file))
             ? CloudName.Of(file) : Path.GetFileName(file);
 

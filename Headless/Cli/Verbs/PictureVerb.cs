@@ -2,7 +2,6 @@ using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>A picture of every point.</summary>
 public sealed class PictureVerb : Verb
 {
     readonly Argument<string[]> m_clouds = new("CLOUD")
@@ -89,7 +88,6 @@ public sealed class PictureVerb : Verb
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    /// <summary>Whether there is more to it than drawing each node's points.</summary>
     static bool IsForStream(PictureOptions options) => options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
 
     static bool HasOctree(string path)

@@ -2,7 +2,6 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>A first picture from a sample that costs the same whatever the file's size.</summary>
 public sealed class PreviewVerb : Verb
 {
     readonly Argument<string[]> m_files = new("FILE")

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Verbs;
 
-/// <summary>The proof that a converted cloud is whole, and the same as its sources.</summary>
 public sealed class VerifyVerb : Verb
 {
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };

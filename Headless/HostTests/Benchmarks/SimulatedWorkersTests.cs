@@ -7,8 +7,6 @@ using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Benchmarks;
 
-/// <summary>Work beside frames by more workers than the machine has cores, in a clock of their own: the speed follows their
-/// number, and frames cost little of it.</summary>
 [NonParallelizable]
 public sealed class SimulatedWorkersTests
 {
@@ -30,7 +28,6 @@ public sealed class SimulatedWorkersTests
     [OneTimeTearDown]
     public void DeleteFolder() => Directory.Delete(m_folder, true);
 
-    /// <param name="speedups">By number of workers, of one worker's speed: the least, run to the end.</param>
     /// <param name="max60Ms">The same, at 60 Hz: the most time, since a share falls where fewer jobs do the same.</param>
     /// <param name="max10Ms">At 10 Hz.</param>
     [TestCase(Sampler.Random, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 834.0, 534, 400, 334 }, new[] { 1300.0, 1100, 1000, 900 })]

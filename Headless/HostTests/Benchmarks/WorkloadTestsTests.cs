@@ -4,7 +4,6 @@ using Unity.PerformanceTesting;
 
 namespace FastPoints.HostTests.Benchmarks;
 
-/// <summary>The driver that Unity's test runner calls, called here: it and the command line say the same of a workload.</summary>
 public sealed class WorkloadTestsTests
 {
     [TearDown]
@@ -40,7 +39,6 @@ public sealed class WorkloadTestsTests
         Assert.That(BurstCompiler.Options.EnableBurstCompileSynchronously, Is.EqualTo(was));
     }
 
-    /// <summary>Numbers in the JSON are this enum's, which the shared code does not see.</summary>
     [TestCase(SeriesUnit.Millisecond, SampleUnit.Millisecond)]
     [TestCase(SeriesUnit.Byte, SampleUnit.Byte)]
     [TestCase(SeriesUnit.Undefined, SampleUnit.Undefined)]

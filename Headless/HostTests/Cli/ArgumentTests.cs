@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>Where options may stand, and what numbers may look like.</summary>
 public sealed class ArgumentTests
 {
     ScratchFolder m_scratch;

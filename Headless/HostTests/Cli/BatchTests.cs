@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>Several clouds in one call: a bad one does not stop the others, and their reports stay apart.</summary>
 public sealed class BatchTests
 {
     ScratchFolder m_scratch;

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>One call of the command line within the test's process: what it returned and what it said.</summary>
 sealed class CliCall
 {
     public int Status { get; private set; }
@@ -17,8 +16,6 @@ sealed class CliCall
         return new CliCall { Status = status, Output = output.ToString(), Error = error.ToString() };
     }
 
-    /// <summary>The summary, called with <c>--json -</c>: all of standard output.</summary>
     public JsonElement Json => JsonDocument.Parse(Output).RootElement;
-
     public int ErrorLines => Error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Length;
 }

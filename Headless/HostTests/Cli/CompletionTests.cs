@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>The scripts that complete words, in the shells that are here.</summary>
 [Platform(Exclude = "Win")]
 public sealed class CompletionTests
 {

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>The verb <c>export</c>.</summary>
 public sealed class ExportTests
 {
     ScratchFolder m_scratch;
@@ -41,7 +40,6 @@ public sealed class ExportTests
             Assert.That(made.GetProperty(key).GetRawText(), Is.EqualTo(source.GetProperty(key).GetRawText()), key);
     }
 
-    /// <summary>The converted cloud is the same as what it exports: position and every attribute.</summary>
     [TestCase("cloud.las"), TestCase("cloud.laz")]
     public void Export_OfAConvertedCloud_IsTheCloud(string output)
     {
@@ -99,8 +97,6 @@ public sealed class ExportTests
         Assert.That(File.ReadAllBytes(m_demo), Is.EqualTo(bytes));
     }
 
-    /// <summary>Killed as soon as anything of it is in the folder. One that is done before is tried again with more
-    /// points.</summary>
     [TestCase("killed.las"), TestCase("killed.laz")]
     public void Export_Killed_LeavesNothingUnderTheNameAndTheNextRunWorks(string output)
     {

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>The pictures that somebody sees first: whole, the right way up, and labelled.</summary>
 public class FirstPictureTests
 {
     ScratchFolder m_scratch;
@@ -107,7 +106,6 @@ public class FirstPictureTests
         Assert.That(call.Output.Contains("taken for up"), Is.EqualTo(up == ""));
     }
 
-    /// <summary>A cloud that stands on its head, and the same half a turn about the east.</summary>
     [TestCase("x", -1, 1, -1), TestCase("y", 1, -1, -1), TestCase("z", 1, -1, -1)]
     public void Picture_NegativeUp_IsThatOfTheTurnedCloud(string axis, int x, int y, int z)
     {

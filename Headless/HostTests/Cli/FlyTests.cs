@@ -74,7 +74,6 @@ public sealed class FlyTests
         Assert.That(Png.Read(m_scratch["single-0000.png"]).Rgba, Is.EqualTo(last));
     }
 
-    /// <summary>The container by its specification; a browser decodes it among the pages.</summary>
     [Test]
     public void Fly_WebpName_WritesAnAnimationWithAFrameForEachPicture()
     {
@@ -146,7 +145,6 @@ public sealed class FlyTests
         Assert.That(call.Error, Does.Contain(option));
     }
 
-    /// <summary>Clouds as they are, of several formats, beside a converted one.</summary>
     [Test]
     public void Fly_FormatsWithOctreesOfTheirOwn_StreamsThemAsTheyAre()
     {
@@ -167,7 +165,6 @@ public sealed class FlyTests
         Assert.That(call.Json.GetProperty("pointsDrawn").GetInt64(), Is.InRange(1, 5000));
     }
 
-    /// <summary>The same points in the same places and colours, through packed blocks and without.</summary>
     [TestCase("copc/lone-star.copc.laz", "classification")]
     [TestCase("potree/v2-autzen-brotli", "rgb")]
     [TestCase("ept/lone-star-laszip", "classification")]

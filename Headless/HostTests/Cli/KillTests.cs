@@ -3,7 +3,6 @@ using Random = System.Random;
 
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>Builds in processes of their own: killed without notice and continued, and within their memory.</summary>
 public sealed class KillTests
 {
     const string LittleMemory = "160MiB";
@@ -44,7 +43,6 @@ public sealed class KillTests
         File.Delete(scratch["one.las"]);
     }
 
-    /// <summary>With little memory points are spilled, and a build is continued; with much it begins again.</summary>
     [TestCase(100_000, 12, 3, LittleMemory, "random")]
     [TestCase(500_000, 40, 20, LittleMemory, "random", Category = "Long")]
     [TestCase(100_000, 12, 20, LittleMemory, "poisson", Category = "Long")]

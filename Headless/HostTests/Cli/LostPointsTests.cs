@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>What is missing is a result: in the summary of every verb, and with --strict in the exit status.</summary>
 public sealed class LostPointsTests
 {
     const int Points = 3000, RecordBytes = 36;

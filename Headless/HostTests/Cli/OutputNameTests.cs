@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>No verb writes over an input, nor under a name that promises another kind of file.</summary>
 public sealed class OutputNameTests
 {
     ScratchFolder m_scratch;
@@ -68,7 +67,6 @@ public sealed class OutputNameTests
         Assert.That(CliCall.Of(demo.Append("--force").ToArray()).Status, Is.Zero);
     }
 
-    /// <summary>Each verb's own output is replaced by the next run; somebody else's only with --force.</summary>
     [TestCase("@p.png", "preview", "@scan.las", "-o", "@p.png", "--size", "16x16")]
     [TestCase("@p.png", "picture", "@scan.las", "-o", "@p.png", "--size", "16x16")]
     [TestCase("@s.json", "info", "@scan.las", "--json", "@s.json")]

@@ -2,13 +2,10 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>What only a process of its own can show.</summary>
 public sealed class SignalTests
 {
     const int MaxSeconds = 60;
 
-    /// <summary>A shell that runs this in the background has interrupts ignored, and what it starts inherits that: GNU's env
-    /// puts it back to what a terminal gives.</summary>
     static Process Start(params string[] args)
     {
         string name = Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli");

@@ -3,7 +3,6 @@ using FastPoints.Nodes;
 
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>Every extreme at a small size: it ends in a whole cloud, the same as its source, or in a clear error.</summary>
 public sealed class StabilityTests
 {
     const int Points = 4000;

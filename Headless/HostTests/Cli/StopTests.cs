@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>A build that is stopped: what can go on is kept, unless it is not wanted.</summary>
 public sealed class StopTests
 {
     const string LittleMemory = "160MiB";
@@ -24,7 +23,6 @@ public sealed class StopTests
 
     string[] Convert(params string[] more) => ["convert", m_cloud, "-o", m_target, "--memory", LittleMemory, "--quiet", .. more];
 
-    /// <summary>As a build leaves it whose points are in files.</summary>
     void LeaveABuild()
     {
         Directory.CreateDirectory(m_part);
@@ -66,7 +64,6 @@ public sealed class StopTests
         Assert.That(Directory.Exists(m_part), Is.False);
     }
 
-    /// <summary>The way of systemd and docker. A build that is done before the signal is tried again with more points.</summary>
     [Test]
     [Platform(Exclude = "Win")]
     public void Sigterm_WhilePointsAreInFiles_KeepsThemForTheSameCommand()

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary><c>info</c> of converted clouds, what else it says of files, and the completion of words.</summary>
 public sealed class StoredInfoTests
 {
     ScratchFolder m_scratch;
@@ -100,7 +99,6 @@ public sealed class StoredInfoTests
         Assert.That(unscanned.TryGetProperty("classes", out _), Is.False, "nothing was counted");
     }
 
-    /// <summary>Against the bytes of the records themselves.</summary>
     [Test]
     public void Scan_OfAFile_SaysWhereNearlyAllPointsAreAndHowDense()
     {

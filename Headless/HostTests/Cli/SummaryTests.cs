@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>The keys that scripts rely on: each there, each of its type.</summary>
 public sealed class SummaryTests
 {
     ScratchFolder m_scratch;

@@ -4,7 +4,6 @@ namespace FastPoints.HostTests.Cli;
 
 public sealed class ThinnedChoiceTests
 {
-    /// <summary>A thousand points at one place, then one at each of ten places in a row.</summary>
     static PointBatch Heap()
     {
         var schema =

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>The one sample in zstandard, by the system's libzstd, against its twin.</summary>
 public sealed class ZstandardTests
 {
     [Test]

@@ -2,7 +2,6 @@ using FastPoints.RepoTools.Layers;
 
 namespace FastPoints.HostTests.Conformance;
 
-/// <summary>The package as each generation of Unity compiles it, against what that generation has.</summary>
 [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
 public sealed class PackageConformanceTests(string generation)
 {

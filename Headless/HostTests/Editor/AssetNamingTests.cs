@@ -23,7 +23,6 @@ public sealed class AssetNamingTests
     public void Safe_AnyName_IsOneForEverySystem(string name, string wanted) =>
         Assert.That(AssetNaming.Safe(name), Is.EqualTo(wanted));
 
-    /// <summary>As far as the runtime composes: without its tables of cultures it leaves text as it is.</summary>
     [Test]
     public void Safe_ComposedAndDecomposedName_AreOne() =>
         Assert.That(AssetNaming.Safe("u\u0308ber"), Is.EqualTo("u\u0308ber".Normalize()));

@@ -4,7 +4,6 @@ using UnityEditor.Build;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Unity's rules of imports, settings and builds, which the stand-ins hold the package to.</summary>
 public sealed class AssetRulesTests : EditorFixture
 {
     const string Path = "Assets/rule.rule";

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Conversions beside play mode, without focus, and in batch mode.</summary>
 public sealed class BackgroundWorkTests : EditorFixture
 {
     [TearDown]
@@ -125,7 +124,6 @@ public sealed class BackgroundWorkTests : EditorFixture
         Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(1000));
     }
 
-    /// <summary>Quitting and reloads end deletions.</summary>
     [Test]
     public void Imports_ThatBegin_DeleteWhatWasLeftOfDeletedClouds()
     {

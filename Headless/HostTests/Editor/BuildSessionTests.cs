@@ -59,7 +59,6 @@ public sealed class BuildSessionTests
         m_project.AssertIsWhole(m_project.Target());
     }
 
-    /// <summary>A large cloud has thousands of both, and an editor continues after each reload of scripts.</summary>
     [Test]
     public void Tick_ContinuedIndex_OpensNoFileOnTheMainThread()
     {
@@ -83,7 +82,6 @@ public sealed class BuildSessionTests
         m_project.AssertIsWhole(m_project.Target());
     }
 
-    /// <summary>That is not the source's fault.</summary>
     [Test]
     public void Tick_MemoryRunsOut_KeepsWhatIsOnDisk()
     {
@@ -103,7 +101,6 @@ public sealed class BuildSessionTests
         Assert.That(last.Result?.Note, Does.StartWith("continued a build"));
     }
 
-    /// <summary>Some chunks are indexed, and some are not.</summary>
     void SuspendIndexed()
     {
         string tops = Path.Combine(m_project.Target() + ".part", BuildFiles.TopFolderName);
@@ -216,7 +213,6 @@ public sealed class BuildSessionTests
         Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Truncated).And.Message.StartsWith(broken));
     }
 
-    /// <summary>Whatever came before, the build fails with the file's name, and begins anew when the file is there.</summary>
     [Test]
     public void Tick_SourceThatShrinksMeanwhile_Fails()
     {

@@ -4,7 +4,6 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Several files dropped at once.</summary>
 public sealed class CloudDropTests : EditorFixture
 {
     [TearDown]
@@ -119,7 +118,6 @@ public sealed class CloudDropTests : EditorFixture
         Assert.That(m_logged.Single(), Does.Contain("broke off the import of 20 point clouds"));
     }
 
-    /// <summary>However many there are: one search, one batch, one list written, and a few loads each.</summary>
     [TestCase(40)]
     [TestCase(1000, Category = "Large")]
     public void Drop_Many_CostsEachAsMuchAsTheFirst(int count)
@@ -216,7 +214,6 @@ public sealed class CloudDropTests : EditorFixture
         Assert.That(SceneLoop.Objects, Is.Empty);
     }
 
-    /// <summary>They come updates later, and the user goes on working.</summary>
     [Test]
     public void Drop_WhileTheUserWorks_IsOneStepOfUndoOfItsOwnAndSelectsOnce()
     {

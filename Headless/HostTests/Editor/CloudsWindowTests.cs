@@ -2,7 +2,6 @@ using System.Reflection;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>FastPoints > Clouds, without its picture.</summary>
 public sealed class CloudsWindowTests : EditorFixture
 {
     CloudsWindow m_window;
@@ -35,7 +34,6 @@ public sealed class CloudsWindowTests : EditorFixture
         GUILayout.Pressed = null;
     }
 
-    /// <summary>Until the window has the clouds as they are.</summary>
     void Collected(int unused) => ImportProject.Updates(() => GUILayoutUtility.Repaint(OnGui), () =>
         (typeof(CloudsWindow).GetField("m_list", BindingFlags.Instance | BindingFlags.NonPublic).GetValue(m_window) as CloudList)
         ?.Unused.Count == unused);
@@ -155,7 +153,6 @@ public sealed class CloudsWindowTests : EditorFixture
         Assert.That(Directory.Exists("PointClouds/c.fastpoints"), Is.False);
     }
 
-    /// <summary>Other windows are drawn while a panel is open, and take this one's groups away.</summary>
     [TestCase("Export...")]
     [TestCase("Locate source...")]
     [TestCase("Delete unused")]

@@ -50,7 +50,6 @@ public sealed class DropTests
             Is.EqualTo(isMesh ? DragAndDropVisualMode.None : DragAndDropVisualMode.Copy));
     }
 
-    /// <summary>It knows more of such files than we do.</summary>
     [Test]
     public void Of_DroppedFileOfAnotherPackagesImporter_IsNotOurs()
     {
@@ -62,7 +61,6 @@ public sealed class DropTests
         Assert.That(PointCloudDrops.OnProject("Assets", true), Is.EqualTo(DragAndDropVisualMode.None));
     }
 
-    /// <summary>A drag asks at each of its events.</summary>
     [Test]
     public void Drag_OfTheSameFiles_LooksThemUpOnceAndAgainWhenTheyAreDropped()
     {
@@ -105,7 +103,6 @@ public sealed class DropTests
             .Single(h => h is DragAndDrop.SceneDropHandler)), Throws.Exception, "a handler is there once");
     }
 
-    /// <summary>The windows ask: the handler that was added last, and the one before where it does not want the drop.</summary>
     [Test]
     public void Drop_AnotherPackagesHandlerIsAskedFirst_OursWhereItWantsNothing()
     {
@@ -168,7 +165,6 @@ public sealed class DropTests
         UnityEngine.Object.DestroyImmediate(scene);
     }
 
-    /// <summary>Of a subscene only what is baked stays when it is closed.</summary>
     [Test]
     public void OnScene_InASubscene_BecomesWhatIsBaked()
     {
@@ -201,7 +197,6 @@ public sealed class DropTests
         Assert.That(m_project.Asset("Assets/a.las"), Is.Not.Null, "it is imported with it at once");
     }
 
-    /// <summary>A file that is moved to another folder is not imported again, and caches do not know where it lies.</summary>
     [Test]
     public void PointFile_InAssets_IsKnownByItsNumberAndFoundWhereItLies()
     {
@@ -213,7 +208,6 @@ public sealed class DropTests
         Assert.That(asset.Paths.FullSources(), Is.EqualTo(new[] { Path.GetFullPath("Assets/scan.las") }));
     }
 
-    /// <summary>Other packages claim the same extensions; who claims one too loses it for both.</summary>
     [Test]
     public void PointFileImporter_ExtensionThatAnotherClaims_StaysTheOthers()
     {

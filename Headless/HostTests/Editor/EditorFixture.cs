@@ -1,11 +1,8 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Tests in a project that an editor has open, with settings as they come.</summary>
 public abstract class EditorFixture
 {
     private protected EditorProject m_project;
-
-    /// <summary>What the Console has: the kind, and the text.</summary>
     private protected readonly List<string> m_logged = new List<string>();
 
     [SetUp]

@@ -4,7 +4,6 @@ using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>From a file that is taken into a project to a cloud in its scene.</summary>
 public sealed class EditorImportsTests : EditorFixture
 {
     string HandlePath(string name) => Path.Combine(m_project.Paths.Project, "Assets", name);
@@ -106,7 +105,6 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(asset.Points, Is.EqualTo(100_000));
     }
 
-    /// <summary>No file has them before the lock is there.</summary>
     [Test]
     public void Reload_WhileAnotherEditorImports_KeepsTheRequests()
     {
@@ -416,8 +414,6 @@ public sealed class EditorImportsTests : EditorFixture
         return world;
     }
 
-    /// <summary>A component in the scene shows the file at once, then the cloud, in the same place; and so does the next
-    /// session.</summary>
     [Test]
     public void PointCloud_OfACloudThatIsBeingConverted_ShowsThePreviewAndThenTheCloudWhereItWas()
     {
@@ -449,7 +445,6 @@ public sealed class EditorImportsTests : EditorFixture
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
     }
 
-    /// <summary>There are no frames in edit mode but those that are asked for.</summary>
     [Test]
     public void EditModeFrames_CloudThatComes_AreAskedForUntilItIsThere()
     {
@@ -474,7 +469,6 @@ public sealed class EditorImportsTests : EditorFixture
         EditorApplication.isPlaying = false;
     }
 
-    /// <summary>An entity of a subscene has no component that could be told.</summary>
     [Test]
     public void Refresh_CloudWithoutAGameObject_LooksForItsFolderAgain()
     {
@@ -492,7 +486,6 @@ public sealed class EditorImportsTests : EditorFixture
             world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source is FolderSource);
     }
 
-    /// <summary>Views are not drawn without end beside a build that was paused, or broken off yesterday.</summary>
     [Test]
     public void EditModeFrames_BuildThatStandsStill_AreOneASecondUntilItIsDone()
     {
@@ -523,7 +516,6 @@ public sealed class EditorImportsTests : EditorFixture
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
     }
 
-    /// <summary>No world is updated then, while views are drawn as the user turns them.</summary>
     [TestCase(false)]
     [TestCase(true)]
     public void EditModeFrames_PausedPlayMode_StreamAlone(bool isChosen)

@@ -4,8 +4,6 @@ using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>A project's folder as an editor has it open: it is the current one, and files in <c>Assets</c> are imported by
-/// the package's importers.</summary>
 sealed class EditorProject : IDisposable
 {
     static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(15);
@@ -31,7 +29,6 @@ sealed class EditorProject : IDisposable
     /// <summary>The editor's own, so that what happens to assets reaches them.</summary>
     public EditorImports Imports => PointCloudImports.Current;
 
-    /// <summary>A file that is COPC by its name: nobody opens it.</summary>
     public string Copc(string name)
     {
         File.WriteAllText(Scratch[name], "LASF");
@@ -40,7 +37,6 @@ sealed class EditorProject : IDisposable
 
     public PointCloudAsset Asset(string path) => AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
 
-    /// <summary>Updates of the editor until nothing is to be converted.</summary>
     public void UpdateToTheEnd()
     {
         var now = DateTime.UtcNow;
@@ -51,8 +47,6 @@ sealed class EditorProject : IDisposable
         }, () => Imports.Queue.Requests.Count == 0);
     }
 
-    /// <summary>As after a pull: another of the team has converted a changed source again, and the data here are the old
-    /// ones.</summary>
     public void Pull(string name)
     {
         string data = Paths.Absolute("PointClouds/" + name + ".fastpoints"), asset = "Assets/" + name + ".pointcloud";
@@ -69,7 +63,6 @@ sealed class EditorProject : IDisposable
         AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
     }
 
-    /// <summary>An editor that does not play and is not touched: a frame comes only where one was asked for.</summary>
     public static void Frames(World world, Func<bool> isDone)
     {
         for (var atRest = Stopwatch.StartNew(); !isDone() && atRest.Elapsed < s_longestRest;)
@@ -85,7 +78,6 @@ sealed class EditorProject : IDisposable
         Assert.That(isDone(), Is.True, "nothing came of it before the editor came to rest");
     }
 
-    /// <summary>Frames until none is asked for.</summary>
     public static void Rest(World world)
     {
         bool rests = false;

@@ -20,7 +20,6 @@ sealed class ImportProject : IDisposable
 
     public string Target(string name = "scan") => Path.Combine(Paths.Clouds, name + ".fastpoints");
 
-    /// <summary>New ones each time, as the sessions want them.</summary>
     public static ConvertSettings Settings() => new ConvertSettings
     {
         MemoryBytes = 1 << 20,
@@ -39,7 +38,6 @@ sealed class ImportProject : IDisposable
     /// idly.</summary>
     public static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(4);
 
-    /// <summary>As an editor's updates, until something has come about.</summary>
     public static void Updates(Action update, Func<bool> isDone)
     {
         for (var wait = Stopwatch.StartNew(); !isDone() && wait.Elapsed < MaxWait;)

@@ -27,7 +27,6 @@ public sealed class ImportQueueTests
     static void UpdateUntil(ImportQueue queue, Func<bool> isDone) =>
         ImportProject.Updates(() => queue.Tick(1, DateTime.UtcNow), isDone);
 
-    /// <summary>What a process leaves that is gone without notice.</summary>
     string[] Crash(ImportQueue queue)
     {
         string list = File.ReadAllText(FilePath), part = queue.Session == null ? null : m_project.Target() + ".part";
@@ -231,7 +230,6 @@ public sealed class ImportQueueTests
         m_project.AssertIsWhole(m_project.Target());
     }
 
-    /// <summary>What is paused keeps its memory until another wants it, and is continued from its files then.</summary>
     [Test]
     public void Pause_WhatRuns_OthersGoFirst()
     {
@@ -285,7 +283,6 @@ public sealed class ImportQueueTests
         Assert.That(queue.Requests, Is.EqualTo(new[] { running }), "a folder that is being made stays with its request");
     }
 
-    /// <summary>A later request takes the place of one for the same folder, in whatever case; the file is written once.</summary>
     [Test]
     public void Add_Many_KeepsTheirOrderAndTheLaterOfTwo()
     {

@@ -4,7 +4,6 @@ using FastPoints.Rendering;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>What the inspectors tell and do, without their windows.</summary>
 public sealed class InspectorTests
 {
     [Test]
@@ -19,7 +18,6 @@ public sealed class InspectorTests
             Is.EqualTo(new[] { "2 ground", "8 reserved", "64 of the user" }));
     }
 
-    /// <summary>What a user meets in an inspector or the Project window.</summary>
     static IEnumerable<Type> Shown => new[] { typeof(PointCloudSystemGroup), typeof(PointCloudCamera), typeof(ScenePicking),
             typeof(FastPoints.Import.PointFileReaders) }
         .SelectMany(t => t.Assembly.GetTypes()).Where(t => !t.IsAbstract && (t.IsPublic
@@ -84,7 +82,6 @@ public sealed class InspectorTests
         }
     }
 
-    /// <summary>Of all that is shown, but for what only the package itself refers to.</summary>
     [TestCaseSource(nameof(Shown))]
     public void Icon_OfAllThatIsShown_IsASmallPicture(Type type)
     {

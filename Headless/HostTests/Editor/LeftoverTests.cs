@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>What stays of clouds: for version control, and when assets are deleted or copied.</summary>
 public sealed class LeftoverTests : EditorFixture
 {
     [SetUp]
@@ -111,7 +110,6 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(Directory.Exists(folder), Is.True);
     }
 
-    /// <summary>Both show the one cloud, which is converted for both.</summary>
     [Test]
     public void Duplicate_OfAHandle_SharesTheCloudAndItsConversion()
     {
@@ -131,7 +129,6 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(Directory.GetDirectories("PointClouds"), Has.Length.EqualTo(1));
     }
 
-    /// <summary>As another of the team opens the project: handles and sources are there, what Git leaves out is not.</summary>
     void Clone(params string[] names)
     {
         foreach (string name in names)
@@ -190,7 +187,6 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName), Is.EqualTo(new[] { "one.fastpoints" }));
     }
 
-    /// <summary>Of an older source here no conversion makes what the handle says.</summary>
     [Test]
     public void Pull_OfACloudThatAnotherConvertedAgain_AsksIfItCanBeMadeHere([Values] bool isHere)
     {

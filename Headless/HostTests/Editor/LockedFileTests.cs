@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Files that version control has locked until they are checked out.</summary>
 public sealed class LockedFileTests : EditorFixture
 {
     const string Handle = "Assets/a.pointcloud", Settings = "ProjectSettings/FastPoints.asset";
@@ -124,7 +123,6 @@ public sealed class LockedFileTests : EditorFixture
         Assert.That(m_logged.Count(l => l.StartsWith("Warning: FastPoints: not all")), Is.EqualTo(agrees ? 0 : 1));
     }
 
-    /// <summary>What the stand-in holds to.</summary>
     [Test]
     public void Write_LockedFile_IsRefused()
     {

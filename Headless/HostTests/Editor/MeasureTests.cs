@@ -4,7 +4,6 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Picking and measuring in a scene, as it is in an editor that does not play.</summary>
 public sealed class MeasureTests
 {
     ScratchFolder m_scratch;
@@ -64,7 +63,6 @@ public sealed class MeasureTests
         return new double3(100 + 2 * space.z, 50 + 2 * space.y, -30 - 2 * space.x);
     }
 
-    /// <summary>Straight down on the cloud's middle.</summary>
     PickRay Down(double east = 0)
     {
         var bounds = m_folder.Manifest.BoundsGeo;
@@ -241,7 +239,6 @@ public sealed class MeasureTests
         }
     }
 
-    /// <summary>The Scene view picks at each event of a drag, twice, whatever is dragged.</summary>
     [TestCase(EventType.DragUpdated)]
     [TestCase(EventType.DragPerform)]
     public void Drag_OverTheSceneView_LooksForNoPoints(EventType type)
@@ -283,7 +280,6 @@ public sealed class MeasureTests
         }
     }
 
-    /// <summary>The nearer one first, then what lies behind it.</summary>
     [Test]
     public void Click_OnTwoClouds_GoesThroughBoth()
     {

@@ -2,7 +2,6 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Clouds that lie by a shared origin.</summary>
 public sealed class OriginTests : EditorFixture
 {
     World m_world;
@@ -31,7 +30,6 @@ public sealed class OriginTests : EditorFixture
 
     static PointCloudOrigin Origin() => new GameObject("origin").AddComponent<PointCloudOrigin>();
 
-    /// <summary>A converted cloud of the demo scan, beneath an origin if there is one.</summary>
     PointCloud Shown(string name, PointCloudOrigin origin, string crs = null)
     {
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 3000), "Assets");
@@ -49,7 +47,6 @@ public sealed class OriginTests : EditorFixture
 
     CloudPlacement PlacementOf(Entity cloud) => m_world.EntityManager.GetComponentData<PointCloudPlacement>(cloud).Value;
 
-    /// <summary>Where a georeferenced place lies in the world, by what streaming places the cloud at.</summary>
     double3 WorldOf(PointCloud cloud, double3 geo)
     {
         int number = m_world.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number;
@@ -82,7 +79,6 @@ public sealed class OriginTests : EditorFixture
         Assert.That(math.length(WorldOf(cloud, own)), Is.LessThan(1e-8), "it lies at its own again");
     }
 
-    /// <summary>A scene that is saved, and an instance of a prefab, keep what no user has set.</summary>
     [Test]
     public void Update_PlaceAndSystemThatACloudDecides_AreKeptOnceAndInEditModeAlone()
     {
@@ -203,7 +199,6 @@ public sealed class OriginTests : EditorFixture
             .And.Contains("origin in EPSG:25832 ETRS89 / UTM zone 32N"));
     }
 
-    /// <summary>Where a cloud lies by itself does not depend on where somebody has shown it.</summary>
     [Test]
     public void Convert_CloudBeneathAnOrigin_KeepsAnOriginOfItsOwn()
     {

@@ -4,7 +4,6 @@ using UnityEngine.SceneManagement;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>What of a project's clouds goes into a player.</summary>
 public sealed class PlayerCloudTests : EditorFixture
 {
     const string ScenePath = "Assets/main.unity";
@@ -100,7 +99,6 @@ public sealed class PlayerCloudTests : EditorFixture
             .And.Message.Contains("FastPoints > Clouds"), "what helps");
     }
 
-    /// <summary>A build server has a clone: sources, and no data.</summary>
     [TestCase(true)]
     [TestCase(false)]
     public void Build_InBatchMode_ConvertsWhatItNeedsOrNamesTheSource(bool isHere)

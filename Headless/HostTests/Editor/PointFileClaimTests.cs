@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Point cloud files in Assets: who imports them is the project's choice.</summary>
 public sealed class PointFileClaimTests : EditorFixture
 {
     [SetUp]
@@ -93,7 +92,6 @@ public sealed class PointFileClaimTests : EditorFixture
         Assert.That(CloudFolder.IsCloud(m_project.Paths.Absolute(m_project.Imports.HandleOf("Assets/one.las").CloudPath)));
     }
 
-    /// <summary>As an import worker draws it: it sees no settings.</summary>
     [TestCase("PointClouds")]
     [TestCase("Else where")]
     public void Preview_InAWorker_FindsThePicture(string place)

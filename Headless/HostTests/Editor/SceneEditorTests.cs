@@ -3,10 +3,8 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>What the Scene view does with clouds and clip boxes that are selected.</summary>
 public sealed class SceneEditorTests
 {
-    /// <summary>As the Scene view asks an editor: by the methods' names, whether they are public or not.</summary>
     static Bounds? FrameBounds(UnityEditor.Editor editor)
     {
         const BindingFlags Any = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance |
@@ -15,7 +13,6 @@ public sealed class SceneEditorTests
         return hasBounds ? (Bounds)editor.GetType().GetMethod("OnGetFrameBounds", Any).Invoke(editor, null) : null;
     }
 
-    /// <summary>A quarter turn about the vertical, and a place.</summary>
     static Matrix4x4 Turned(float scale, Vector3 place)
     {
         var matrix = Matrix4x4.zero;
@@ -47,7 +44,6 @@ public sealed class SceneEditorTests
         Object.DestroyImmediate(scene);
     }
 
-    /// <summary>As Undo does it: without a property, or a word.</summary>
     [TestCase("m_color", ColorMode.Elevation)]
     [TestCase("m_gradient", FastPoints.Drawing.Gradient.Gray)]
     [TestCase("m_hiddenClasses", new[] { 2, 7 })]

@@ -2,7 +2,6 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Points that the scene's boxes and classes leave, written by the editor.</summary>
 public sealed class SceneExportTests : EditorFixture
 {
     const int Points = 20_000;
@@ -43,7 +42,6 @@ public sealed class SceneExportTests : EditorFixture
         m_world.Update();
     }
 
-    /// <summary>Points of the source in a box of the world.</summary>
     int Count(double3 center, double3 size)
     {
         var space = m_world.EntityManager.GetComponentData<PointCloudSpace>(m_cloud.Entity).Value;

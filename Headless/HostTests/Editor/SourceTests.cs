@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Sources that lie outside the project, elsewhere for each of a team.</summary>
 public sealed class SourceTests : EditorFixture
 {
     [TearDown]
@@ -131,7 +130,6 @@ public sealed class SourceTests : EditorFixture
         Assert.That(m_logged.Single(), Does.Contain("another file"));
     }
 
-    /// <summary>What looks like an extension says nothing.</summary>
     [Test]
     public void Locate_AFolderWithAPointInItsName_AsksForAFolder()
     {

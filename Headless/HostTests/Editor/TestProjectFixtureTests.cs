@@ -5,7 +5,6 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>The package's tests for the editor, where scripts are loaded anew in the middle of one.</summary>
 public sealed class TestProjectFixtureTests : EditorFixture
 {
     static readonly List<string> s_calls = new List<string>();
@@ -61,7 +60,6 @@ public sealed class TestProjectFixtureTests : EditorFixture
         Assert.That(s_calls, Is.EqualTo(new[] { "0 files", "0 files" }));
     }
 
-    /// <summary>In the project's settings and .meta files.</summary>
     [TestCase(nameof(Keeping.Update))]
     [TestCase(nameof(Keeping.Fail))]
     public void Project_OfTheUser_IsAsBefore(string test)
@@ -93,7 +91,6 @@ public sealed class TestProjectFixtureTests : EditorFixture
         Assert.That(() => new EditModeRun(typeof(ImporterTests), test).Run(), Throws.Nothing);
     }
 
-    /// <summary>Nothing is converted by itself there.</summary>
     [Test]
     public void PlayModeTests_InBatchMode_LoseNoConversion()
     {

@@ -4,7 +4,6 @@ using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Small pictures of clouds: of their files at once, and of their octrees when they are converted.</summary>
 public sealed class ThumbnailTests : EditorFixture
 {
     CloudThumbnails Thumbnails => m_project.Imports.Thumbnails;
@@ -72,7 +71,6 @@ public sealed class ThumbnailTests : EditorFixture
         Assert.That(m_logged, Is.Empty);
     }
 
-    /// <summary>Of a folder of clouds: the first.</summary>
     static string Real(string name)
     {
         string path = TestData.PathOrIgnore("data/" + name);

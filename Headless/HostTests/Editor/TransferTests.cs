@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>Converted clouds that leave a project and come into it, and where they lie.</summary>
 public sealed class TransferTests : EditorFixture
 {
     PointCloudAsset Converted(string name = "scan")

@@ -3,7 +3,6 @@ using Unity.Transforms;
 
 namespace FastPoints.HostTests.Entities;
 
-/// <summary>GameObjects and subscenes: what they make of a cloud.</summary>
 public sealed class AuthoringTests
 {
     ScratchFolder m_scratch;
@@ -243,7 +242,6 @@ public sealed class AuthoringTests
         UnityEngine.Object.DestroyImmediate(scene);
     }
 
-    /// <summary>Of closed subscenes and players, where their GameObjects are not.</summary>
     [Test]
     public void Baker_OfAClipBoxAndSettings_MakesWhatTheyMakeInScenes()
     {

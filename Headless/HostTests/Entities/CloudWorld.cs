@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests;
 
-/// <summary>A default world with the systems that open and place clouds, and frames of an editor that does not play.</summary>
 static class CloudWorld
 {
     /// <summary>Folders are opened on another thread, which may get its turn late on a machine at work.</summary>
@@ -15,7 +14,6 @@ static class CloudWorld
         return world;
     }
 
-    /// <summary>Turns an object by a right angle about the vertical, enlarges and moves it.</summary>
     public static void Turn(Transform transform)
     {
         var place = Matrix4x4.zero;

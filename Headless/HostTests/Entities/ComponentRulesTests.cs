@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Entities;
 
-/// <summary>Components are structs: Entities drops classes. It refuses structs with references itself.</summary>
 public sealed class ComponentRulesTests
 {
     sealed class Planted : ICleanupComponentData { }

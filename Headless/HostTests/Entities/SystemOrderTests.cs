@@ -3,7 +3,6 @@ using StandIns.Entities;
 
 namespace FastPoints.HostTests.Entities;
 
-/// <summary>Systems are made by Unity, from their attributes alone.</summary>
 public sealed class SystemOrderTests
 {
     static Type[] Systems => typeof(PointCloudSystemGroup).Assembly.GetTypes()
@@ -42,7 +41,6 @@ public sealed class SystemOrderTests
         Assert.That(logged, Is.Empty);
     }
 
-    /// <summary>The editor's world takes systems that say Editor, and no others; a group's flags are not its systems'.</summary>
     [Test]
     public void Systems_All_AreOfTheEditorsWorldAndOfPlayers()
     {

@@ -2,7 +2,6 @@ using FastPoints.Rendering.BuiltIn;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>Cameras draw by themselves.</summary>
 sealed class BuiltInHost : PipelineHost
 {
     public BuiltInHost() => BuiltInPass.Begin();

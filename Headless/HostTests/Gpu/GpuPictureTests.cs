@@ -3,7 +3,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>The graphics card's pictures against those of the software rasteriser, of the same nodes.</summary>
 public sealed class GpuPictureTests : GraphicsFixture
 {
     const int Points = 40_000;
@@ -41,7 +40,6 @@ public sealed class GpuPictureTests : GraphicsFixture
         EdlStrength = 0,
     };
 
-    /// <summary>Pictures beside the tests' results, for people.</summary>
     /// <param name="maxPerChannel">Colours that differ by no more are the same.</param>
     /// <param name="tiedPixels">Of a disc that is as deep as another but for rounding: either may be in front.</param>
     static void Compare(TwinStreams streams, PictureCamera camera, string name, int maxPerChannel = 0, float tiedPixels = 0)
@@ -80,7 +78,6 @@ public sealed class GpuPictureTests : GraphicsFixture
         Compare(streams, streams.Plan.Camera, "color-" + mode);
     }
 
-    /// <summary>Each cloud has its own mode and gradient.</summary>
     [Test]
     public void Draw_TwoCloudsOfDifferentColours_IsThatOfTheSoftwareRasterizer()
     {
@@ -201,8 +198,6 @@ public sealed class GpuPictureTests : GraphicsFixture
             streams.Ranges.Robust.Size.y), name + "-flat");
     }
 
-    /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing
-    /// outside is drawn.</summary>
     [TestCase(false, false)]
     [TestCase(true, false)]
     [TestCase(true, true)]
@@ -281,7 +276,6 @@ public sealed class GpuPictureTests : GraphicsFixture
             "orthographic");
     }
 
-    /// <summary>A cloud's transform: scaled, not evenly, and turned; the camera goes with it.</summary>
     [TestCase(1e-3)]
     [TestCase(1)]
     [TestCase(1e6)]

@@ -3,7 +3,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>The verbs that draw on the graphics card.</summary>
 public sealed class GpuVerbsTests : GraphicsFixture
 {
     ScratchFolder m_scratch;
@@ -33,7 +32,6 @@ public sealed class GpuVerbsTests : GraphicsFixture
         Assert.That(call.Json.GetProperty("psnr").GetDouble(), Is.GreaterThan(25));
     }
 
-    /// <summary>Both by the distances between points, and with a legend.</summary>
     [Test]
     public void Picture_OnTheGpuWithNoStyle_IsThatOfTheCpu()
     {

@@ -5,7 +5,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>Nodes in the memory of the graphics card: what lies there is what lies in the files.</summary>
 public sealed class GraphicsNodePoolTests : GraphicsFixture
 {
     const int MaxFrames = 200_000;
@@ -33,7 +32,6 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         return stream;
     }
 
-    /// <summary>All of the cloud.</summary>
     PictureCamera Above(StreamContext stream)
     {
         var source = stream.Clouds[0].Source;
@@ -76,7 +74,6 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         Assert.That(quiet, Is.EqualTo(10), "streaming did not come to rest");
     }
 
-    /// <summary>Each drawn node's bytes on the card, against those of its file.</summary>
     static void CheckBytes(StreamContext stream)
     {
         var pool = (GraphicsNodePool)stream.Pool;
@@ -121,7 +118,6 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         }
     }
 
-    /// <summary>In a pool too small for the cloud, nodes come and go over one another.</summary>
     [TestCase(1 << 18)]
     [TestCase(1 << 12)]
     public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(int bytesPerUpload)
@@ -143,8 +139,6 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         Assert.That(stream.Pool.FindProblem(), Is.Null);
     }
 
-    /// <summary>Frames without updates, updates without frames: what a copy has yet to read is not written to again. (Memory that
-    /// is locked is filled with something else; locked too early, it throws.)</summary>
     [Test]
     public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
     {
@@ -168,8 +162,6 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
         CheckBytes(stream);
     }
 
-    /// <summary>Where no fence tells how far the card is, pictures are counted: it is given three frames at most. Updates without
-    /// pictures give it none, however many they are; pictures without updates only bring it on.</summary>
     [Test]
     public void Stream_CardThatDoesNotTell_IsWaitedForByPictures()
     {

@@ -6,7 +6,6 @@ namespace FastPoints.HostTests.Gpu;
 /// <summary>HDRP: custom passes of all cameras.</summary>
 sealed class HdrpHost : PipelineHost
 {
-    /// <summary>In the order of HDRenderPipeline.RenderGraph.cs.</summary>
     static readonly CustomPassInjectionPoint[] s_points =
     {
         CustomPassInjectionPoint.AfterOpaqueAndSky,
@@ -14,7 +13,6 @@ sealed class HdrpHost : PipelineHost
         CustomPassInjectionPoint.BeforeTransparent,
     };
 
-    /// <summary>Of temporal anti-aliasing.</summary>
     public Vector2 Jitter { get; set; }
 
     /// <summary>What HDRP draws before the injection point over what no opaque mesh covers, as its depth pyramid knows: fog

@@ -3,7 +3,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>The command line in a process of its own, with Vulkan's loader telling that it is there.</summary>
 public sealed class LazyDeviceTests : GraphicsFixture
 {
     [TestCase(false)]

@@ -3,7 +3,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>A world with a cloud, and cameras of the engine's that look at it through a pipeline's pass.</summary>
 public abstract class PipelineFixture : GraphicsFixture
 {
     protected const int WidthPx = 320, HeightPx = 180;
@@ -15,8 +14,6 @@ public abstract class PipelineFixture : GraphicsFixture
 
     protected PointCloudSystemGroup Group { get; private set; }
     internal PointScene Scene { get; private set; }
-
-    /// <summary>Of the cloud that was added last.</summary>
     protected Entity Cloud { get; private set; }
     protected EntityManager Entities => m_world.EntityManager;
 
@@ -66,7 +63,6 @@ public abstract class PipelineFixture : GraphicsFixture
         m_world.Dispose();
     }
 
-    /// <summary>A cloud of the world's, around its origin.</summary>
     internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
     {
         var plan = FlightCloud.Add(m_cloud, reference, options, default, out var ranges, out int number, out _);
@@ -105,7 +101,6 @@ public abstract class PipelineFixture : GraphicsFixture
     static Vector4 Row(double3 axis, double3 eye) =>
         new Vector4((float)axis.x, (float)axis.y, (float)axis.z, (float)-math.dot(axis, eye));
 
-    /// <summary>The pipeline draws the camera once.</summary>
     protected void RenderOnce(Camera camera) => Pipeline.Render(camera);
 
     protected void UpdateWorld()
@@ -114,8 +109,6 @@ public abstract class PipelineFixture : GraphicsFixture
         HeadlessGraphics.EndFrame();
     }
 
-    /// <summary>The picture when streaming has come to rest.</summary>
-    /// <param name="slice">Of the camera's target.</param>
     protected RgbaImage Render(Camera camera, int slice = 0)
     {
         for (int frame = 0; frame < MaxFrames; frame++)

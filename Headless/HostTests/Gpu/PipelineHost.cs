@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>As much of a render pipeline as it takes to draw one camera in a scene without meshes.</summary>
 abstract class PipelineHost : IDisposable
 {
     public static PipelineHost Make(string name) => name switch

@@ -3,8 +3,6 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>A camera of the engine's in each pipeline, clouds of entities, a card: all of the way at once, against the
-/// software rasteriser.</summary>
 public sealed class PipelinePassTests : PipelineFixture
 {
     [TestCase(nameof(BuiltInHost), false)]
@@ -76,7 +74,6 @@ public sealed class PipelinePassTests : PipelineFixture
             Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
     }
 
-    /// <summary>Play mode that is paused draws and does not update.</summary>
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
@@ -144,7 +141,6 @@ public sealed class PipelinePassTests : PipelineFixture
         unused.Release();
     }
 
-    /// <summary>As mirrors and portals do, in beginCameraRendering.</summary>
     [Test]
     public void Render_UrpCameraInWhoseTurnAScriptDrawsAnother_IsDrawnFromTheNextPictureOn()
     {
@@ -205,7 +201,6 @@ public sealed class PipelinePassTests : PipelineFixture
         target.Release();
     }
 
-    /// <summary>As small maps are, beside the main camera.</summary>
     [Test]
     public void Render_CameraThatDrawsEverySecondFrame_IsSelectedForInEachFrame()
     {
@@ -336,7 +331,6 @@ public sealed class PipelinePassTests : PipelineFixture
         target.Release();
     }
 
-    /// <summary>As cameras that scripts make: what a user saves is not changed by looking at it.</summary>
     [TestCase(CameraType.Game)]
     [TestCase(CameraType.SceneView)]
     public void Render_CameraOfUrpWithoutData_IsDrawnAndGetsNone(CameraType kind)

@@ -7,7 +7,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>The package's tests for play mode as a server runs them: in batch mode, where no window is.</summary>
 [NonParallelizable]
 public sealed class PlayModeRunTests : GraphicsFixture
 {

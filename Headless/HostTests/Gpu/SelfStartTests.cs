@@ -5,7 +5,6 @@ using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>What a user does: a GameObject with a Point Cloud in front of a camera. Nothing else is set up.</summary>
 public sealed class SelfStartTests : GraphicsFixture
 {
     ScratchFolder m_scratch;
@@ -113,8 +112,6 @@ public sealed class SelfStartTests : GraphicsFixture
         target.Release();
     }
 
-    /// <summary>In paused play mode cameras go on drawing, and no system runs; without a window it is the other way
-    /// round.</summary>
     [Test]
     public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
     {

@@ -2,19 +2,16 @@ using UnityEngine.XR;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>Both eyes of a headset in one target of two slices, against a camera at the place of each eye.</summary>
 public sealed class StereoPassTests : PipelineFixture
 {
     static readonly double3 s_eye = new(-60, -45, 40), s_target = new(0, 0, 0), s_up = new(0, 0, 1);
 
-    /// <summary>Eyes wide apart, and turned towards each other.</summary>
     static PictureCamera At(int eye)
     {
         var middle = PictureCamera.Perspective(s_eye, s_target, s_up, 60);
         return PictureCamera.Perspective(s_eye + middle.Right * (eye == 0 ? -3.5 : 3.5), s_target, s_up, 60);
     }
 
-    /// <summary>Off-centre, to the outer side of each eye.</summary>
     static Matrix4x4 ProjectionOf(int eye)
     {
         var projection = Matrix4x4.Perspective(60, (float)WidthPx / HeightPx, 0.1f, 10_000);
@@ -34,8 +31,6 @@ public sealed class StereoPassTests : PipelineFixture
         return target;
     }
 
-    /// <summary>Along the axes and at places that floats hold: an eye's place, which comes of its matrix, is that of a camera's
-    /// transform to the last bit.</summary>
     static PictureCamera AlongAxes(int eye)
     {
         var place = new double3(eye == 0 ? -3.5 : 3.5, -75, 8);
@@ -108,7 +103,6 @@ public sealed class StereoPassTests : PipelineFixture
     [TearDown]
     public void TakeHeadsetOff() => XRSettings.eyeTextureDesc = default;
 
-    /// <summary>As pipelines do that draw one eye after the other, each in a pass of its own.</summary>
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     public void Render_OneEyeAtATime_IsThePictureOfACameraThereAndSelectsForBothOnce(string pipeline)

@@ -2,14 +2,12 @@ using FastPoints.Cli.Draw;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>What commands draw into, and what comes before it.</summary>
 public sealed class TargetTests : PipelineFixture
 {
     const int ScreenWidthPx = 400, ScreenHeightPx = 300;
 
     protected override bool HasRaster => true;
 
-    /// <summary>Of the Built-in pipeline: the rows of a screen run the other way from a texture's.</summary>
     [TestCase("discs")]
     [TestCase("squares")]
     [TestCase("pixels")]
@@ -85,7 +83,6 @@ public sealed class TargetTests : PipelineFixture
         texture.Release();
     }
 
-    /// <summary>A GPU that draws in tiles stores and loads all of its target where something else comes between draws.</summary>
     [TestCase("squares")]
     [TestCase("adaptive")]
     [TestCase("pixels")]
@@ -113,7 +110,6 @@ public sealed class TargetTests : PipelineFixture
         texture.Release();
     }
 
-    /// <summary>As the Scene view's small picture of a camera that is selected: that very camera, with another mask.</summary>
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
@@ -162,7 +158,6 @@ public sealed class TargetTests : PipelineFixture
         return ((ComputeRaster)Field(Field(cameras[0], "Renderer"), "m_raster")).Pixels;
     }
 
-    /// <summary>A device draws clouds, or one warning says why not, and nothing is thrown, however many frames come.</summary>
     [TestCase(true, null, "compute shaders")]
     [TestCase(false, 1, "storage buffers")]
     [TestCase(false, 2, null)]
@@ -200,7 +195,6 @@ public sealed class TargetTests : PipelineFixture
         }
     }
 
-    /// <summary>Pixels that are others, as a share of those that points cover.</summary>
     static double Shifted(byte[] drawn, RgbaImage wanted)
     {
         var pixels = Enumerable.Range(0, WidthPx * HeightPx)
@@ -208,7 +202,6 @@ public sealed class TargetTests : PipelineFixture
         return pixels.Count(p => p.Is != p.Wanted) / (double)pixels.Count(p => (p.Wanted & 0xFFFFFF) != 0);
     }
 
-    /// <summary>Two worlds of clients with the same clouds: one pool, one upload.</summary>
     [Test]
     public void Update_SecondWorldThatDraws_WaitsUntilTheFirstEnds()
     {

@@ -15,8 +15,6 @@ sealed class TwinStreams : IDisposable
     readonly FlightPicture m_gpuPicture;
     readonly PictureOptions m_options;
 
-    /// <param name="place">From the cloud's own georeferenced placement to that in the test's world.</param>
-    /// <param name="canCompute">See <see cref="GpuPicture"/>.</param>
     public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
         bool canCompute = true)
     {
@@ -35,7 +33,6 @@ sealed class TwinStreams : IDisposable
         Add(cloud, options, place);
     }
 
-    /// <summary>One more cloud, by other options: <see cref="Plan"/> and <see cref="Ranges"/> become its own.</summary>
     public void Add(string cloud, PictureOptions options, Func<CloudPlacement, CloudPlacement> place = null)
     {
         foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
@@ -59,14 +56,12 @@ sealed class TwinStreams : IDisposable
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
 
-    /// <summary>By what the options say now.</summary>
     public void Clip()
     {
         m_cpu.SetClipBoxes(m_options.ClipBoxes);
         m_gpu.SetClipBoxes(m_options.ClipBoxes);
     }
 
-    /// <summary>Pictures of the same nodes, of the same camera.</summary>
     public (RgbaImage Cpu, RgbaImage Gpu) Draw(PictureCamera camera)
     {
         Settle(m_cpu, m_cpuPicture, camera);

@@ -8,14 +8,11 @@ namespace FastPoints.HostTests.Gpu;
 sealed class UrpHost : PipelineHost
 {
     readonly Renderer m_renderer = new Renderer();
-
-    /// <summary>Of a headset whose eyes are drawn in turn.</summary>
     public int Eye { get; set; }
 
     /// <summary>As the 2D renderer may be.</summary>
     public bool IsWithoutDepth { get; set; }
 
-    /// <summary>What the camera that was drawn last had in its graph.</summary>
     public int PassCount { get; private set; }
 
     sealed class Renderer : ScriptableRenderer { }
@@ -32,8 +29,6 @@ sealed class UrpHost : PipelineHost
         RenderSingle(camera);
     }
 
-    /// <summary>As scripts draw mirrors within another camera's turn: with what the renderer's queue has, which it
-    /// empties.</summary>
     public void RenderSingle(Camera camera)
     {
         var graph = new RenderGraph();

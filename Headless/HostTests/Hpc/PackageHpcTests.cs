@@ -17,7 +17,6 @@ public sealed class PackageHpcTests(string generation)
         Assert.That(verifier.WalkedCount, Is.GreaterThan(builds.Package.SelectMany(HpcEntries.Jobs).Count()));
     }
 
-    /// <summary>Jobs that call managed code, each with its reason in its summary.</summary>
     private static readonly string[] s_managedJobs = { "FastPoints.Reading.DecompressJob" };
 
     /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>

@@ -42,7 +42,6 @@ public sealed class AssemblyReferencesTests
         }));
     }
 
-    /// <summary>An assembly within another's folder adds its folder's name to that assembly's.</summary>
     [Test]
     public void Asmdefs_OfThePackage_AreCalledAsTheirFolders() => Assert.That(
         Table().All.Where(a => a.File.Length > 0).Where(a => Path.GetFileNameWithoutExtension(a.File) != a.Name

@@ -1,7 +1,5 @@
 namespace FastPoints.HostTests.Layers;
 
-/// <summary>Code stripping leaves an assembly of a package out that nothing refers to, whatever it does when a player
-/// starts.</summary>
 public sealed class LinkedAssembliesTests
 {
     [Test]

@@ -6,7 +6,6 @@ using StandIns.Io;
 
 namespace FastPoints.HostTests.Layers;
 
-/// <summary>Reads as the manual of Unity's FileHandle and of AsyncReadManager.CloseCachedFileAsync has them.</summary>
 public sealed class ReadEndsTests
 {
     static readonly Regex s_wrong = new Regex(@"\bReadStatus\.InProgress\b|\bAsyncReadManager\.Read\((?!kept\.Handle\b|file\b)");

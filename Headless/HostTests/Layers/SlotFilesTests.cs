@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Layers;
 
-/// <summary>Slots begin on the main thread, for every node that is streamed: their files come by AsyncReadManager.</summary>
 public sealed class SlotFilesTests
 {
     static readonly Regex s_slot = new Regex(@"\bclass \w+ : (BlockRead|SlotRead|RunRead|NodeRead|PlyRead)\b");

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>The command line as pages have it, against what it says of itself.</summary>
 public sealed class ManualCommandsTests
 {
     /// <summary>Options by verb; those of the main job under an empty name.</summary>
@@ -71,7 +70,6 @@ public sealed class ManualCommandsTests
         }
     }
 
-    /// <summary>In `code`, of the command line, the tests and the repository's tools.</summary>
     static IEnumerable<string> UnknownOptions(ManualPage page)
     {
         string root = Checkout.Repository.Root;

@@ -57,7 +57,6 @@ public sealed class ManualExamplesTests
     static IEnumerable<string> Problems(ManualPage page) => Examples(page).SelectMany(e => Compile(e.Code)
         .Select(d => page.Path + " line " + (e.Line + d.Location.GetLineSpan().StartLinePosition.Line) + ": " + d.GetMessage()));
 
-    /// <summary>Statements are a program; C# puts them into a method.</summary>
     static IEnumerable<Diagnostic> Compile(string code)
     {
         var tree = CSharpSyntaxTree.ParseText(code, s_parse);

@@ -4,7 +4,6 @@ using FastPoints.Scenes;
 
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>Versions, assemblies and names of the API on the pages.</summary>
 public sealed class ManualFactsTests
 {
     static readonly Assembly[] s_assemblies =

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>Where pages lead to.</summary>
 public sealed class ManualLinksTests
 {
     [Test]

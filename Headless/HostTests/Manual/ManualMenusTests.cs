@@ -2,7 +2,6 @@ using System.Reflection;
 
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>Menu commands and components by menu: what pages name is there, and what is there is named.</summary>
 public sealed class ManualMenusTests
 {
     static readonly string[] s_roots = { "Assets", "FastPoints", "GameObject", "Project Settings", "Tools" };

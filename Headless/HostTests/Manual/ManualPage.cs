@@ -1,31 +1,24 @@
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>A page that users read: its text, headings, links and tables.</summary>
 sealed class ManualPage
 {
-    /// <param name="path">Below the repository, with '/'.</param>
     public ManualPage(string path, string text) => (Path, Text) = (path, text);
 
     public string Path { get; }
     public string Text { get; }
     public string Name => System.IO.Path.GetFileName(Path);
 
-    /// <summary>The manual, the readmes and those of samples and projects.</summary>
     public static IReadOnlyList<ManualPage> All() => Checkout.Files().Where(f => f.EndsWith(".md", StringComparison.Ordinal))
         .Select(f => new ManualPage(f, File.ReadAllText(System.IO.Path.Combine(Checkout.Repository.Root, f)))).ToList();
 
-    /// <summary>A page of the manual by its name.</summary>
     public static ManualPage Of(string name) =>
         All().Single(p => p.Path.EndsWith("/Documentation~/" + name, StringComparison.Ordinal));
 
-    /// <summary>What a link with '#' may go to, as GitHub and Unity's documentation tool name headings.</summary>
     public IEnumerable<string> Anchors() => Regex.Matches(Text, @"^#+ +(.+?)\s*$", RegexOptions.Multiline)
         .Select(m => Regex.Replace(m.Groups[1].Value.ToLowerInvariant(), @"[^\w\- ]", "").Replace(' ', '-'));
 
-    /// <summary>Targets of links and pictures.</summary>
     public IEnumerable<string> Links() => Regex.Matches(WithoutCode(), @"\]\(([^()\s]+)\)").Select(m => m.Groups[1].Value);
 
-    /// <summary>Rows of the first table under a heading, the table's own head left out; each cell as it is written.</summary>
     public IReadOnlyList<string[]> TableUnder(string heading)
     {
         int start = Text.IndexOf("\n" + heading + "\n", StringComparison.Ordinal);
@@ -35,7 +28,6 @@ sealed class ManualPage
             .Select(l => l.Trim().Trim('|').Split('|').Select(c => c.Trim()).ToArray()).ToList();
     }
 
-    /// <summary>What stands in `code` on a line of text.</summary>
     public static IEnumerable<string> Code(string text) => Regex.Matches(text, "`([^`\n]+)`").Select(m => m.Groups[1].Value);
 
     string WithoutCode() => Regex.Replace(Text, @"```[\s\S]*?```|`[^`\n]*`|^    [^\n]*$", "", RegexOptions.Multiline);

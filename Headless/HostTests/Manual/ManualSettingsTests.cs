@@ -3,8 +3,6 @@ using System.Reflection;
 
 namespace FastPoints.HostTests.Manual;
 
-/// <summary>The tables of settings.md against the components and the settings page: each visible field has its row, with the
-/// inspector's name, the default and the range.</summary>
 public sealed class ManualSettingsTests
 {
     static readonly Type[] s_components = typeof(PointCloudSettings).Assembly.GetTypes()
@@ -56,7 +54,6 @@ public sealed class ManualSettingsTests
     static string Row(string label, FieldInfo field, string range) =>
         string.Join(", ", label, "`" + field.Name + "`", DefaultOf(field), range ?? ChoicesOf(field.FieldType));
 
-    /// <summary>Those that Unity serializes and shows, as they are declared.</summary>
     static IEnumerable<FieldInfo> Fields(Type type) =>
         type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
             .Where(f => (f.IsPublic || f.GetCustomAttribute<SerializeField>() != null) &&

@@ -5,8 +5,6 @@ using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Preview;
 
-/// <summary>What a preview does to all of its sample is cut: into as many slices, at least, as a bound of places for each
-/// makes.</summary>
 [NonParallelizable]
 public sealed class PreviewSliceTests
 {
@@ -68,7 +66,6 @@ public sealed class PreviewSliceTests
         }
     }
 
-    /// <param name="blockPoints">Blocks are read whole.</param>
     [TestCase(20_000)]
     [TestCase(1_000_000)]
     public void Refining_IsCut(int blockPoints)

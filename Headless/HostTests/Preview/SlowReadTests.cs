@@ -23,7 +23,6 @@ public sealed class SlowReadTests
         File.Delete(m_path);
     }
 
-    /// <summary>Points of zeros behind a header, of which the disk has nothing.</summary>
     void WriteSparsePly(int points)
     {
         byte[] header = Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex " + points

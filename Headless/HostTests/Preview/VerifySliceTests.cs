@@ -48,7 +48,6 @@ namespace FastPoints.HostTests.Preview
             Assert.That(runs[typeof(VerifyNodesJob)].Count, Is.GreaterThanOrEqualTo(points / maxPoints));
         }
 
-        /// <param name="spacing">Less than between most neighbours, more than between many, and more than between all.</param>
         [TestCase(0.001)]
         [TestCase(0.02)]
         [TestCase(2)]

@@ -2,7 +2,6 @@ using Unity.Transforms;
 
 namespace FastPoints.HostTests.Probes;
 
-/// <summary>A world of Unity's with the package's systems, and a converted cloud for it.</summary>
 sealed class ProbeWorld : IDisposable
 {
     const int MaxFrames = 200_000;
@@ -13,7 +12,6 @@ sealed class ProbeWorld : IDisposable
     readonly ScratchFolder m_scratch = new ScratchFolder();
     readonly string m_cloud;
 
-    /// <param name="world">That has the package's systems.</param>
     internal ProbeWorld(World world)
     {
         World = world;
@@ -36,7 +34,6 @@ sealed class ProbeWorld : IDisposable
 
     internal Entity AddCloud() => AddCloud(Entities);
 
-    /// <summary>To another world, too.</summary>
     internal Entity AddCloud(EntityManager entities)
     {
         var entity = entities.CreateEntity(ComponentType.ReadWrite<LocalToWorld>());

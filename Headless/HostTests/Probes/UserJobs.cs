@@ -39,7 +39,6 @@ public struct TintAll : IJobChunk
     }
 }
 
-/// <summary>A user's system whose job is not done when the package's systems begin.</summary>
 [DisableAutoCreation]
 [UpdateInGroup(typeof(SimulationSystemGroup))]
 public sealed partial class TintSystem : SystemBase

@@ -6,7 +6,6 @@ namespace FastPoints.HostTests.Probes;
 /// <summary>The package in worlds of Unity's own Entities, as projects have them: ./test --entities.</summary>
 public sealed unsafe class WorldTests
 {
-    /// <summary>The script says which: processed or reflection.</summary>
     [Test]
     public void Assemblies_AreAsTheRunWants()
     {
@@ -98,7 +97,6 @@ public sealed unsafe class WorldTests
         probe.Frames(() => !probe.Entities.Exists(entity));
     }
 
-    /// <summary>As a subscene's file: what is baked is written, read into a world of its own and moved.</summary>
     [Test]
     public void Subscene_WrittenReadAndMoved_ShowsItsCloud()
     {

@@ -7,7 +7,6 @@ public sealed class FlowReportTests
 {
     private const string Runtime = "Packages/com.fastpoints.dots/Runtime/FastPoints/";
 
-    /// <summary>A flow that names a base; what derives from it lies in other rooms.</summary>
     private static readonly SourceFile[] s_files =
     {
         File("A/Flow.cs", "namespace N { class Flow { } }"),
@@ -78,7 +77,6 @@ public sealed class FlowReportTests
 
     private static SourceFile File(string path, string text) => new SourceFile(Runtime + path, text);
 
-    /// <param name="readerNames">A type that the base names, too.</param>
     private static FlowGraph Graph(string readerNames = null)
     {
         using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(

@@ -2,7 +2,6 @@ using FastPoints.RepoTools.Package;
 
 namespace FastPoints.HostTests.Repository;
 
-/// <summary>A package that is in order, and each rule against one that is not.</summary>
 public sealed class PackageRulesTests
 {
     const string Asmdef = "{ \"name\": \"NAME\", \"references\": [\"Unity.Burst\"], \"includePlatforms\": [PLATFORMS], "
@@ -121,7 +120,6 @@ public sealed class PackageRulesTests
         Assert.That(Problems(), Is.Empty);
     }
 
-    /// <summary>The line of the release's workflow makes of what is unreleased the tag's entry.</summary>
     [Test]
     public void Workflow_OfARelease_DatesTheChangelogOnceAllTestsHavePassed()
     {

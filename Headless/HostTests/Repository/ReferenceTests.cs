@@ -3,7 +3,6 @@ using FastPoints.RepoTools.Reference;
 
 namespace FastPoints.HostTests.Repository;
 
-/// <summary>The reference of public types at the end of the manual's API page.</summary>
 public sealed class ReferenceTests
 {
     const string Page = "Words.\n<!-- RepoTools reference writes what follows -->\nold\n<!-- and this is its end -->\nMore.\n";

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Repository;
 
-/// <summary>The asset that refers to the shaders, which Unity reads by the guids of files.</summary>
 public sealed class ResourcesAssetTests
 {
     static string Package => Path.Combine(Checkout.Repository.Root, "Packages", "com.fastpoints.dots");

@@ -4,7 +4,6 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Repository;
 
-/// <summary>What of the package's tests runs in Unity's Test Runner when.</summary>
 public sealed class TestRulesTests
 {
     [Test]
@@ -40,7 +39,6 @@ public sealed class TestRulesTests
         Assert.That(problems, reported == null ? Is.Empty : Has.Some.Contains(reported));
     }
 
-    /// <summary>A filter that only leaves out runs explicit tests as well.</summary>
     [Test]
     public void Workflow_OfTests_LeavesLongTestsOut()
     {

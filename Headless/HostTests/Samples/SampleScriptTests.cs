@@ -6,7 +6,6 @@ using CloudGrid = FastPoints.Samples.ManyClouds.CloudGrid;
 
 namespace FastPoints.HostTests.Samples;
 
-/// <summary>What the scripts of <c>Samples~</c> do in play mode.</summary>
 public sealed class SampleScriptTests
 {
     SampleWorld m_world;

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Samples;
 
-/// <summary>A world that plays, with a camera that sees all, for the scripts of samples.</summary>
 sealed class SampleWorld : IDisposable
 {
     const int MaxFrames = 10_000_000;
@@ -22,7 +21,6 @@ sealed class SampleWorld : IDisposable
     public World World { get; }
     public PointCloudSystemGroup Group { get; }
 
-    /// <summary>A converted cloud's asset.</summary>
     public PointCloudAsset Asset(int points)
     {
         string path = Scratch.Converted(points: points);
@@ -35,7 +33,6 @@ sealed class SampleWorld : IDisposable
         return asset;
     }
 
-    /// <summary>On a GameObject of its own, which goes with the world; what it shows is set before it is enabled.</summary>
     public T Add<T>(Action<T> set = null) where T : MonoBehaviour
     {
         var holder = new GameObject(typeof(T).Name);
@@ -64,7 +61,6 @@ sealed class SampleWorld : IDisposable
         Assert.That(isDone(), Is.True);
     }
 
-    /// <summary>Until all that the camera needs is drawn, and entities have followed.</summary>
     public void Settle() => Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 &&
         (Count<PointCloudNodesWanted>() == 0 || Count<PointCloudNode>() == Group.Stats.CachedNodes));
 

@@ -330,7 +330,6 @@ public sealed class WalkTests : GraphicsFixture
         Camera.main.projectionMatrix = Matrix4x4.Perspective(60, (float)WidthPx / HeightPx, 0.1f, 1000);
     }
 
-    /// <summary>Scripts are loaded anew, and all worlds are made anew.</summary>
     void Play() => Switch(true);
 
     void Stop() => Switch(false);
@@ -352,7 +351,6 @@ public sealed class WalkTests : GraphicsFixture
             root.SetActive(true);
     }
 
-    /// <summary>An update of the editor, and a frame where there is one.</summary>
     void Tick()
     {
         int asked = EditorApplication.s_queuedUpdates;

@@ -1,9 +1,8 @@
 namespace FastPoints.HostTests.Shaders;
 
-/// <summary>
-/// Stages as other languages have them: by spirv-cross, from the SPIR-V that glslang makes. glslang compiles ESSL 3.1; naga
-/// makes WGSL, which Tint compiles. Metal has no compiler here: what spirv-cross can say in its language is taken for good.
-/// </summary>
+/// <summary>Stages as other languages have them: by spirv-cross, from the SPIR-V that glslang makes. glslang compiles ESSL 3.1;
+/// naga makes WGSL, which Tint compiles. Metal has no compiler here: what spirv-cross can say in its language is taken for
+/// good.</summary>
 static class CrossCompilers
 {
     const string Cross = "spirv-cross";

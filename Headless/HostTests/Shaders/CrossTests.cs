@@ -3,7 +3,6 @@ using StandIns.Vulkan;
 
 namespace FastPoints.HostTests.Shaders;
 
-/// <summary>Every variant of every shader of the package in the languages of other APIs: ./test --cross.</summary>
 [Category("Cross")]
 public sealed class CrossTests
 {
@@ -56,7 +55,6 @@ public sealed class CrossTests
         Assert.That(faults, Is.Empty);
     }
 
-    /// <summary>Without the last column where that compiler is not installed: the test above says so.</summary>
     [Test]
     public void TableOfTheManual_IsWhatTheCompilersSay()
     {

@@ -38,7 +38,6 @@ static class Direct3DCompiler
     }.Where(m => m.Length > 0));
 
     /// <summary>Compiles stages, each with flags of its own (D3DCOMPILE_..).</summary>
-    /// <returns>For each what the compiler said: nothing where there is neither an error nor a warning.</returns>
     internal static string[] Compile(IReadOnlyList<(ShaderStage Stage, uint Flags)> all)
     {
         using var folder = new ScratchFolder();

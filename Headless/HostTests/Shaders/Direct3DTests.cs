@@ -54,7 +54,6 @@ public sealed class Direct3DTests
         Assert.That(m_stages, Is.EqualTo(2 * 107 + 4));
     }
 
-    /// <summary>Of the compilers only this one does: Wine's own has no such warning.</summary>
     [Test]
     public void Compile_EarlyReturn_IsWarnedOf() => Assert.That(m_saidOf["early.compute"], Has.Some.Matches(
         "early.compute\\(5,\\d+\\): warning X4000: use of potentially uninitialized variable \\(Chosen\\)"));

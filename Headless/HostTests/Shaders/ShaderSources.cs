@@ -1,14 +1,11 @@
 namespace FastPoints.HostTests.Shaders;
 
-/// <summary>The repository's shaders, in every variant that can be asked for.</summary>
 static class ShaderSources
 {
-    /// <summary>Shaders and compute shaders below a folder, by their paths in the repository.</summary>
     internal static IEnumerable<string> In(string folder) => Checkout.Files().Where(f =>
         f.StartsWith(folder + "/", StringComparison.Ordinal)
         && (f.EndsWith(".shader", StringComparison.Ordinal) || f.EndsWith(".compute", StringComparison.Ordinal)));
 
-    /// <summary>Each kernel, or each stage of each pass, in each variant.</summary>
     internal static IEnumerable<ShaderStage> StagesOf(string path)
     {
         if (path.EndsWith(".compute", StringComparison.Ordinal))

@@ -3,8 +3,6 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Shaders;
 
-/// <summary>Every shader of the package and of these tests, in every variant, through the compiler and SPIR-V's own
-/// checker.</summary>
 public sealed class ShaderVariantTests
 {
     // More would take minutes: then keywords want to become uniforms.
@@ -31,7 +29,6 @@ public sealed class ShaderVariantTests
         Assert.That(faults.Where(f => f.Length > 0), Is.Empty);
     }
 
-    /// <summary>Then what the compiler of one platform is given, each is.</summary>
     [Test]
     public void Conditions_OfThePackagesShaders_AskForItsOwnNamesOnly()
     {

@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Shaders;
 
-/// <summary>Programs that tests of shaders run where they are installed.</summary>
 static class Tool
 {
     /// <summary>A thread that waits for a program makes the pool start another, until hundreds run at once.</summary>
@@ -13,8 +12,6 @@ static class Tool
         (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Concat(folders)
             .Where(folder => folder.Length > 0).Select(folder => Path.Combine(folder, name)).FirstOrDefault(File.Exists);
 
-    /// <summary>Runs a program to its end.</summary>
-    /// <returns>What it said, and whether it ended well.</returns>
     internal static (bool IsGood, string Said) Run(string program, params string[] arguments)
     {
         var start = new ProcessStartInfo(program, arguments) { RedirectStandardOutput = true, RedirectStandardError = true };

@@ -3,7 +3,6 @@ using Unity.Transforms;
 
 namespace FastPoints.HostTests.StandIns;
 
-/// <summary>What baking refuses.</summary>
 public sealed class BakingTests
 {
     World m_world;

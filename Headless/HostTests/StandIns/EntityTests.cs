@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.StandIns;
 
-/// <summary>Entities, queries, systems and groups: what Unity's do, of what the package uses.</summary>
 public sealed class EntityTests
 {
     struct Health : IComponentData

@@ -2,7 +2,6 @@ using System.Reflection;
 
 namespace FastPoints.HostTests.StandIns;
 
-/// <summary>What Unity keeps of the package's components, assets, importers and settings.</summary>
 public sealed class SerializationTests
 {
     static readonly Assembly[] s_assemblies =

@@ -5,7 +5,6 @@ public sealed class PackageThreadsTests(string generation)
 {
     private readonly string m_generation = generation;
 
-    /// <summary>Tests are left out: they do on purpose what is not to be done.</summary>
     [Test]
     public void OtherThreads_OfThePackage_UseOnlyWhatIsForThem()
     {

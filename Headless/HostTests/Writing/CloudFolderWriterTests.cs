@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Writing;
 
-/// <summary>Who may write a cloud's folder.</summary>
 public sealed class CloudFolderWriterTests
 {
     ScratchFolder m_scratch;

@@ -55,7 +55,6 @@ public sealed class FilesInUseTests
         return result;
     }
 
-    /// <summary>From now on somebody reads when an operation comes, the first time, and has done so after this time.</summary>
     void ReadAt(int heldMs)
     {
         var done = new HashSet<string>();

@@ -2,7 +2,6 @@ using Random = System.Random;
 
 namespace FastPoints.HostTests.Writing;
 
-/// <summary>Clouds that .NET wrote before keep their bytes.</summary>
 public sealed class NumberTextTests
 {
     [Test, Category("Long")]
@@ -27,7 +26,6 @@ public sealed class NumberTextTests
         }
     }
 
-    /// <summary>Coordinates, steps and ranges as clouds have them.</summary>
     [Test]
     public void Of_NumbersOfClouds_IsDotNets()
     {

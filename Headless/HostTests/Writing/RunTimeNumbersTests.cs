@@ -76,7 +76,6 @@ public sealed class RunTimeNumbersTests
 
     private static bool IsFraction(TypeReference type) => type.FullName is "System.Double" or "System.Single";
 
-    /// <summary>Whether the format, told within the last few instructions, gives a number of decimals.</summary>
     private static bool IsRounded(Instruction at)
     {
         for (int back = 0; back < 8 && at.Previous != null; back++)

@@ -2,8 +2,6 @@ using FastPoints.RepoTools.Layers;
 
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>Writes Headless/Api/used.tsv: the lines of the full list that a conformance check of all generations touches. They
-/// hold a clone that has no full list to the same signatures.</summary>
 public static class ApiCommand
 {
     public static ToolResult Run(Repository repository, bool check)
@@ -40,7 +38,6 @@ public static class ApiCommand
         return new ToolResult($"{api.Touched.Count()} signatures of Unity used", problems);
     }
 
-    /// <summary>All generations' builds against one list.</summary>
     public static List<string> Check(Repository repository, UnityApi api)
     {
         AssemblyTable assemblies = SampleAssemblies.LoadAll(repository.PackageRoot);

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Api;
 
-/// <summary>The package's assemblies as one generation of Unity compiles them, and the stand-ins beside them.</summary>
 public sealed class GenerationBuilds : IDisposable
 {
     private static readonly string[] s_assemblies =
@@ -72,7 +71,6 @@ public sealed class GenerationBuilds : IDisposable
         return new[] { inPackages, inSdk }.Where(Directory.Exists);
     }
 
-    /// <summary>What was read is what is found: a definition has one identity, whoever refers to it.</summary>
     private sealed class Resolver : DefaultAssemblyResolver
     {
         internal void Register(AssemblyDefinition assembly) => RegisterAssembly(assembly);

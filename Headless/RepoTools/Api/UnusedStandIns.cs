@@ -4,7 +4,6 @@ namespace FastPoints.RepoTools.Api;
 /// every generation.</summary>
 public static class UnusedStandIns
 {
-    /// <summary>It is not held to it.</summary>
     private const string NotYet = "Unity.Collections";
 
     private static readonly string[] s_tests =

@@ -1,7 +1,5 @@
 namespace FastPoints.RepoTools.Behaviour;
 
-/// <summary>Holds the ledger of behaviours to stand-ins and tests, and makes the manual's list of what is unverified from
-/// it.</summary>
 public static class BehaviourCommand
 {
     private const string Heading = "\n## What could not be verified without an editor\n";

@@ -1,15 +1,12 @@
 namespace FastPoints.RepoTools.Behaviour;
 
-/// <summary>
-/// Headless/Api/behaviour.tsv: what Unity does, beyond its signatures, that the package relies on. A row has its evidence,
-/// and either the stand-in and the test that hold it, or the step of the manual's page that would show it in an editor.
-/// </summary>
+/// <summary>Headless/Api/behaviour.tsv: what Unity does, beyond its signatures, that the package relies on. A row has its
+/// evidence, and either the stand-in and the test that hold it, or the step of the manual's page that would show it in an
+/// editor.</summary>
 public sealed class BehaviourLedger
 {
     private const string Header = "behaviour\twhat\tevidence\tsure\theld by\ttest\tstep";
     private const string Unverified = "unverified";
-
-    /// <summary>"older": the sources of an earlier version say it, and those of a supported one are not to be had.</summary>
     private static readonly string[] s_sureties = { "source", "manual", "run", "older", "experience" };
     private static readonly Regex s_key = new Regex("^[a-z0-9]+(-[a-z0-9]+)+$");
     private static readonly Regex s_olderBurst = new Regex(@"com\.unity\.burst (?!1\.8)");
@@ -22,7 +19,6 @@ public sealed class BehaviourLedger
     public int Count => m_rows.Count;
     public int UnverifiedCount => m_rows.Count(r => r[5] == Unverified);
 
-    /// <summary>Reads the file's text; throws ToolException where a line is no row.</summary>
     public static BehaviourLedger Parse(string text)
     {
         string[] lines = text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
@@ -41,13 +37,8 @@ public sealed class BehaviourLedger
         return new BehaviourLedger(rows.OrderBy(r => r[0], StringComparer.Ordinal).ToList());
     }
 
-    /// <summary>The file as it is written: rows by their key, no cells left out.</summary>
     public string Text() => string.Join("\n", m_rows.Select(r => string.Join("\t", r)).Prepend(Header)) + "\n";
 
-    /// <summary>What is wrong with rows, a line each.</summary>
-    /// <param name="folders">That files are named from.</param>
-    /// <param name="tests">The text of each test's source, by file name without extension.</param>
-    /// <param name="steps">Numbers of the manual's steps.</param>
     public IEnumerable<string> Problems(IReadOnlyCollection<string> folders, ILookup<string, string> tests,
         IReadOnlySet<string> steps)
     {
@@ -58,7 +49,6 @@ public sealed class BehaviourLedger
                 yield return $"{row[0]}: {problem}";
     }
 
-    /// <summary>The manual's table of what no test holds, in the order of the steps that show it.</summary>
     public string UnverifiedTable()
     {
         var table = new StringBuilder("| what | step that shows it |\n|---|---|\n");

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Formats;
 
-/// <summary>Holds the description of the disk format to the structs that are written.</summary>
 public static class FormatCommand
 {
     public static ToolResult Run(Repository repository)

@@ -1,7 +1,5 @@
 namespace FastPoints.RepoTools.Formats;
 
-/// <summary>The byte tables of a format's description. A struct's table stands under a heading that has its name in backticks;
-/// its first three columns are offset, bytes and `field`, and a gap is a row whose field is not in backticks.</summary>
 public static class FormatTables
 {
     public const string Attribute = "DiskFormatAttribute";

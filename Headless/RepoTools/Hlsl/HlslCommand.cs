@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Hlsl;
 
-/// <summary>Writes Shaders/Generated/*.hlsl, one a marked struct, and removes what no struct stands behind.</summary>
 public static class HlslCommand
 {
     public static ToolResult Run(Repository repository, bool check)

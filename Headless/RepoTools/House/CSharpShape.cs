@@ -4,12 +4,6 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace FastPoints.RepoTools.House;
 
-/// <summary>What the house wants to know of a C# file, from its syntax alone.</summary>
-/// <param name="Parameters">Each method, local function and constructor with their number, but constructors of records and
-/// readonly structs.</param>
-/// <param name="Methods">Each member with code, with its number of lines from the name's line to the last brace.</param>
-/// <param name="Types">Those that lie in no other type.</param>
-/// <param name="Names">Identifiers that the file declares, with their line.</param>
 public sealed record CSharpShape(IReadOnlyList<Counted> Parameters, IReadOnlyList<Counted> Methods,
     IReadOnlyList<DeclaredType> Types, IReadOnlyList<Written> Names)
 {
@@ -90,11 +84,8 @@ public sealed record CSharpShape(IReadOnlyList<Counted> Parameters, IReadOnlyLis
     private static int LineOf(SyntaxToken token) => token.GetLocation().GetLineSpan().EndLinePosition.Line + 1;
 }
 
-/// <summary>A member, the line of its name, and how much it has of what is counted.</summary>
 public sealed record Counted(string Name, int Line, int Amount);
 
-/// <summary>A type by its full name, as metadata has it.</summary>
 public sealed record DeclaredType(string Name, bool IsPublic);
 
-/// <summary>A name, and its line.</summary>
 public sealed record Written(string Text, int Line);

@@ -2,13 +2,9 @@ namespace FastPoints.RepoTools.House;
 
 /// <summary>How many lines of C# there may be at most, by the part of the work: a given table, of which the repository has a
 /// copy.</summary>
-/// <param name="text">Rows of a part's number and its ceilings, where '-' is none. Lines that begin with no number are
-/// remarks.</param>
-/// <param name="source">The file that it is from.</param>
 /// <param name="problem">What is wrong with the copy; null if nothing is.</param>
 public sealed class Ceilings(string text, string source, string? problem = null)
 {
-    /// <summary>The columns behind the part.</summary>
     private static readonly string[] s_measures = { "product-lines", "csharp-lines", "outside-lines" };
 
     private readonly Dictionary<int, string[]> m_cellsOfPart = text.Split('\n').Select(l => l.Split('\t'))
@@ -17,7 +13,6 @@ public sealed class Ceilings(string text, string source, string? problem = null)
     public string Source => source;
     public string? Problem => problem;
 
-    /// <summary>Reads the given table where it is, or else the copy.</summary>
     public static Ceilings Load(string given, string copy)
     {
         string copied = File.ReadAllText(copy);
@@ -27,7 +22,6 @@ public sealed class Ceilings(string text, string source, string? problem = null)
         return new Ceilings(text, given, text == copied ? null : $"{copy} is no copy of {given}");
     }
 
-    /// <summary>The ceiling of a measure; null where it has none. Throws ToolException where there is no such part.</summary>
     public long? Of(string measure, int part)
     {
         if (!m_cellsOfPart.TryGetValue(part, out string[]? cells) || cells.Length <= s_measures.Length)

@@ -2,19 +2,16 @@ using FastPoints.RepoTools.Layers;
 
 namespace FastPoints.RepoTools.House;
 
-/// <summary>
-/// Which types of the product name which others, so which files one may have to read to follow a flow. A type is reached with
-/// all its members, and with the types within it; a job with the code that schedules it. A base or an interface reaches itself
-/// alone: what derives from it is reached where code of the flow names it. Constants are not in the IL, so what only they join
-/// is not.
-/// </summary>
+/// <summary>Which types of the product name which others, so which files one may have to read to follow a flow. A type is reached
+/// with all its members, and with the types within it; a job with the code that schedules it. A base or an interface reaches
+/// itself alone: what derives from it is reached where code of the flow names it. Constants are not in the IL, so what only they
+/// join is not.</summary>
 public sealed class FlowGraph
 {
     private readonly Dictionary<string, HashSet<string>> m_namedBy = new Dictionary<string, HashSet<string>>();
     private readonly HashSet<string> m_functions = new HashSet<string>();
     private readonly ILookup<string, SourceFile> m_filesOf;
 
-    /// <param name="filesOf">By the full name of a type that lies in no other; a partial type has several.</param>
     public FlowGraph(IEnumerable<ModuleDefinition> modules, ILookup<string, SourceFile> filesOf)
     {
         m_filesOf = filesOf;
@@ -30,8 +27,6 @@ public sealed class FlowGraph
         }
     }
 
-    /// <summary>The types that functions reach, in no order. Throws ToolException where there is no such function.</summary>
-    /// <param name="functions">Namespace.Type.Method</param>
     public IReadOnlyCollection<string> Reach(IEnumerable<string> functions)
     {
         var reached = new HashSet<string>();
@@ -53,7 +48,6 @@ public sealed class FlowGraph
     public IReadOnlyList<SourceFile> FilesOf(IEnumerable<string> types) =>
         types.SelectMany(t => m_filesOf[t]).Distinct().OrderBy(f => f.Path, StringComparer.Ordinal).ToList();
 
-    /// <summary>Where rooms of some types name one another in a circle: an edge of it and an example each.</summary>
     public IEnumerable<string> Circles(IReadOnlyCollection<string> types)
     {
         Dictionary<string, Dictionary<string, string>> edges = new();

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>How many files and rooms each flow of a table reaches, beside its limits, and what is beyond them.</summary>
 public sealed class FlowReport
 {
     private readonly FlowGraph m_graph;
@@ -18,14 +17,10 @@ public sealed class FlowReport
             Add(flow, table.Of(HouseTable.FlowRooms, flow.Where));
     }
 
-    /// <summary>By <see cref="HouseRow.Key"/>.</summary>
     public IReadOnlyDictionary<string, long> Figures => m_figures;
     public IReadOnlyList<string> Problems => m_problems;
-
-    /// <summary>The table that is printed, with the edges of circles of rooms below their flow.</summary>
     public string Text => m_text.ToString();
 
-    /// <summary>The files of a flow by room.</summary>
     public IEnumerable<string> List(string flow) => m_graph
         .FilesOf(m_graph.Reach(Functions(m_table.Of(HouseTable.FlowFiles, flow)))).GroupBy(f => f.Room)
         .SelectMany(r => r.Select(f => "  " + f.Path)

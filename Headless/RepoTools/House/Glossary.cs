@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>The words that the manual's glossary says not to use: the third column of its tables of word, meaning, not.</summary>
 public sealed class Glossary
 {
     public const string Path = "Packages/com.fastpoints.dots/Documentation~/glossary.md";
@@ -15,8 +14,6 @@ public sealed class Glossary
 
     public int Count => m_phrases.Count;
 
-    /// <summary>Reads the page. A word that has a row of its own is right in its own meaning, so it is not looked for though
-    /// another row says not to use it; a remark in parentheses is no word.</summary>
     public static Glossary Parse(string page)
     {
         var defined = new HashSet<string>(StringComparer.OrdinalIgnoreCase);

@@ -4,8 +4,6 @@ namespace FastPoints.RepoTools.House;
 /// Headless/Api/house.tsv.</summary>
 public static class HouseCommand
 {
-    /// <param name="check">Writes nothing; else limits come down to what has been reached.</param>
-    /// <param name="list">A measure all of whose findings are printed in place of the table; null for none.</param>
     public static ToolResult Run(Repository repository, bool check, string? list)
     {
         HouseTable table = TableOf(repository);
@@ -19,8 +17,6 @@ public static class HouseCommand
         return new ToolResult($"{report.GoalsMet} of {report.Figures.Count} figures at their goals", report.Problems);
     }
 
-    /// <summary>The same of the flows, from the newest generation's build.</summary>
-    /// <param name="list">A flow whose files are printed in place of the table; null for none.</param>
     public static ToolResult RunFlows(Repository repository, bool check, string? list)
     {
         HouseTable table = TableOf(repository);

@@ -1,13 +1,10 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>One figure of the house: what it counts, and where.</summary>
 /// <param name="What">A line of the table; {0} is what one thing may have.</param>
 /// <param name="IsSum">The figure is the sum of all amounts; else the number of things with a larger one than they may
 /// have.</param>
-/// <param name="Find">The things, of files and the shapes of those in C#.</param>
 public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<HouseSources, IEnumerable<Finding>> Find)
 {
-    /// <summary>A file of so few lines hides the flow of its folder.</summary>
     private const int SmallFileLines = 25;
 
     public static readonly IReadOnlyList<HouseMeasure> All = new[]
@@ -76,5 +73,4 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
     }
 }
 
-/// <summary>One thing that a measure counts: where it is, how much it has, and that in words.</summary>
 public sealed record Finding(string Path, long Amount, string What);

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>The figures of a set of files beside the limits of a table, and what is beyond them.</summary>
 public sealed class HouseReport
 {
     private const int FindingsShown = 20;
@@ -25,11 +24,8 @@ public sealed class HouseReport
 
     public IReadOnlyList<string> Problems => m_problems;
     public IReadOnlyDictionary<string, long> Figures => m_figures.ToDictionary(f => f.Measure.Name, f => f.Value);
-
-    /// <summary>How many figures are at their goals.</summary>
     public int GoalsMet => m_figures.Count(f => f.Value <= m_table.Of(f.Measure.Name).Goal);
 
-    /// <summary>All that a measure counts, the largest first.</summary>
     public IEnumerable<string> List(string measure)
     {
         HouseFigure figure = m_figures.FirstOrDefault(f => f.Measure.Name == measure)
@@ -38,7 +34,6 @@ public sealed class HouseReport
         return figure.Findings.OrderByDescending(f => f.Amount).Select(Line);
     }
 
-    /// <summary>The table that is printed, a line for each measure.</summary>
     public string Text()
     {
         var text = new StringBuilder($"{"",-14}{"figure",9}{"limit",9}{"goal",9}\n");
@@ -78,7 +73,6 @@ public sealed class HouseReport
             Refuse(figure, limit);
     }
 
-    /// <summary>That of the table, or the ceiling that is below it.</summary>
     private long? LimitOf(HouseRow row) =>
         m_ceilings.Of(row.Measure, m_table.Part) is long ceiling && ceiling < row.Limit ? ceiling : row.Limit;
 

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>The files that the house looks into, each read and parsed once.</summary>
 public sealed class HouseSources
 {
     private readonly Dictionary<SourceFile, CSharpShape> m_shapes;
@@ -32,7 +31,6 @@ public sealed class HouseSources
     // A record would hash its whole text.
     private static IEqualityComparer<SourceFile> ByReference => ReferenceEqualityComparer.Instance;
 
-    /// <summary>The product's, by the full name of a type that lies in no other; a partial type has several.</summary>
     public ILookup<string, SourceFile> FilesOfTypes() =>
         Product.SelectMany(f => ShapeOf(f).Types, (f, t) => (t.Name, f)).ToLookup(p => p.Name, p => p.f);
 

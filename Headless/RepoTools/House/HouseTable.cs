@@ -1,11 +1,9 @@
 namespace FastPoints.RepoTools.House;
 
-/// <summary>
-/// Headless/Api/house.tsv. A measure's row (its place is '*') has what one thing may have, how many may have more (or,
-/// without the first, the whole figure), and the goal of that. The row 'part' has the part of the work whose ceilings hold.
-/// A row 'flow-files' or 'flow-rooms' has a flow's name, a limit and a goal, and the former the functions that begin it. Every
-/// other row is an exception: a file or a folder, what one thing may have there, and why.
-/// </summary>
+/// <summary>Headless/Api/house.tsv. A measure's row (its place is '*') has what one thing may have, how many may have more (or,
+/// without the first, the whole figure), and the goal of that. The row 'part' has the part of the work whose ceilings hold. A row
+/// 'flow-files' or 'flow-rooms' has a flow's name, a limit and a goal, and the former the functions that begin it. Every other
+/// row is an exception: a file or a folder, what one thing may have there, and why.</summary>
 public sealed class HouseTable
 {
     private const string Header = "measure\twhere\teach\tlimit\tgoal\twhy";
@@ -18,16 +16,11 @@ public sealed class HouseTable
 
     private HouseTable(List<HouseRow> rows) => m_rows = rows;
 
-    /// <summary>The part of the work whose ceilings hold.</summary>
     public int Part => (int)(Of(PartName).Each ?? throw new ToolException($"house.tsv: {PartName} has no number"));
-
-    /// <summary>A row for each flow.</summary>
     public IEnumerable<HouseRow> Flows => m_rows.Where(r => r.Measure == FlowFiles);
-
     public IEnumerable<HouseRow> Exceptions => m_rows.Where(r => r.Where != HouseRow.Anywhere && !r.IsOfFlow);
     private IEnumerable<HouseRow> Limits => m_rows.Except(Exceptions).Where(r => r.Measure != PartName);
 
-    /// <summary>Reads the file's text; throws ToolException where a line is no row.</summary>
     public static HouseTable Parse(string text)
     {
         string[] lines = text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
@@ -36,7 +29,6 @@ public sealed class HouseTable
         return new HouseTable(lines.Skip(1).Select(ParseRow).ToList());
     }
 
-    /// <summary>The row of a measure, or of a flow; throws ToolException where there is none, or more than one.</summary>
     public HouseRow Of(string measure, string where = HouseRow.Anywhere)
     {
         List<HouseRow> found = m_rows.Where(r => r.Measure == measure && r.Where == where).ToList();
@@ -45,7 +37,6 @@ public sealed class HouseTable
             : throw new ToolException($"house.tsv: {found.Count} rows with the limit of {measure}, {where}");
     }
 
-    /// <summary>What is wrong with rows, whatever the figures are.</summary>
     public IEnumerable<string> Problems(IReadOnlyCollection<string> measures)
     {
         foreach (HouseRow row in m_rows.Where(r => !measures.Contains(r.Measure) && !r.IsOfFlow && r.Measure != PartName))
@@ -58,7 +49,6 @@ public sealed class HouseTable
 
     /// <summary>The file with each limit that is above both its goal and its figure brought down to the higher of the
     /// two.</summary>
-    /// <param name="figures">By <see cref="HouseRow.Key"/>.</param>
     public string Lowered(IReadOnlyDictionary<string, long> figures) => string.Join("\n", m_rows
         .Select(r => figures.TryGetValue(r.Key, out long figure) && r.Limit > figure
             ? r with { Limit = Math.Max(figure, r.Goal ?? figure) }
@@ -89,8 +79,6 @@ public sealed record HouseRow(string Measure, string Where, long? Each, long? Li
     public const string Anywhere = "*";
 
     public bool IsOfFlow => Measure is HouseTable.FlowFiles or HouseTable.FlowRooms;
-
-    /// <summary>What its figure is called: that of a measure by its name alone.</summary>
     public string Key => Where == Anywhere ? Measure : $"{Measure} {Where}";
 
     /// <summary>Whether a place is this row's: a folder ends with '/', a file may be named by the end of its path.</summary>

@@ -2,23 +2,16 @@ using FastPoints.RepoTools.Reference;
 
 namespace FastPoints.RepoTools.House;
 
-/// <summary>A file of the repository: its path with '/', and its text.</summary>
 public sealed record SourceFile(string Path, string Text)
 {
     private const string Package = "Packages/com.fastpoints.dots/";
-
-    /// <summary>An assembly that is one room, in several folders.</summary>
     private const string Entities = "FastPoints.Entities";
 
     private static readonly string[] s_code = { ".cs", ".hlsl", ".shader", ".compute" };
 
     public bool IsCSharp => Path.EndsWith(".cs", StringComparison.Ordinal);
-
-    /// <summary>C# or a shader.</summary>
     public bool IsCode => IsCodePath(Path);
 
-    /// <summary>C# that a user's project compiles: the package's Runtime and Editor, without tests, benchmarks and
-    /// samples.</summary>
     public bool IsProduct => IsCSharp && (Path.StartsWith(Package + "Runtime/", StringComparison.Ordinal) ||
         Path.StartsWith(Package + "Editor/", StringComparison.Ordinal));
 
@@ -42,16 +35,11 @@ public sealed record SourceFile(string Path, string Text)
         Path.EndsWith(".md", StringComparison.Ordinal);
 
     public string Folder => Path.Contains('/') ? Path[..Path.LastIndexOf('/')] : ".";
-
-    /// <summary>How many lines; the last one counts without a line end too.</summary>
     public int LineCount => Text.Count(c => c == '\n') + (Text.Length > 0 && Text[^1] != '\n' ? 1 : 0);
 
-    /// <summary>How many words. The bars of tables are none, and a generated reference, which nobody reads through, has
-    /// none.</summary>
     public int WordCount => ReferenceBlock.Remove(Text).Replace('|', ' ')
         .Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Length;
 
-    /// <summary>Whether the house looks into a file of this path.</summary>
     public static bool IsWanted(string path) => IsCodePath(path) || new SourceFile(path, "").IsManual;
 
     private static bool IsCodePath(string path) => s_code.Any(e => path.EndsWith(e, StringComparison.Ordinal));

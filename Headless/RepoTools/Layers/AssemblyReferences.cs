@@ -2,7 +2,6 @@ using System.Xml.Linq;
 
 namespace FastPoints.RepoTools.Layers;
 
-/// <summary>Which assembly may reference which, and whether asmdef and csproj agree on what it does.</summary>
 public static class AssemblyReferences
 {
     private static readonly string[] s_dots = { "Unity.Burst", "Unity.Collections", "Unity.Mathematics" };
@@ -54,7 +53,6 @@ public static class AssemblyReferences
             .Concat(s_testRunner).ToArray(),
     };
 
-    /// <summary>What an asmdef says against the table; an assembly that is not in the table needs its row first.</summary>
     public static IEnumerable<string> CheckTable(Asmdef asmdef)
     {
         if (!s_mayReference.TryGetValue(asmdef.Name, out string[]? allowed))

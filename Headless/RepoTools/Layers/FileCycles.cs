@@ -9,18 +9,15 @@ namespace FastPoints.RepoTools.Layers;
 /// found.</summary>
 public static class FileCycles
 {
-    /// <summary>Circles that are kept, by the names of their files, and why.</summary>
     private static readonly (string Files, string Why)[] s_kept =
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
         ("Reading/Tiles/TiledRead.cs, Reading/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
     };
 
-    /// <summary>The circles of an assembly that are not kept, and what is kept without need.</summary>
     public static IEnumerable<string> Check(ModuleDefinition module, string folder) => Check(module, FilesIn(folder), s_kept
         .Where(k => File.Exists(Path.Combine(folder, k.Files.Split(", ")[0]))).Select(k => k.Files).ToList());
 
-    /// <param name="fileOfType">By full name; the file's path begins with its room.</param>
     public static IEnumerable<string> Check(ModuleDefinition module, IReadOnlyDictionary<string, string> fileOfType,
         IReadOnlyList<string> kept)
     {
@@ -57,7 +54,6 @@ public static class FileCycles
 
     private static string RoomOf(string file) => file[..(file.IndexOf('/') + 1)];
 
-    /// <summary>What a name leads to over the edges of a graph.</summary>
     internal static HashSet<string> Reach(string from, Dictionary<string, Dictionary<string, string>> named)
     {
         var reached = new HashSet<string>();
@@ -73,7 +69,6 @@ public static class FileCycles
         return reached;
     }
 
-    /// <summary>The file of each type that lies in no other; the parts of a partial type count as its first file.</summary>
     private static Dictionary<string, string> FilesIn(string folder)
     {
         var files = new Dictionary<string, string>();

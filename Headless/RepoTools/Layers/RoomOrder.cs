@@ -1,8 +1,5 @@
 namespace FastPoints.RepoTools.Layers;
 
-/// <summary>The rooms of the runtime assemblies in the order of the data. A file uses its own room and earlier ones; the rooms of
-/// an assembly come after those of the assemblies that it references. Room, folder and namespace have one name; files beside
-/// the rooms are the last room, with the assembly's own name.</summary>
 public static class RoomOrder
 {
     private static readonly (string Assembly, string[] Rooms)[] s_order =
@@ -31,7 +28,6 @@ public static class RoomOrder
         return -1;
     }
 
-    /// <summary>What the sources of one assembly's folder say against the order.</summary>
     public static IEnumerable<string> CheckSources(string folder, string assembly)
     {
         foreach (string file in Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories))
@@ -42,7 +38,6 @@ public static class RoomOrder
         }
     }
 
-    /// <param name="path">Below the assembly's folder, with '/'.</param>
     public static IEnumerable<string> CheckSource(string assembly, string path, string text)
     {
         string shown = $"{assembly}/{path}";
@@ -69,7 +64,6 @@ public static class RoomOrder
         }
     }
 
-    /// <summary>What the IL of an assembly names of later rooms.</summary>
     public static IEnumerable<string> CheckIl(ModuleDefinition module)
     {
         string assembly = module.Assembly.Name.Name;
@@ -88,7 +82,6 @@ public static class RoomOrder
         return problems;
     }
 
-    /// <summary>The types that a naming names: those of a signature, too.</summary>
     internal static IEnumerable<TypeReference> Types(MemberReference member)
     {
         IEnumerable<TypeReference> types = member switch

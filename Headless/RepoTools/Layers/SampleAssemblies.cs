@@ -1,10 +1,8 @@
 namespace FastPoints.RepoTools.Layers;
 
-/// <summary>
-/// The assemblies of <c>Samples~</c>. In Unity each sample has its own, since it is imported by itself; here one project has
-/// the scripts of all, and another their menu commands. That proves the same where all samples refer to the same assemblies,
-/// and none uses another: which <see cref="Check"/> holds.
-/// </summary>
+/// <summary>The assemblies of <c>Samples~</c>. In Unity each sample has its own, since it is imported by itself; here one project
+/// has the scripts of all, and another their menu commands. That proves the same where all samples refer to the same assemblies,
+/// and none uses another: which <see cref="Check"/> holds.</summary>
 public static class SampleAssemblies
 {
     public const string Folder = "Samples~";
@@ -20,7 +18,6 @@ public static class SampleAssemblies
             : new List<Asmdef>();
     }
 
-    /// <summary>The package's assemblies, with those of the samples joined.</summary>
     public static AssemblyTable LoadAll(string packageRoot)
     {
         string samples = Path.Combine(packageRoot, Folder) + Path.DirectorySeparatorChar;
@@ -28,7 +25,6 @@ public static class SampleAssemblies
             .Where(f => !f.StartsWith(samples, StringComparison.Ordinal)).Select(Asmdef.Load).Concat(Join(Load(packageRoot))));
     }
 
-    /// <summary>One assembly of all samples' scripts, and one of their editor's: what each of them refers to.</summary>
     public static IEnumerable<Asmdef> Join(IReadOnlyList<Asmdef> samples)
     {
         foreach (IGrouping<bool, Asmdef> group in samples.GroupBy(a => a.IsEditor))
@@ -40,7 +36,6 @@ public static class SampleAssemblies
         }
     }
 
-    /// <summary>What keeps the samples from being what the joined projects compile.</summary>
     public static IEnumerable<string> Check(IReadOnlyList<Asmdef> samples)
     {
         Dictionary<bool, IReadOnlyList<string>> wanted = Join(samples).ToDictionary(a => a.IsEditor, a => a.References);
@@ -66,7 +61,6 @@ public static class SampleAssemblies
             yield return $"{path} uses {used.Value}, another sample";
     }
 
-    /// <summary>An editor assembly refers to its own sample's scripts, too.</summary>
     private static IEnumerable<string> Shared(Asmdef asmdef) =>
         asmdef.References.Where(r => r != Joined + "." + SampleOf(asmdef));
 

@@ -6,7 +6,6 @@ public sealed record Importer(string Name, bool IsFolder, string Settings)
 {
     private const string NoSettings = "";
 
-    /// <param name="asset">Path below the package's root, with '/'.</param>
     public static Importer Of(string asset, bool isFolder)
     {
         if (isFolder)

@@ -2,11 +2,9 @@ using System.Security.Cryptography;
 
 namespace FastPoints.RepoTools.Meta;
 
-/// <summary>
-/// The .meta files of a package: one for every file and folder that Unity imports. A guid is born from the path and then
-/// kept for good, since scenes and other projects refer to it: a .meta that moved with its file is left alone, and one
-/// that stayed behind follows the file of the same name.
-/// </summary>
+/// <summary>The .meta files of a package: one for every file and folder that Unity imports. A guid is born from the path and then
+/// kept for good, since scenes and other projects refer to it: a .meta that moved with its file is left alone, and one that
+/// stayed behind follows the file of the same name.</summary>
 public sealed class MetaFiles(string packageRoot)
 {
     private const string Extension = ".meta";
@@ -54,7 +52,6 @@ public sealed class MetaFiles(string packageRoot)
         return new ToolResult($"{assets.Count} files and folders, {written} written, {orphans.Count} removed", problems);
     }
 
-    /// <summary>Gives a file without .meta the one that was left behind by a file of its name, where that is plain.</summary>
     private int Adopt(List<string> missing, List<string> orphans, SortedDictionary<string, MetaText> texts)
     {
         int adopted = 0;
@@ -83,7 +80,6 @@ public sealed class MetaFiles(string packageRoot)
     private Importer ImporterOf(string asset) => Importer.Of(asset, Directory.Exists(PathOf(asset)));
     private string PathOf(string asset) => Path.Combine(m_root, asset);
 
-    /// <summary>A hash of the path; of the path and a number where a file that was born here lives elsewhere now.</summary>
     private static string Birth(string asset, HashSet<string> taken)
     {
         for (int i = 0; ; i++)

@@ -21,7 +21,6 @@ public sealed class MetaText
         importer.Name + ":\n  externalObjects: {}\n" + importer.Settings +
         "  userData:\n  assetBundleName:\n  assetBundleVariant:\n";
 
-    /// <summary>Settings that a person changed in the importer's block are theirs and no problem.</summary>
     public IReadOnlyList<string> Problems(Importer importer)
     {
         var problems = new List<string>();

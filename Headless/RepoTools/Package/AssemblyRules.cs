@@ -3,10 +3,7 @@ namespace FastPoints.RepoTools.Package;
 /// <summary>Scripts and their assemblies (US-0038 of the validation suite), and that no player's code names the editor.</summary>
 public static class AssemblyRules
 {
-    /// <summary>Where assemblies lie that are meant for players.</summary>
     private static readonly string[] s_forPlayers = { "Runtime/", "Samples~/" };
-
-    /// <summary>Parts of a file that only an editor compiles; they hold no directive of their own in this package.</summary>
     private static readonly Regex s_editorPart = new Regex(@"#if UNITY_EDITOR\b.*?#(else|elif|endif)", RegexOptions.Singleline);
     private static readonly Regex s_comment = new Regex(@"//[^\n]*");
 

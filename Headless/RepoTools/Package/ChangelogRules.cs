@@ -41,7 +41,6 @@ public static class ChangelogRules
             yield return $"{File}: [{same.Key}] is there {same.Count()} times";
     }
 
-    /// <summary>What a tag asks beyond that: it is the version, whose entry is the first and has a date.</summary>
     public static IEnumerable<string> CheckRelease(PackageFiles files, string version, string tag)
     {
         if (tag != version && tag != "v" + version)

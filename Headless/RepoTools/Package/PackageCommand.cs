@@ -4,7 +4,6 @@ namespace FastPoints.RepoTools.Package;
 /// and what a user gets who installs it.</summary>
 public static class PackageCommand
 {
-    /// <param name="tag">Of a release; null for a package in development.</param>
     /// <param name="pack">Lists what npm would pack; null where it does not.</param>
     public static ToolResult Run(Repository repository, string? tag, NpmPack? pack)
     {

@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Package;
 
-/// <summary>The files of a package's folder, by their paths in it with '/'.</summary>
 public sealed class PackageFiles
 {
     private readonly string m_root;
@@ -13,8 +12,6 @@ public sealed class PackageFiles
     }
 
     public IReadOnlyList<string> All { get; }
-
-    /// <summary>Names of what lies at the top.</summary>
     public IEnumerable<string> Top => All.Select(f => f.Split('/')[0]).Distinct();
 
     public bool Has(string file) => All.Contains(file);
@@ -24,7 +21,6 @@ public sealed class PackageFiles
     public IEnumerable<string> With(string extension) =>
         All.Where(f => f.EndsWith(extension, StringComparison.OrdinalIgnoreCase));
 
-    /// <summary>Names of the folders right in a folder.</summary>
     public IEnumerable<string> FoldersIn(string folder) =>
         All.Where(f => f.StartsWith(folder + "/", StringComparison.Ordinal))
         .Select(f => f[(folder.Length + 1)..].Split('/')).Where(parts => parts.Length > 1)

@@ -72,7 +72,6 @@ public sealed class PackageManifest
 
     /// <summary>A project may leave out any module of the engine that no package asks for. Names the modules that are used and
     /// not asked for, and those that are asked for in vain.</summary>
-    /// <param name="assemblies">The assembly of each signature that is used, as used.tsv has it.</param>
     public IEnumerable<string> CheckModules(IEnumerable<string> assemblies)
     {
         var used = assemblies.Where(a => Regex.IsMatch(a, @"^UnityEngine:\w+$") && a != "UnityEngine:Core")
@@ -94,5 +93,4 @@ public sealed class PackageManifest
         of.TryGetProperty(field, out JsonElement value) && value.ValueKind == JsonValueKind.String ? value.GetString()! : "";
 }
 
-/// <summary>A sample as package.json lists it.</summary>
 public sealed record PackageSample(string DisplayName, string Description, string Path);

@@ -1,10 +1,8 @@
 namespace FastPoints.RepoTools.Package;
 
-/// <summary>
-/// What Unity's Test Runner makes of the package's tests. It runs all that is not explicit, and with a filter explicit
-/// tests, too, where they match: one that only leaves categories out matches all others. In a test that loads scripts anew
-/// it runs [SetUp] again.
-/// </summary>
+/// <summary>What Unity's Test Runner makes of the package's tests. It runs all that is not explicit, and with a filter explicit
+/// tests, too, where they match: one that only leaves categories out matches all others. In a test that loads scripts anew it
+/// runs [SetUp] again.</summary>
 public static class TestRules
 {
     private const string Smoke = "Smoke";
@@ -14,7 +12,6 @@ public static class TestRules
     private static readonly string[] s_tests =
         { "TestAttribute", "TestCaseAttribute", "TestCaseSourceAttribute", "UnityTestAttribute" };
 
-    /// <summary>What is wrong with an assembly's tests.</summary>
     public static IEnumerable<string> Check(ModuleDefinition module)
     {
         foreach ((TypeDefinition type, MethodDefinition test) in Tests(module))
@@ -37,7 +34,6 @@ public static class TestRules
         }
     }
 
-    /// <summary>Rooms of which no test is of the category for a quick look.</summary>
     public static IEnumerable<string> WithoutSmoke(ModuleDefinition module) => Tests(module)
         .GroupBy(t => string.Join('.', t.Type.Namespace.Split('.').Take(3)),
             t => Categories(Attributes(t.Type, t.Test)).Contains(Smoke))
@@ -51,7 +47,6 @@ public static class TestRules
         .Where(a => a.AttributeType.Name == "CategoryAttribute")
         .Select(a => (string)a.ConstructorArguments[0].Value).ToList();
 
-    /// <summary>Those of the method, its class and what that derives from.</summary>
     private static IEnumerable<CustomAttribute> Attributes(TypeDefinition type, MethodDefinition test) =>
         test.CustomAttributes.Concat(Chain(type).SelectMany(t => t.CustomAttributes));
 

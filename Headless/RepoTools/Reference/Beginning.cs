@@ -1,7 +1,5 @@
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>The few members of a type that one begins with: how to get one, then what the page's examples use, then what comes
-/// first.</summary>
 public static class Beginning
 {
     private const int MaxMembers = 2;
@@ -9,7 +7,6 @@ public static class Beginning
     private const int MaxValues = 6;
     private const int FieldRank = 4;
 
-    /// <summary>C# of the members.</summary>
     public static IEnumerable<string> Of(TypeDefinition type, ISet<string> inExamples)
     {
         if (type.IsEnum)

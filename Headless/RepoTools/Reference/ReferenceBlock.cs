@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>The part of a page between two marks, which no person writes.</summary>
 public static class ReferenceBlock
 {
     private const string Begin = "<!-- RepoTools reference writes what follows -->\n";
@@ -9,7 +8,6 @@ public static class ReferenceBlock
     private static readonly Regex s_examples =
         new Regex(@"^```csharp\n(.*?)^```", RegexOptions.Multiline | RegexOptions.Singleline);
 
-    /// <summary>The page with another block; throws ToolException where it has none.</summary>
     public static string Replace(string page, string block)
     {
         (int begin, int end) = Find(page);
@@ -18,14 +16,12 @@ public static class ReferenceBlock
             : page[..begin] + block + page[end..];
     }
 
-    /// <summary>The page without what the block has.</summary>
     public static string Remove(string page)
     {
         (int begin, int end) = Find(page);
         return begin < 0 ? page : page[..begin] + page[end..];
     }
 
-    /// <summary>All names in a page's C#.</summary>
     public static ISet<string> NamesInExamples(string page) => s_examples.Matches(page)
         .SelectMany(m => Regex.Matches(m.Groups[1].Value, @"\w+")).Select(m => m.Value).ToHashSet();
 

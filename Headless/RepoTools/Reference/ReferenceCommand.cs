@@ -1,7 +1,5 @@
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>Writes the reference at the end of Documentation~/api.md: each public type of the package's compiled assemblies with
-/// its namespace, what it is, and the members to begin with.</summary>
 public static class ReferenceCommand
 {
     private static readonly string[] s_assemblies =
@@ -31,7 +29,6 @@ public static class ReferenceCommand
         return new ToolResult($"{assemblies.Sum(a => a.Count)} public types", problems);
     }
 
-    /// <summary>Those of an assembly that users see, by namespace and name.</summary>
     public static List<TypeDefinition> PublicTypes(ModuleDefinition assembly) => assembly.Types.Where(t => t.IsPublic)
         .OrderBy(t => t.Namespace, StringComparer.Ordinal).ThenBy(t => t.Name, StringComparer.Ordinal).ToList();
 

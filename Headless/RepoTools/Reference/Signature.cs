@@ -1,6 +1,5 @@
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>Members and types as one writes them in C#, without namespaces.</summary>
 public static class Signature
 {
     private static readonly Dictionary<string, string> s_keywords = new Dictionary<string, string>
@@ -41,7 +40,6 @@ public static class Signature
     public static string Of(FieldDefinition field) =>
         (field.HasConstant ? "const " : field.IsStatic ? "static " : "") + $"{Name(field.FieldType)} {field.Name}";
 
-    /// <summary>Whether a static method is how one gets a type: it returns one, or work that the type is for.</summary>
     public static bool Makes(MethodDefinition method, TypeDefinition type) =>
         method.ReturnType.FullName == type.FullName ||
         !(type.IsAbstract && type.IsSealed) && Name(method.ReturnType) == "IEnumerator<Work>";

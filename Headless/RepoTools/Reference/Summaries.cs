@@ -4,7 +4,6 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace FastPoints.RepoTools.Reference;
 
-/// <summary>The first sentence of each type's summary, as Markdown.</summary>
 public sealed class Summaries
 {
     private static readonly CSharpParseOptions s_options =
@@ -12,7 +11,6 @@ public sealed class Summaries
 
     private readonly Dictionary<string, string> m_ofType = new Dictionary<string, string>(StringComparer.Ordinal);
 
-    /// <summary>Of all C# in the package's Runtime and Editor.</summary>
     public static Summaries Load(string packageRoot)
     {
         var summaries = new Summaries();
@@ -22,7 +20,6 @@ public sealed class Summaries
         return summaries;
     }
 
-    /// <summary>Takes those of a file.</summary>
     public void Add(string code)
     {
         SyntaxNode root = CSharpSyntaxTree.ParseText(code, s_options).GetRoot();

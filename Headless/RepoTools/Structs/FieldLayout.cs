@@ -1,19 +1,14 @@
 namespace FastPoints.RepoTools.Structs;
 
-/// <summary>A field of a struct as it lies in memory: offset and size in bytes, Count elements of Type.</summary>
 public sealed record LaidOutField(string Name, TypeReference Type, int Count, int Offset, int Size);
 
-/// <summary>Offsets and sizes of a blittable struct's fields, from its IL.</summary>
 public sealed class FieldLayout
 {
     private FieldLayout(IReadOnlyList<LaidOutField> fields, int size, int alignment) =>
         (Fields, Size, Alignment) = (fields, size, alignment);
 
     public IReadOnlyList<LaidOutField> Fields { get; }
-
-    /// <summary>Bytes from one element of an array to the next.</summary>
     public int Size { get; }
-
     public int Alignment { get; }
 
     public static FieldLayout Of(TypeDefinition type)
@@ -37,7 +32,6 @@ public sealed class FieldLayout
         return new FieldLayout(fields, Math.Max(total, type.ClassSize), alignment);
     }
 
-    /// <summary>All structs of the modules that carry an attribute of that simple name.</summary>
     public static IEnumerable<TypeDefinition> Marked(IEnumerable<ModuleDefinition> modules, string attribute) =>
         modules.SelectMany(m => m.GetTypes()).Where(t => t.IsValueType && !t.IsEnum
             && t.CustomAttributes.Any(a => a.AttributeType.Name == attribute));

@@ -4,7 +4,6 @@ namespace FastPoints.RepoTools.Threads;
 /// stand-ins show. A line whose reason was written by hand stays as it is, also where the table has another.</summary>
 public static class ThreadCommand
 {
-    /// <summary>The package's coroutine.</summary>
     public static readonly NestedWork NestedWork =
         new NestedWork("FastPoints.Core.Work", "FastPoints.Core.CoroutineStack", "FastPoints.Core.JobCoroutine");
 

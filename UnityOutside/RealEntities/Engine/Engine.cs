@@ -79,7 +79,6 @@ namespace UnityEngine
         public static void DontDestroyOnLoad(Object target) { }
     }
 
-    /// <summary>Objects are not found by their numbers.</summary>
     public partial class Resources
     {
         public static void InstanceIDToObjectList(NativeArray<int> instanceIDs, List<Object> objects)
@@ -120,7 +119,6 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Class)]
     public sealed class ExecuteInEditMode : Attribute { }
 
-    /// <summary>Kept by nobody.</summary>
     public class PlayerPrefs
     {
         public static int GetInt(string key, int defaultValue = 0) => defaultValue;

@@ -2,7 +2,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace StandIns.Scheduling
 {
-    /// <summary>A kind of job that was registered by its function: how it is called, and what its struct holds.</summary>
     sealed unsafe class RegisteredJob
     {
         static readonly List<RegisteredJob> s_all = new List<RegisteredJob> { null };
@@ -237,7 +236,6 @@ namespace Unity.Jobs.LowLevel.Unsafe
             int innerloopBatchCount) => JobScheduler.Schedule(ref parameters, arrayLength, innerloopBatchCount,
                 parameters.ScheduleMode == (int)ScheduleMode.Parallel, null);
 
-        /// <summary>In one batch: nothing is known of the length before it runs.</summary>
         public static JobHandle ScheduleParallelForDeferArraySize(ref JobScheduleParameters parameters, int innerloopBatchCount,
             void* listData, void* listDataAtomicSafetyHandle) => JobScheduler.Schedule(ref parameters, 1, 1, true, listData);
 
@@ -257,7 +255,6 @@ namespace Unity.Jobs.LowLevel.Unsafe
         public static IntPtr CreateJobReflectionData(Type wrapperJobType, Type userJobType, object managedJobFunction0) =>
             RegisteredJob.Register(wrapperJobType, userJobType, managedJobFunction0);
 
-        /// <summary>Nobody asks which job is of which system.</summary>
         internal static IntPtr GetSystemIdCellPtr() => (IntPtr)s_systemId;
         internal static void ClearSystemIds() { }
         internal static int GetSystemIdMappings(JobHandle* handles, int* systemIds, int maxCount) => 0;

@@ -4,7 +4,6 @@ namespace Unity.Collections.LowLevel.Unsafe;
 
 public static unsafe partial class UnsafeUtility
 {
-    /// <summary>A managed object's header, which its first field comes after.</summary>
     const int HeaderBytes = 8;
 
     static readonly MethodInfo s_sizeOf = typeof(SystemUnsafe).GetMethod(nameof(SystemUnsafe.SizeOf));

@@ -52,7 +52,6 @@ namespace Unity.Collections.LowLevel.Unsafe
         public static int NewStaticSafetyId(byte* ownerTypeNameBytes, int byteCount) =>
             SafetyNames.IdOf(Encoding.UTF8.GetString(ownerTypeNameBytes, byteCount));
 
-        /// <summary>Messages stay as they are.</summary>
         public static void SetCustomErrorMessage(int staticSafetyId, AtomicSafetyErrorType errorType, byte* messageBytes,
             int byteCount) { }
         public static void SetNestedContainer(AtomicSafetyHandle handle, bool isNestedContainer) { }

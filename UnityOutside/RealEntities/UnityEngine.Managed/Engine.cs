@@ -185,7 +185,6 @@ namespace UnityEngine.Networking
 
 namespace UnityEditor
 {
-    /// <summary>Sources name the namespace.</summary>
     static class NoEditor { }
 }
 

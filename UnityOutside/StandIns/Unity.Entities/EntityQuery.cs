@@ -15,7 +15,6 @@ public unsafe struct EntityQuery : IDisposable, IEquatable<EntityQuery>
         (m_store, m_terms) = (store, terms);
     }
 
-    /// <summary>Of this store and of no other world's.</summary>
     internal EntityQuery Of(EntityStore store) =>
         Alive == store ? this : throw new ArgumentException("query is invalid or disposed");
 

@@ -11,7 +11,6 @@ public static partial class math
     [MethodImpl(Inline)] public static ulong asulong(long x) => (ulong)x;
     [MethodImpl(Inline)] public static double asdouble(ulong x) => BitConverter.Int64BitsToDouble((long)x);
 
-    /// <summary>Both halves of a double's bits, as hash codes take them.</summary>
     internal static uint fold_to_uint(double x) => (uint)(asulong(x) >> 32) ^ (uint)asulong(x);
 
     [MethodImpl(Inline)] public static int lzcnt(int x) => lzcnt((uint)x);

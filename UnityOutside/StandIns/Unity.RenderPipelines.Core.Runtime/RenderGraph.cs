@@ -46,8 +46,6 @@ public interface IRenderGraphRecorder
 public class RenderGraph
 {
     static readonly List<RTHandle> s_textures = new List<RTHandle> { null };
-
-    /// <summary>Data of passes is used again, by type, as the last pass left it.</summary>
     static readonly Dictionary<Type, object> s_data = new Dictionary<Type, object>();
 
     /// <summary>What the pass that runs has said that it uses; null while none runs.</summary>

@@ -56,7 +56,6 @@ public class UniversalCameraData : ContextItem
     /// <summary>Whether a headset shows the picture.</summary>
     public bool xrRendering;
 
-    /// <summary>The eye that is drawn where eyes are drawn in turn.</summary>
     internal int Eye;
 
     public Matrix4x4 GetViewMatrix(int viewIndex = 0) =>

@@ -43,7 +43,6 @@ public abstract class AssetImporterEditor : Editor
 
     public override void OnInspectorGUI() => ApplyRevertGUI();
 
-    /// <summary>The inspector has been drawn.</summary>
     internal void DrawInspector()
     {
         m_hasDrawn = true;

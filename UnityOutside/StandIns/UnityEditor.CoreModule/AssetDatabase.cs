@@ -28,23 +28,14 @@ public sealed class AssetDatabase
     internal static readonly Dictionary<string, Object> Assets = new Dictionary<string, Object>();
     internal static readonly Dictionary<string, Type> Overrides = new Dictionary<string, Type>();
     internal static readonly Dictionary<string, string[]> Dependencies = new Dictionary<string, string[]>();
-
-    /// <summary>What the last import of an asset was made of.</summary>
     static readonly Dictionary<string, ulong> s_imported = new Dictionary<string, ulong>();
-
     static Type[] s_postprocessors;
     static Type[] s_modifications;
     static string s_importing;
-
-    /// <summary>What waits for the end of a batch, by path.</summary>
     static readonly Dictionary<string, ImportAssetOptions> s_waiting = new Dictionary<string, ImportAssetOptions>();
     static int s_editing;
     static bool s_refreshes;
-
-    /// <summary>How often objects were loaded, all assets searched, and what was imported told: for tests that count.</summary>
     internal static int s_loads, s_searches, s_batches;
-
-    /// <summary>Runs an asset's importer, and puts into <see cref="Assets"/> what comes of it.</summary>
     internal static Action<string> Importing;
 
     /// <summary>An asset's path is what is hashed: it keeps its number as long as it is not moved.</summary>
@@ -249,7 +240,6 @@ public sealed class AssetDatabase
 
     internal static bool s_previewing;
 
-    /// <summary>There is no project any more.</summary>
     internal static void Clear()
     {
         if (s_editing != 0)

@@ -17,7 +17,6 @@ public class Editor : ScriptableObject
     public Object target { get; set; }
     public Object[] targets => Targets ?? new[] { target };
 
-    /// <summary>Several that are edited at once.</summary>
     internal Object[] Targets;
 
     public SerializedObject serializedObject => new SerializedObject(target);
@@ -35,7 +34,6 @@ public class Editor : ScriptableObject
         previousEditor = Of<Editor>(targetObject);
     }
 
-    /// <summary>It has its target before it is enabled.</summary>
     internal static T Of<T>(Object target) where T : Editor, new()
     {
         var made = new T { target = target };
@@ -43,7 +41,6 @@ public class Editor : ScriptableObject
         return made;
     }
 
-    /// <summary>Both events of a repaint: what is laid out, then drawn.</summary>
     internal void Draw() => GUILayoutUtility.Repaint(OnInspectorGUI);
 
     protected static void DrawPropertiesExcluding(SerializedObject obj, params string[] propertyToExclude)
@@ -102,7 +99,6 @@ public class FilePathAttribute : Attribute
 {
     public enum Location { PreferencesFolder = 0, ProjectFolder = 1 }
 
-    /// <summary>In the project; there are no other preferences here.</summary>
     internal readonly string RelativePath;
 
     public FilePathAttribute(string relativePath, Location location)
@@ -167,7 +163,6 @@ static class SettingsFile
         File.WriteAllLines(path, Fields(of).Select(f => f.Name + ": " + TextOf(f.GetValue(of))));
     }
 
-    /// <summary>How often any was written.</summary>
     internal static int s_writes;
 
     public static void Read(string path, Object into)

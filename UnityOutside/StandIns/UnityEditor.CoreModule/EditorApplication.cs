@@ -14,7 +14,6 @@ public sealed class EditorApplication
     /// <summary>Called once, at the next update: a host says when.</summary>
     public static CallbackFunction delayCall;
 
-    /// <summary>How often frames were asked for.</summary>
     internal static int s_queuedUpdates;
 
     /// <summary>Play mode begins and ends at once: scripts are not loaded anew.</summary>
@@ -40,7 +39,6 @@ public sealed class EditorApplication
     /// <summary>However often it was asked for: one frame.</summary>
     public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
 
-    /// <summary>Whether an editor that does not play makes a frame now.</summary>
     internal static bool TakeUpdate()
     {
         bool isQueued = s_takenUpdates != s_queuedUpdates;
@@ -67,7 +65,6 @@ public static class AssemblyReloadEvents
     internal static bool IsHeardBy(object target) =>
         beforeAssemblyReload != null && Array.Exists(beforeAssemblyReload.GetInvocationList(), d => d.Target == target);
 
-    /// <summary>Scripts are loaded anew: what was to be told before is told.</summary>
     internal static void Reload()
     {
         // Which of the two comes first is said nowhere: this order is the harder one.

@@ -55,9 +55,7 @@ public sealed class EditorGUILayout
 
 public class EditorUtility
 {
-    /// <summary>What a test answers, and what it was asked.</summary>
     internal static bool s_agrees;
-
     internal static readonly List<string> s_dialogs = new List<string>();
 
     public static bool DisplayDialog(string title, string message, string ok, string cancel)

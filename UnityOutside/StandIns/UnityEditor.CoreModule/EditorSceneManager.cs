@@ -11,15 +11,12 @@ namespace UnityEditor
         readonly HashSet<GameObject> m_hidden = new HashSet<GameObject>();
 
         public static event Action visibilityChanged;
-
-        /// <summary>The pick icons that are crossed out.</summary>
         internal readonly HashSet<GameObject> Unpickable = new HashSet<GameObject>();
 
         public bool IsPickingDisabled(GameObject gameObject, bool includeDescendants = false) => Unpickable.Contains(gameObject);
 
         public bool IsHidden(GameObject gameObject, bool includeDescendants = false) => m_hidden.Contains(gameObject);
 
-        /// <summary>As a user's click on the eye.</summary>
         internal void Set(GameObject gameObject, bool isHidden)
         {
             if (isHidden ? m_hidden.Add(gameObject) : m_hidden.Remove(gameObject))
@@ -38,7 +35,6 @@ namespace UnityEditor.SceneManagement
 
     public static class StageUtility
     {
-        /// <summary>The scene of an open prefab stage; default for none.</summary>
         internal static Scene Focused;
 
         public static bool IsGameObjectRenderedByCameraAndPartOfEditableScene(GameObject gameObject, Camera camera) =>
@@ -54,7 +50,6 @@ namespace UnityEditor.SceneManagement
     /// <summary>There is one scene; a new one brings its camera.</summary>
     public sealed class EditorSceneManager : SceneManager
     {
-        /// <summary>What the user answers when asked to save.</summary>
         internal static bool s_goesOn = true;
 
         public static bool SaveCurrentModifiedScenesIfUserWantsTo()

@@ -1,6 +1,5 @@
 namespace UnityEditor;
 
-/// <summary>Which importers there are for which extensions.</summary>
 static class ImporterTable
 {
     static readonly List<(Type Importer, string[] Extensions, string[] Overrides)> s_importers =

@@ -5,25 +5,20 @@ using UnityEditor;
 
 namespace UnityEngine.TestTools;
 
-/// <summary>
-/// Runs one test of a class as Unity's runner does in edit mode. Where an instruction has scripts loaded anew, the class is
-/// made anew, and so is the test's enumerator, which goes on behind the instruction without its variables. What was done by
-/// [UnitySetUp] is known and not done again; [SetUp] is. Fields of the class are gone, which is stricter than Unity: it
-/// keeps those that it can serialise. Statics stay here.
-/// </summary>
+/// <summary>Runs one test of a class as Unity's runner does in edit mode. Where an instruction has scripts loaded anew, the class
+/// is made anew, and so is the test's enumerator, which goes on behind the instruction without its variables. What was done by
+/// [UnitySetUp] is known and not done again; [SetUp] is. Fields of the class are gone, which is stricter than Unity: it keeps
+/// those that it can serialise. Statics stay here.</summary>
 sealed class EditModeRun(Type fixture, string test)
 {
     const BindingFlags Any = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
     readonly Type m_class = fixture;
     readonly MethodInfo m_test = fixture.GetMethod(test);
-
-    /// <summary>How far it has come; this outlives a reload.</summary>
     int m_setUps, m_tearDowns, m_step;
     bool m_hasRun;
     Exception m_failure;
 
-    /// <summary>Throws what the test, or what is around it, has thrown first.</summary>
     public void Run()
     {
         while (!Continue())
@@ -32,7 +27,6 @@ sealed class EditModeRun(Type fixture, string test)
             ExceptionDispatchInfo.Throw(m_failure);
     }
 
-    /// <returns>False where scripts are to be loaded anew.</returns>
     bool Continue()
     {
         object fixture = Activator.CreateInstance(m_class);
@@ -84,10 +78,8 @@ sealed class EditModeRun(Type fixture, string test)
         return true;
     }
 
-    /// <summary>A frame between two steps of a test, as a host makes it; without any, none.</summary>
     internal Action Frame;
 
-    /// <summary>In batch mode there is no Game view: only what a script draws is drawn.</summary>
     void NextFrame()
     {
         if (Frame != null && !Application.isBatchMode && Camera.main != null && Camera.main.targetTexture != null)
@@ -121,7 +113,6 @@ sealed class EditModeRun(Type fixture, string test)
         }
     }
 
-    /// <summary>Those of what the class derives from come first.</summary>
     List<MethodInfo> Methods<T>() where T : Attribute
     {
         var found = new List<MethodInfo>();

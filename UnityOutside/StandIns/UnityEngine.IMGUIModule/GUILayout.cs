@@ -27,7 +27,6 @@ public class GUILayoutUtility
     static bool s_isSent;
     static string s_panel;
 
-    /// <summary>One control.</summary>
     internal static void Next()
     {
         if (Event.current != null && Event.current.type != EventType.Used)
@@ -53,10 +52,8 @@ public class GUILayoutUtility
         s_groups.Pop();
     }
 
-    /// <summary>A panel or a dialog is open, and other windows are drawn.</summary>
     internal static void Open(string panel) => s_panel = s_isSent ? panel : null;
 
-    /// <summary>A window's picture: both of its events.</summary>
     internal static void Repaint(Action draw)
     {
         Send(new Event { type = EventType.Layout }, draw);

@@ -83,7 +83,6 @@ internal sealed class PlantedPackage : IDisposable
     internal void Emit(OpCode code, MethodReference method) => m_method.Body.GetILProcessor().Emit(code, method);
     internal void Emit(OpCode code, FieldReference field) => m_method.Body.GetILProcessor().Emit(code, field);
 
-    /// <summary>A class or struct in the planted assembly.</summary>
     internal TypeDefinition Add(string name, bool isValue, TypeReference baseType = null, TypeReference implements = null)
     {
         TypeReference parent = baseType ?? (isValue
@@ -106,7 +105,6 @@ internal sealed class PlantedPackage : IDisposable
         return method;
     }
 
-    /// <summary>Makes Unity.Things resolvable, as a stand-in that shows by-reference kinds.</summary>
     internal void ProvideStandIn(Action<ModuleDefinition> fill)
     {
         m_resolver.Assembly = AssemblyDefinition.CreateAssembly(new AssemblyNameDefinition("Unity.Things", new Version(1, 0)),

@@ -54,7 +54,6 @@ public sealed class StandInUseTests
         return method;
     }
 
-    /// <summary>A stand-in with a class Box, and a user that calls Box.Fill and overrides Overridden.</summary>
     private static void Expect(Action<TypeDefinition> fill, string reported)
     {
         using AssemblyDefinition standIn = Assembly("Unity.Things");

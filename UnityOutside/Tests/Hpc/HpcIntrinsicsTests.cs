@@ -4,7 +4,6 @@ using UnityOutside.Hpc;
 
 namespace UnityOutside.Tests.Hpc;
 
-/// <summary>Planted vector code, compiled as an editor does while it debugs, and as players are: the IL differs.</summary>
 [TestFixture(OptimizationLevel.Debug)]
 [TestFixture(OptimizationLevel.Release)]
 public sealed class HpcIntrinsicsTests(OptimizationLevel level)

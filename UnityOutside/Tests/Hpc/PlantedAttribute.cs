@@ -2,13 +2,11 @@ using System.Reflection;
 
 namespace UnityOutside.Tests.Hpc;
 
-/// <summary>A job or a class that a verifier must report with that text, or, without one, let pass.</summary>
 [AttributeUsage(AttributeTargets.Struct | AttributeTargets.Class)]
 internal sealed class PlantedAttribute(string reported = null) : Attribute
 {
     public string Reported { get; } = reported;
 
-    /// <summary>All that is planted in a class.</summary>
     internal static IEnumerable<(Type Type, string Reported)> In(Type type) => type.GetNestedTypes(BindingFlags.NonPublic)
         .Select(t => (Type: t, Planted: t.GetCustomAttribute<PlantedAttribute>())).Where(p => p.Planted != null)
         .Select(p => (p.Type, p.Planted.Reported));

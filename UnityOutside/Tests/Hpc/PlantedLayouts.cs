@@ -5,7 +5,6 @@ using System.Runtime.InteropServices;
 
 namespace UnityOutside.Tests.Hpc;
 
-/// <summary>Jobs that are never run, with the layouts of structs that Burst takes and those that it does not.</summary>
 internal static class PlantedLayouts
 {
     [StructLayout(LayoutKind.Sequential, Pack = 1)]

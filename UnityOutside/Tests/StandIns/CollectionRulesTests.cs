@@ -3,7 +3,6 @@ using Random = System.Random;
 
 namespace UnityOutside.Tests.StandIns;
 
-/// <summary>Where Unity's containers throw, or break without a word.</summary>
 public sealed unsafe class CollectionRulesTests
 {
     const int HalfOfTwoGiB = 1 << 30;

@@ -22,8 +22,6 @@ public sealed class JobDependencyTests
         }
     }
 
-    /// <summary>Sets its own flag and checks those of the jobs it depends on, through pointers: order is all that is tested.
-    /// </summary>
     unsafe struct CheckPredecessorsJob : IJob
     {
         [NativeDisableUnsafePtrRestriction] public int* RanOfJob;

@@ -4,7 +4,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace UnityOutside.Tests.StandIns;
 
-/// <summary>What Unity's native code keeps to the main thread, the stand-ins keep to it, too.</summary>
 public sealed class MainThreadGuardTests
 {
     const string Table = """

@@ -1,7 +1,6 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
 namespace UnityOutside.Tests.StandIns;
 
-/// <summary>What Unity refuses when a job is scheduled, each rule with a job that breaks it and one that does not.</summary>
 public sealed unsafe class ScheduleSafetyTests
 {
     NativeArray<int> m_values;

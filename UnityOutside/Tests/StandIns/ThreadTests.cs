@@ -5,7 +5,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace UnityOutside.Tests.StandIns;
 
-/// <summary>What Unity refuses on a thread of the pool.</summary>
 public sealed unsafe class ThreadTests
 {
     static void OnThePool(Action call) => Task.Run(call).GetAwaiter().GetResult();

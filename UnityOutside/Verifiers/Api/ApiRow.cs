@@ -21,7 +21,6 @@ public sealed record ApiRow(
         return new ApiRow(c[0], At(1), At(2), At(3), At(4), At(5), At(6), At(7), At(8), At(9));
     }
 
-    /// <summary>The line without its trailing empty columns.</summary>
     public string Compose() => string.Join('\t', Id, Assembly, Kind, Type, Flags, Detail, Constraints, Obsolete, In, Varied)
         .TrimEnd('\t');
 
@@ -30,7 +29,6 @@ public sealed record ApiRow(
     public bool IsIn(string generation) => In == "*" || In.Split(',').Contains(generation)
         || (generation != "6000.0" && In.Split(',').Contains(HdrpGeneration));
 
-    /// <summary>A flag as the list names it: static, get, set, protected, ref-return, ...</summary>
     public bool Has(string flag)
     {
         int value = Flags.IndexOf('=');
@@ -38,10 +36,8 @@ public sealed record ApiRow(
         return flags.Split(',').Contains(flag);
     }
 
-    /// <summary>A constant's or an enum value's text; null where the line has none.</summary>
     public string? Value => Flags.IndexOf('=') is var at && at >= 0 ? Flags[(at + 1)..] : null;
 
-    /// <summary>Whether using it was an error in that generation.</summary>
     public bool IsError(string generation)
     {
         foreach (string state in Obsolete.Split(',', StringSplitOptions.RemoveEmptyEntries))
@@ -54,7 +50,6 @@ public sealed record ApiRow(
         return false;
     }
 
-    /// <summary>The line as it was in an older generation.</summary>
     public ApiRow As(string generation)
     {
         ApiRow row = this;

@@ -1,6 +1,5 @@
 namespace UnityOutside.Api;
 
-/// <summary>A package's assemblies as its asmdefs declare them.</summary>
 public sealed class AssemblyTable
 {
     private readonly Dictionary<string, Asmdef> m_asmdefs;
@@ -11,14 +10,12 @@ public sealed class AssemblyTable
 
     public bool Has(string assembly) => m_asmdefs.ContainsKey(assembly);
 
-    /// <summary>The assemblies that an asmdef names; none for an assembly without one.</summary>
     public IReadOnlyCollection<string> References(string assembly) =>
         m_asmdefs.TryGetValue(assembly, out Asmdef? asmdef) ? asmdef.References : Array.Empty<string>();
 
     public bool IsEditor(string assembly) => m_asmdefs.TryGetValue(assembly, out Asmdef? asmdef) && asmdef.IsEditor;
 }
 
-/// <summary>One assembly definition: its name, what it references as written, and whether only the editor has it.</summary>
 public sealed record Asmdef(string Name, string File, IReadOnlyList<string> References, bool IsEditor)
 {
     public static Asmdef Load(string file)

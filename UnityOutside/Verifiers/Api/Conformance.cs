@@ -1,10 +1,8 @@
 namespace UnityOutside.Api;
 
-/// <summary>
-/// Compares all of Unity that an assembly's IL names with the signatures that one generation of Unity has. The assembly
-/// was compiled against stand-ins, so each name is a claim: that the type or member exists, in that assembly, with that
-/// return type, staticness, by-reference kinds and constraints, and that using it is no error.
-/// </summary>
+/// <summary>Compares all of Unity that an assembly's IL names with the signatures that one generation of Unity has. The assembly
+/// was compiled against stand-ins, so each name is a claim: that the type or member exists, in that assembly, with that return
+/// type, staticness, by-reference kinds and constraints, and that using it is no error.</summary>
 public sealed class Conformance(UnityApi api, string generation, AssemblyTable assemblies)
 {
     private readonly UnityApi m_api = api;
@@ -167,7 +165,6 @@ public sealed class Conformance(UnityApi api, string generation, AssemblyTable a
         }
     }
 
-    /// <summary>On the type that the IL names or, as C# lets one write, on one that it derives from.</summary>
     private ApiRow? FindMethod(ApiRow type, MethodReference method)
     {
         for (ApiRow? at = type; at != null; at = at.Type.Length == 0 ? null : m_api.Find("T:" + at.Type, m_generation))
@@ -193,7 +190,6 @@ public sealed class Conformance(UnityApi api, string generation, AssemblyTable a
         Same(shown, "is of type", sets ? row.Type : ReturnOf(row), type);
     }
 
-    /// <summary>What the IL of a call does not show (in, ref and out are all '@') the stand-in's definition does.</summary>
     private void CheckParameters(ApiRow row, MethodReference method, string shown)
     {
         MethodDefinition? definition = Resolution.Of(method);

@@ -1,22 +1,16 @@
 namespace UnityOutside.Api;
 
-/// <summary>
-/// Documentation-comment ids of what IL names. A generic definition is named with its arity (<c>NativeArray`1</c>), a
-/// generic type in a signature with its arguments, each level its own (<c>NativeArray{System.Int32}.ReadOnly</c>); the
-/// declaring type's parameters are <c>`0</c>, the method's own <c>``0</c>; by-reference is <c>@</c> of whatever kind.
-/// </summary>
+/// <summary>Documentation-comment ids of what IL names. A generic definition is named with its arity (<c>NativeArray`1</c>), a
+/// generic type in a signature with its arguments, each level its own (<c>NativeArray{System.Int32}.ReadOnly</c>); the declaring
+/// type's parameters are <c>`0</c>, the method's own <c>``0</c>; by-reference is <c>@</c> of whatever kind.</summary>
 public static class DocId
 {
-    /// <summary>T: of a type's definition, whatever its arguments.</summary>
     public static string OfType(TypeReference type) => "T:" + DefinitionName(type);
 
-    /// <summary>F: of a field.</summary>
     public static string OfField(FieldReference field) => "F:" + DefinitionName(field.DeclaringType) + "." + field.Name;
 
-    /// <summary>M: of a method, as it is declared.</summary>
     public static string OfMethod(MethodReference method) => OfMethod(DefinitionName(method.DeclaringType), method);
 
-    /// <summary>M: of a method of that name and those parameters on another type, as for one that a base type declares.</summary>
     public static string OfMethod(string declaringType, MethodReference method)
     {
         var id = new StringBuilder("M:").Append(declaringType).Append('.').Append(method.Name.Replace('.', '#'));
@@ -53,7 +47,6 @@ public static class DocId
         return id.ToString();
     }
 
-    /// <summary>A type in a signature or as a return type.</summary>
     public static string InSignature(TypeReference type)
     {
         switch (type)
@@ -79,7 +72,6 @@ public static class DocId
         }
     }
 
-    /// <summary>A type's full name with the arity of each level and '.' between the levels.</summary>
     public static string DefinitionName(TypeReference type)
     {
         TypeReference element = type.GetElementType();
@@ -88,7 +80,6 @@ public static class DocId
         return string.IsNullOrEmpty(element.Namespace) ? element.Name : element.Namespace + "." + element.Name;
     }
 
-    /// <summary>The declaring type in the id of a member: what stands before the last '.' outside the parameters.</summary>
     public static string DeclaringTypeOf(string memberId)
     {
         int end = memberId.IndexOf('(');
@@ -98,7 +89,6 @@ public static class DocId
         return name[2..name.LastIndexOf('.')];
     }
 
-    /// <summary>A signature's text with each <c>`n</c> and <c>``n</c> replaced by the arguments' texts.</summary>
     public static string Substitute(string signature, IReadOnlyList<string> typeArguments, IReadOnlyList<string> methodArguments)
     {
         var text = new StringBuilder();

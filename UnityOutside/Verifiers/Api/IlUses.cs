@@ -1,12 +1,7 @@
 namespace UnityOutside.Api;
 
-/// <summary>One naming of a type, method or field in an assembly.</summary>
-/// <param name="Site">Where, for messages.</param>
-/// <param name="Within">The type that the naming is in; null for the assembly's own attributes.</param>
-/// <param name="Code">The instruction, where it is one.</param>
 public sealed record IlUse(MemberReference Member, string Site, TypeDefinition? Within, Code? Code);
 
-/// <summary>All that an assembly's metadata and IL name, its own members and others'.</summary>
 public static class IlUses
 {
     public static IEnumerable<IlUse> Of(ModuleDefinition module)

@@ -86,7 +86,6 @@ internal sealed class Inheritance(UnityApi api, string generation)
         return at;
     }
 
-    /// <summary>A member as "Return Name``n(Parameters)", one for each accessor that the list shows.</summary>
     private static IEnumerable<string> Accessors(ApiRow member, IReadOnlyList<string> arguments)
     {
         string id = member.Id[(member.Id.IndexOf(DocId.DeclaringTypeOf(member.Id), StringComparison.Ordinal)

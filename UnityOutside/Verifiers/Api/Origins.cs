@@ -1,21 +1,17 @@
 namespace UnityOutside.Api;
 
-/// <summary>Whose an assembly is, and what Unity calls the one that a line of the list is in.</summary>
 public static class Origins
 {
-    /// <summary>The assembly that a type is declared in, by name.</summary>
     public static string AssemblyOf(TypeReference type)
     {
         IMetadataScope scope = type.GetElementType().Scope;
         return scope is ModuleDefinition module ? module.Assembly.Name.Name : scope.Name;
     }
 
-    /// <summary>Whether an assembly is Unity's, by name.</summary>
     public static bool IsUnity(string assembly) => assembly.StartsWith("Unity.", StringComparison.Ordinal)
         || assembly.StartsWith("UnityEngine", StringComparison.Ordinal)
         || assembly.StartsWith("UnityEditor", StringComparison.Ordinal);
 
-    /// <summary>Whether an assembly is .NET's, by name.</summary>
     public static bool IsSystem(string assembly) => assembly is "netstandard" or "mscorlib" or "System"
         || assembly.StartsWith("System.", StringComparison.Ordinal);
 
@@ -33,7 +29,6 @@ public static class Origins
         }
     }
 
-    /// <summary>The package assembly that an asmdef must reference to name it; null for the engine's own.</summary>
     public static string? ReferenceFor(ApiRow row) => row.Assembly.Split('|').FirstOrDefault(p => !p.Contains(':'));
 
     public static bool IsEditor(ApiRow row) =>

@@ -1,16 +1,13 @@
 namespace UnityOutside.Api;
 
-/// <summary>
-/// Whether a stand-in's public face is Unity's. Constants, enum values and default arguments go into the IL of who uses
-/// them without a trace, so what the IL names is not enough: what could be named must be right. What the host needs
-/// beside it is in namespaces that begin with UnityOutside.
-/// </summary>
+/// <summary>Whether a stand-in's public face is Unity's. Constants, enum values and default arguments go into the IL of who uses
+/// them without a trace, so what the IL names is not enough: what could be named must be right. What the host needs beside it is
+/// in namespaces that begin with UnityOutside.</summary>
 public sealed class StandInAudit(UnityApi fullApi)
 {
     private readonly UnityApi m_api = fullApi;
     private readonly List<string> m_problems = new List<string>();
 
-    /// <summary>"", in, out or ref.</summary>
     public static string KindOf(ParameterDefinition parameter)
     {
         if (!(parameter.ParameterType is ByReferenceType || parameter.ParameterType is RequiredModifierType))
@@ -21,7 +18,6 @@ public sealed class StandInAudit(UnityApi fullApi)
             || parameter.ParameterType is RequiredModifierType ? "in" : "ref";
     }
 
-    /// <summary>What the stand-in shows that Unity, in no generation here, has like that.</summary>
     public IReadOnlyList<string> Check(ModuleDefinition module)
     {
         m_problems.Clear();
@@ -153,7 +149,6 @@ public sealed class StandInAudit(UnityApi fullApi)
         }
     }
 
-    /// <summary>What C# gives every type, and what implements an interface that .NET declares.</summary>
     private static bool IsImplied(MethodDefinition method) =>
         method.Name is ".cctor" or "Finalize" || (method.Name == ".ctor" && method.Parameters.Count == 0)
         || (method.IsVirtual && !method.IsNewSlot && method.Name is "Equals" or "GetHashCode" or "ToString")

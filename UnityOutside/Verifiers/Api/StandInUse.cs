@@ -4,17 +4,12 @@ namespace UnityOutside.Api;
 /// since C# takes another overload silently where one is gone.</summary>
 public sealed class StandInUse
 {
-    /// <summary>What Unity, and the stand-ins, call by name.</summary>
     private static readonly string[] s_messages = { "OnEnable", "OnDisable", "OnDestroy" };
 
     private readonly HashSet<string> m_names = new HashSet<string>(StringComparer.Ordinal);
     private readonly HashSet<string> m_virtual = new HashSet<string>(StringComparer.Ordinal);
     private string m_within = "";
 
-    /// <summary>What stand-ins show and no assembly of those files names.</summary>
-    /// <param name="files">Of the stand-ins, in every build, and of all that may name what they show.</param>
-    /// <param name="standIns">Names of the stand-ins that are held to it.</param>
-    /// <param name="folder">Where assemblies that are not among the files lie.</param>
     public static IEnumerable<string> Check(IReadOnlyList<string> files, IEnumerable<string> standIns, string folder)
     {
         var use = new StandInUse();
@@ -35,7 +30,6 @@ public sealed class StandInUse
         return unnamed.Select(id => $"{id} is in a stand-in, and no compiled code names it");
     }
 
-    /// <summary>Takes in all that an assembly names: of the package, the host, tests, or another stand-in.</summary>
     public void Count(ModuleDefinition module)
     {
         foreach (IlUse use in IlUses.Of(module))
@@ -48,7 +42,6 @@ public sealed class StandInUse
             m_virtual.Add(LastName(method.Name));
     }
 
-    /// <summary>The stand-in's public types and members that nothing counted names, by their ids.</summary>
     public IEnumerable<string> Unnamed(ModuleDefinition standIn)
     {
         foreach (TypeDefinition type in standIn.GetTypes().Where(StandInAudit.IsVisible))
@@ -126,12 +119,9 @@ public sealed class StandInUse
             m_names.Add(DocId.DefinitionName(level));
     }
 
-    /// <summary>Constants leave no trace in IL, and a struct's fields are its layout.</summary>
     private bool IsNamed(FieldDefinition field) => !StandInAudit.IsVisible(field.Attributes) || field.HasConstant
         || field.IsSpecialName || (!field.IsStatic && field.DeclaringType.IsValueType) || m_names.Contains(Family(field));
 
-    /// <summary>Operators and constructors belong to their type. A virtual method is named by who overrides or implements it; one
-    /// that is final implements an interface. What a struct keeps in a property is its layout.</summary>
     private bool IsNamed(MethodDefinition method)
     {
         if (!(method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly) || method.IsConstructor
@@ -145,7 +135,6 @@ public sealed class StandInUse
         return m_names.Contains(Family(method));
     }
 
-    /// <summary>A method, property or event, whatever its overloads and accessors.</summary>
     private static string Family(MemberReference member) => DocId.DefinitionName(member.DeclaringType) + "." + NameOf(member);
 
     private static string IdOf(MethodDefinition method) =>

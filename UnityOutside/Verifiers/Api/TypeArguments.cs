@@ -1,13 +1,10 @@
 namespace UnityOutside.Api;
 
-/// <summary>Whether type arguments satisfy the constraints that Unity's own definition has.</summary>
 internal sealed class TypeArguments(UnityApi api, string generation)
 {
     private readonly UnityApi m_api = api;
     private readonly string m_generation = generation;
 
-    /// <summary>One text for each argument that does not fit, such as "T = FastPoints.X is not unmanaged".</summary>
-    /// <param name="constraints">The list's column: "T:unmanaged&amp;Some.Interface; U".</param>
     internal IEnumerable<string> Misfits(string constraints, IReadOnlyList<TypeReference> arguments,
         IReadOnlyList<TypeReference> typeArguments, IReadOnlyList<TypeReference> methodArguments)
     {
@@ -52,7 +49,6 @@ internal sealed class TypeArguments(UnityApi api, string generation)
         _ => argument.IsValueType && argument.GetElementType().FullName != "System.Nullable`1",
     };
 
-    /// <summary>A struct whose fields are, all the way down, no references. Of Unity's own the list says so.</summary>
     private bool IsUnmanaged(TypeReference argument)
     {
         switch (argument)
@@ -121,7 +117,6 @@ internal sealed class TypeArguments(UnityApi api, string generation)
         return UnityImplements($"T:{signature[..brace]}`{arguments.Count}", arguments, wanted);
     }
 
-    /// <summary>Types separated by ", ", not within braces.</summary>
     internal static IEnumerable<string> SplitTypes(string detail)
     {
         int depth = 0;

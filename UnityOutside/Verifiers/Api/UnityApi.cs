@@ -40,7 +40,6 @@ public sealed class UnityApi
         return api;
     }
 
-    /// <summary>The committed list of what is used.</summary>
     public static UnityApi LoadUsed(string file) => Read(Path.GetFileName(file), new StringReader(File.ReadAllText(file)));
 
     public static UnityApi Read(string name, TextReader lines)
@@ -50,7 +49,6 @@ public sealed class UnityApi
         return api;
     }
 
-    /// <summary>The line of that id as it was in that generation; null where there is none.</summary>
     public ApiRow? Find(string id, string generation)
     {
         if (!m_rows.TryGetValue(id, out ApiRow? row) || !row.IsIn(generation))
@@ -59,10 +57,8 @@ public sealed class UnityApi
         return row.As(generation);
     }
 
-    /// <summary>The line of that id in whatever generation.</summary>
     public ApiRow? FindAny(string id) => m_rows.GetValueOrDefault(id);
 
-    /// <summary>The members that a type itself declares, in that generation. Counts as asked for.</summary>
     public IEnumerable<ApiRow> Members(string typeId, string generation)
     {
         if (!m_membersOfType.TryGetValue(typeId, out List<ApiRow>? members))

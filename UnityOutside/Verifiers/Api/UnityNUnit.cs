@@ -41,7 +41,6 @@ public static class UnityNUnit
         "NUnit.Framework.Constraints.Constraint..ctor",
     };
 
-    /// <summary>The name of what Unity's NUnit lacks of a type or member that is used; null where it has it.</summary>
     public static string? FindAbsent(MemberReference used)
     {
         TypeReference? type = used as TypeReference ?? used.DeclaringType;

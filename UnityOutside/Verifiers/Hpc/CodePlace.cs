@@ -1,6 +1,5 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>Where an instruction stands, for messages: file and line, or its offset where there are no symbols.</summary>
 internal static class CodePlace
 {
     internal static string Of(MethodDefinition method, Instruction at)

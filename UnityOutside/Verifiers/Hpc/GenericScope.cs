@@ -11,7 +11,6 @@ internal sealed class GenericScope
     private GenericScope(IReadOnlyList<TypeReference> ofType, IReadOnlyList<TypeReference> ofMethod) =>
         (m_ofType, m_ofMethod) = (ofType, ofMethod);
 
-    /// <summary>The scope of a method that is called from this one.</summary>
     internal GenericScope Of(MethodReference called) => new GenericScope(
         called.DeclaringType is GenericInstanceType type
             ? type.GenericArguments.Select(Concrete).ToList()
@@ -20,7 +19,6 @@ internal sealed class GenericScope
             ? method.GenericArguments.Select(Concrete).ToList()
             : Array.Empty<TypeReference>());
 
-    /// <summary>The scope of a method of a concrete type that stands for a generic parameter.</summary>
     internal static GenericScope OfMember(TypeReference concrete, IReadOnlyList<TypeReference> ofMethod) => new GenericScope(
         concrete is GenericInstanceType type ? type.GenericArguments.ToList() : Array.Empty<TypeReference>(), ofMethod);
 
@@ -51,7 +49,6 @@ internal sealed class GenericScope
         }
     }
 
-    /// <summary>Tells one instance of a method from another.</summary>
     internal string Key => string.Join(",", m_ofType.Select(t => t.FullName)) + "|" +
         string.Join(",", m_ofMethod.Select(t => t.FullName));
 }

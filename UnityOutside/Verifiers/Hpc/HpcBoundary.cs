@@ -42,7 +42,6 @@ internal static class HpcBoundary
             || type == "Unity.Profiling.ProfilerMarker" || IsLog(method);
     }
 
-    /// <summary>Why a call out of the package is no good; null where it is.</summary>
     internal static string? Objection(MethodReference method, GenericScope scope)
     {
         TypeReference type = method.DeclaringType.GetElementType();

@@ -5,7 +5,6 @@ public static class HpcEntries
 {
     private const string BurstCompile = "Unity.Burst.BurstCompileAttribute";
 
-    /// <summary>Structs that implement one of Unity's job interfaces, with or without [BurstCompile].</summary>
     public static IEnumerable<TypeDefinition> Jobs(ModuleDefinition module) => module.GetTypes().Where(IsJob);
 
     internal static bool IsJob(TypeDefinition type) => type.IsValueType && JobInterfaces(type).Any();
@@ -13,11 +12,9 @@ public static class HpcEntries
     public static bool IsCompiled(ICustomAttributeProvider member) =>
         member.CustomAttributes.Any(a => a.AttributeType.FullName == BurstCompile);
 
-    /// <summary>Whether Burst leaves out the calls of it.</summary>
     public static bool IsDiscarded(ICustomAttributeProvider method) =>
         method.CustomAttributes.Any(a => a.AttributeType.FullName == "Unity.Burst.BurstDiscardAttribute");
 
-    /// <summary>The methods through which a job is run.</summary>
     internal static IEnumerable<MethodDefinition> OfJob(TypeDefinition job)
     {
         List<string> names = JobInterfaces(job)
@@ -25,7 +22,6 @@ public static class HpcEntries
         return job.Methods.Where(m => names.Contains(m.Name) || m.Overrides.Any(o => names.Contains(o.Name)));
     }
 
-    /// <summary>Methods with [BurstCompile] of their own.</summary>
     internal static IEnumerable<MethodDefinition> Methods(ModuleDefinition module) =>
         module.GetTypes().SelectMany(t => t.Methods).Where(m => m.HasBody && IsCompiled(m));
 

@@ -4,7 +4,6 @@ namespace UnityOutside.Hpc;
 /// is the stricter one.</summary>
 internal static class HpcLayout
 {
-    /// <summary>What is wrong with a struct's own layout, beginning with its name; null where nothing is.</summary>
     internal static string? Objection(TypeDefinition type)
     {
         // What an array's initial values lie in is packed, and Burst knows it.
@@ -25,8 +24,6 @@ internal static class HpcLayout
         return marshalled == null ? null : $"{type.Name} with {marshalled.Name} {HpcSignature.As(marshalled)}";
     }
 
-    /// <summary>The same for a type and all that it holds, where it is only named: a size asked for, a generic
-    /// argument.</summary>
     internal static string? OfAll(TypeReference type) => OfAll(type, new HashSet<string>());
 
     private static string? OfAll(TypeReference type, HashSet<string> seen)

@@ -9,7 +9,6 @@ internal static class HpcSignature
         "Unity.Burst.Intrinsics.v64", "Unity.Burst.Intrinsics.v128", "Unity.Burst.Intrinsics.v256",
     };
 
-    /// <summary>What cannot pass through a static method with [BurstCompile].</summary>
     internal static IEnumerable<string> OfEntry(MethodDefinition method)
     {
         foreach (ParameterDefinition parameter in method.Parameters)
@@ -25,7 +24,6 @@ internal static class HpcSignature
         }
     }
 
-    /// <summary>Why an extern cannot be called; null where it can.</summary>
     internal static string? OfExtern(MethodDefinition method)
     {
         foreach (ParameterDefinition parameter in method.Parameters)
@@ -36,7 +34,6 @@ internal static class HpcSignature
         return ThroughExtern(method.ReturnType, method.MethodReturnType);
     }
 
-    /// <summary>How a parameter, a return value or a field is marshalled where Burst does not; null where it is fine.</summary>
     internal static string? Marshalling(IMarshalInfoProvider member, TypeReference type) =>
         !member.HasMarshalInfo || IsByte(member, type) ? null : As(member);
 
@@ -66,7 +63,6 @@ internal static class HpcSignature
             : null;
     }
 
-    /// <summary>A struct that is a single pointer or integer, which is passed as such.</summary>
     private static bool IsHandle(TypeReference type)
     {
         List<FieldDefinition>? fields = Resolution.Of(type)?.Fields.Where(f => !f.IsStatic).ToList();

@@ -32,7 +32,6 @@ internal sealed class HpcTarget
 
     internal bool Has(string feature) => m_features.Contains(feature);
 
-    /// <summary>The feature that a property of Burst's asks for; null where it is none.</summary>
     internal static string? Asked(MethodReference getter) =>
         IsIntrinsic(getter.DeclaringType) && getter.Name.StartsWith("get_Is", StringComparison.Ordinal)
             && getter.Name.EndsWith("Supported", StringComparison.Ordinal) ? getter.Name[6..^9] : null;

@@ -1,9 +1,7 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>Which types Burst can hold in a variable, a field or a parameter.</summary>
 internal static class HpcTypes
 {
-    /// <summary>Why a value of that type cannot be; null where it can.</summary>
     internal static string? Objection(TypeReference type) => Objection(type, new HashSet<string>());
 
     /// <summary>An array of numbers or of such arrays, which Burst reads (and only reads) from a static readonly field.</summary>
@@ -68,7 +66,6 @@ internal static class HpcTypes
         return null;
     }
 
-    /// <summary>Whether a type is neither Unity's nor .NET's.</summary>
     internal static bool IsPackage(TypeReference type)
     {
         string assembly = Origins.AssemblyOf(type);

@@ -1,10 +1,8 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>
-/// Walks the IL that is reachable from each job and each [BurstCompile] method and says what Burst would reject. .NET
-/// runs it all, so without this walk a build here proves nothing of Burst. It stops at Unity's and .NET's own API, by
-/// an allow rule (<see cref="HpcBoundary"/>), and walks each instance of generic code by itself.
-/// </summary>
+/// <summary>Walks the IL that is reachable from each job and each [BurstCompile] method and says what Burst would reject. .NET
+/// runs it all, so without this walk a build here proves nothing of Burst. It stops at Unity's and .NET's own API, by an allow
+/// rule (<see cref="HpcBoundary"/>), and walks each instance of generic code by itself.</summary>
 public sealed class HpcVerifier
 {
     private readonly HashSet<ModuleDefinition> m_modules;
@@ -13,10 +11,8 @@ public sealed class HpcVerifier
     private readonly Queue<HpcVisit> m_visits = new Queue<HpcVisit>();
     private string m_entry = "";
 
-    /// <param name="modules">What is walked; whatever else is called is a boundary.</param>
     public HpcVerifier(IEnumerable<ModuleDefinition> modules) => m_modules = modules.ToHashSet();
 
-    /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
     public int WalkedCount { get; private set; }
 
     /// <summary>One line for each thing that Burst would reject in what those types start: entry, calls, place, why.</summary>
@@ -80,7 +76,6 @@ public sealed class HpcVerifier
         }
     }
 
-    /// <summary>Whether what that module declares is walked, rather than a boundary.</summary>
     internal bool IsWalked(ModuleDefinition module) => m_modules.Contains(module);
 
     internal void Report(string problem) => m_problems.Add($"{m_entry}: {problem}");

@@ -1,6 +1,5 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>A method to walk, what its generic parameters stand for, and the calls that led to it.</summary>
 internal sealed record HpcVisit(MethodDefinition Method, GenericScope Scope, string Path, bool IsStaticConstructor);
 
 /// <summary>One method of a walk, for one instance of generic code: what Burst would reject in it.</summary>
@@ -55,7 +54,6 @@ internal sealed class HpcWalk
         }
     }
 
-    /// <summary>On the way to a throw a message is made, of literals and boxed numbers; nothing else is special.</summary>
     private void CheckThrowing(Instruction instruction)
     {
         switch (instruction.OpCode.Code)
@@ -261,7 +259,6 @@ internal sealed class HpcWalk
             Add(instruction, $"expects vectors of {m_method.Name}, which is not optimised");
     }
 
-    /// <summary>A call on a generic parameter or a struct: what it comes to is known when the type is.</summary>
     private void CheckConstrained(Instruction instruction, MethodReference called, TypeReference type)
     {
         if (type is GenericParameter)

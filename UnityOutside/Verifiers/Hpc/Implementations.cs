@@ -1,10 +1,7 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>Which method of a type is called where the IL names one of its interfaces or of a type that it derives
-/// from.</summary>
 internal static class Implementations
 {
-    /// <summary>The method that the type itself declares for it; null where it declares none.</summary>
     internal static MethodDefinition? Find(TypeReference type, MethodReference called, GenericScope scope)
     {
         TypeDefinition? definition = Resolution.Of(type);

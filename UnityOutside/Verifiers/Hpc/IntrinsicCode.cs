@@ -1,10 +1,8 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>
-/// What one method comes to for one processor: "Is...Supported" is a constant there, so of each branch on it one way is left.
-/// Burst judges each method by itself, whoever calls it and whether it is inlined or not; what is left may call no intrinsic
-/// that the processor lacks (BC1200).
-/// </summary>
+/// <summary>What one method comes to for one processor: "Is...Supported" is a constant there, so of each branch on it one way is
+/// left. Burst judges each method by itself, whoever calls it and whether it is inlined or not; what is left may call no
+/// intrinsic that the processor lacks (BC1200).</summary>
 internal sealed class IntrinsicCode
 {
     private readonly HpcTarget m_target;
@@ -12,9 +10,6 @@ internal sealed class IntrinsicCode
     private readonly Dictionary<Instruction, Flag[]> m_before = new Dictionary<Instruction, Flag[]>();
     private readonly Stack<Instruction> m_next = new Stack<Instruction>();
     private readonly HashSet<int> m_pointedAt;
-
-    /// <summary>What is known of a value: whether it is true, the feature that it tells of, and if it tells the
-    /// opposite.</summary>
     private readonly record struct Flag(bool? Value, string? Asked, bool IsOpposite);
 
     private IntrinsicCode(MethodBody body, HpcTarget target)
@@ -67,7 +62,6 @@ internal sealed class IntrinsicCode
         }
     }
 
-    /// <summary>Goes on from an instruction with what is known after it: the variables, then the stack.</summary>
     private void Pass(Instruction at)
     {
         Flag[] before = m_before[at];
@@ -146,7 +140,6 @@ internal sealed class IntrinsicCode
         return called.Parameters.Count + (hasObject ? 1 : 0) + (at.OpCode.Code == Code.Calli ? 1 : 0);
     }
 
-    /// <summary>How many values one of the stack's behaviours names: "Popref_popi" two.</summary>
     private static int Parts(StackBehaviour behaviour, string none) =>
         behaviour.ToString() == none ? 0 : behaviour.ToString().Split('_').Length;
 }

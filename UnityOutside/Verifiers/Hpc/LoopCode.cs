@@ -1,9 +1,7 @@
 namespace UnityOutside.Hpc;
 
-/// <summary>Which instructions run again and again within one call of their method.</summary>
 internal static class LoopCode
 {
-    /// <summary>Whether a way leads from an instruction back to itself.</summary>
     internal static bool Has(Instruction instruction)
     {
         var seen = new HashSet<Instruction>();

@@ -1,10 +1,7 @@
 namespace UnityOutside.Threads;
 
-/// <summary>An instruction and the method that it is in.</summary>
 internal readonly record struct Site(MethodDefinition Method, Instruction At);
 
-/// <summary>What the IL of some modules says as a whole: who calls a method, who writes a field, which methods delegates
-/// are made of, which types could stand for another.</summary>
 internal sealed class CodeIndex
 {
     private static readonly Site[] s_none = { };
@@ -35,8 +32,6 @@ internal sealed class CodeIndex
 
     internal IReadOnlyList<TypeDefinition> Types => m_types;
     internal IEnumerable<MethodDefinition> Methods => m_types.SelectMany(t => t.Methods).Where(m => m.HasBody);
-
-    /// <summary>Where a delegate is made.</summary>
     internal IReadOnlyList<Site> Delegates => m_delegates;
 
     internal bool IsInside(MemberReference member) => member is IMemberDefinition && m_modules.Contains(member.Module);
@@ -48,14 +43,12 @@ internal sealed class CodeIndex
         return flow;
     }
 
-    /// <summary>Where a field is written.</summary>
     internal IReadOnlyList<Site> Writes(FieldDefinition field) =>
         m_writes.TryGetValue(field, out List<Site>? sites) ? sites : s_none;
 
     /// <summary>Whether some code takes a field's address: it may be written through it.</summary>
     internal bool IsLent(FieldDefinition field) => m_lent.Contains(field);
 
-    /// <summary>Where a method is called, also by the name of what it overrides or implements.</summary>
     /// <param name="isComplete">False where others may call it: Unity, .NET, whoever has a delegate of it.</param>
     internal IReadOnlyList<Site> Calls(MethodDefinition method, out bool isComplete)
     {
@@ -70,7 +63,6 @@ internal sealed class CodeIndex
         return calls;
     }
 
-    /// <summary>What a type parameter stands for, wherever its type or method is used.</summary>
     internal IEnumerable<TypeReference> Instances(GenericParameter parameter)
     {
         var seen = new HashSet<string> { KeyOf(parameter) };

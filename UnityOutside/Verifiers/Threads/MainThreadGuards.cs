@@ -1,10 +1,8 @@
 namespace UnityOutside.Threads;
 
-/// <summary>
-/// Puts at the beginning of each member that Unity keeps to the main thread what refuses other threads, as the native code
-/// behind it does: <c>StandIns.MainThread.Require("get_isPlaying")</c>. There are hundreds of them, most of one line; the
-/// table of threads says which, so that nobody can forget one.
-/// </summary>
+/// <summary>Puts at the beginning of each member that Unity keeps to the main thread what refuses other threads, as the native
+/// code behind it does: <c>StandIns.MainThread.Require("get_isPlaying")</c>. There are hundreds of them, most of one line; the
+/// table of threads says which, so that nobody can forget one.</summary>
 public sealed class MainThreadGuards(ThreadTable table)
 {
     private const string GuardAssembly = "UnityEngine.CoreModule", GuardType = "MainThread", GuardMethod = "Require";
@@ -14,9 +12,6 @@ public sealed class MainThreadGuards(ThreadTable table)
 
     private readonly ThreadTable m_table = table;
 
-    /// <summary>Guards a stand-in, its file and its symbols; one that is guarded stays as it is.</summary>
-    /// <param name="references">Assemblies that its types derive from.</param>
-    /// <returns>How many members were guarded.</returns>
     public int Guard(string file, IEnumerable<string> references)
     {
         using var resolver = new DefaultAssemblyResolver();

@@ -1,6 +1,5 @@
 namespace UnityOutside.Threads;
 
-/// <summary>Methods as one knows them from the source: the compiler's own names are replaced by what they were made of.</summary>
 internal static class MethodNames
 {
     internal static string Of(MethodDefinition method)
@@ -12,7 +11,6 @@ internal static class MethodNames
         return DocId.DefinitionName(type).Split('.')[^1] + "." + name;
     }
 
-    /// <summary>What stands between the brackets of a lambda's, a local function's or a state machine's name.</summary>
     private static string? Written(string name)
     {
         int end = name.IndexOf('>');

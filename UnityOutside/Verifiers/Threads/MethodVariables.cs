@@ -1,6 +1,5 @@
 namespace UnityOutside.Threads;
 
-/// <summary>Which variable or parameter an instruction loads or stores, in whichever of its forms.</summary>
 internal static class MethodVariables
 {
     internal static VariableDefinition? Local(MethodDefinition method, Instruction at)

@@ -1,6 +1,5 @@
 namespace UnityOutside.Threads;
 
-/// <summary>Which instructions may have pushed what an instruction of a method takes from the stack.</summary>
 internal sealed class StackFlow
 {
     private readonly MethodBody m_body;
@@ -13,7 +12,6 @@ internal sealed class StackFlow
         Run();
     }
 
-    /// <summary>The instructions that may follow one, leaving exceptions aside.</summary>
     internal static IEnumerable<Instruction> Next(Instruction at)
     {
         if (at.Operand is Instruction target && at.OpCode.FlowControl is FlowControl.Branch or FlowControl.Cond_Branch)
@@ -28,7 +26,6 @@ internal sealed class StackFlow
             yield return at.Next;
     }
 
-    /// <summary>How many values a call takes: the object first, where it has one.</summary>
     internal static int ArgumentCount(Instruction call)
     {
         var method = (IMethodSignature)call.Operand;

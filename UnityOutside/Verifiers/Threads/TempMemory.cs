@@ -1,11 +1,9 @@
 namespace UnityOutside.Threads;
 
-/// <summary>Where Allocator.Temp is given to a call.</summary>
 internal static class TempMemory
 {
     private const int Temp = 2;
 
-    /// <summary>As a constant, or by a variable or field that may hold it. A parameter is its caller's affair.</summary>
     internal static bool IsTaken(CodeIndex code, MethodDefinition method, Instruction call)
     {
         var called = (MethodReference)call.Operand;

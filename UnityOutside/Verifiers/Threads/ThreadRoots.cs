@@ -1,11 +1,6 @@
 namespace UnityOutside.Threads;
 
 /// <summary>Code that begins on a thread that need not be the main one.</summary>
-/// <param name="Name">What begins there, and where that stands.</param>
-/// <param name="Within">The type whose code starts it.</param>
-/// <param name="Method">What runs; null where the delegate's origin is not to be seen.</param>
-/// <param name="Self">What it works on, where that is known.</param>
-/// <param name="From">Where in the method it begins, if not at its start.</param>
 internal sealed record ThreadRoot(string Name, TypeDefinition Within, MethodReference? Method,
     Value? Self = null, bool IsJob = false, Instruction? From = null);
 

@@ -9,7 +9,6 @@ public sealed record ThreadRow(string Id, string Threads, string Why, string Var
     // The full table has lines by hand of its own, without the blank.
     private const string HandMark = "hand: ";
 
-    /// <summary>Whether it was looked up for this repository: its reason says in what source.</summary>
     public bool IsByHand => Why.StartsWith(HandMark, StringComparison.Ordinal);
 
     /// <summary>Whether it belongs on the main thread though the sources show no check: jobs' scheduling.</summary>
@@ -22,12 +21,9 @@ public sealed record ThreadRow(string Id, string Threads, string Why, string Var
         return new ThreadRow(c[0], At(1), At(2), At(3));
     }
 
-    /// <summary>The line without its trailing empty columns.</summary>
     public string Compose() => string.Join('\t', Id, Threads, Why, Varied).TrimEnd('\t');
 
     /// <summary>On which threads that generation lets it be called.</summary>
-    /// <param name="accessor">get, set, add or remove, where the member is a property or an event; the row is its
-    /// strictest's.</param>
     public string In(string generation, string accessor)
     {
         string threads = Threads;

@@ -15,7 +15,6 @@ internal static class ThreadStarts
         "System.Runtime.CompilerServices.ConfiguredTaskAwaitable`1/ConfiguredTaskAwaiter",
     };
 
-    /// <summary>Whether delegates that are handed to it run elsewhere.</summary>
     internal static bool IsStart(MethodReference called) => s_types.Contains(called.DeclaringType.GetElementType().FullName)
         || called.FullName.Contains("UnityEngine.Application::add_logMessageReceivedThreaded(", StringComparison.Ordinal)
         || (called.Name == "BeginInvoke" && TypeRelations.IsDelegate(called.DeclaringType));
@@ -26,7 +25,6 @@ internal static class ThreadStarts
         && called.DeclaringType.Namespace.StartsWith("System.Threading.Tasks", StringComparison.Ordinal)
         && at.Previous?.OpCode.Code == Code.Ldc_I4_0;
 
-    /// <summary>The state machine that a call of an async method's builder starts; null where it is another call.</summary>
     internal static TypeReference? StateMachine(MethodReference called) =>
         called is GenericInstanceMethod { Name: "Start" } start
         && called.DeclaringType.Namespace == "System.Runtime.CompilerServices"

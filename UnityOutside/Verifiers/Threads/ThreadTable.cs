@@ -6,7 +6,6 @@ namespace UnityOutside.Threads;
 /// were asked for.</summary>
 public sealed class ThreadTable
 {
-    /// <summary>The full table's name in the folder of Unity's signatures.</summary>
     public const string FullName = "threads.tsv.gz";
 
     private readonly Dictionary<string, ThreadRow> m_rows = new Dictionary<string, ThreadRow>(StringComparer.Ordinal);
@@ -20,7 +19,6 @@ public sealed class ThreadTable
     /// <summary>The lines that were asked for since this table was loaded, in order of their ids.</summary>
     public IEnumerable<ThreadRow> Touched => m_touched.Values;
 
-    /// <summary>A table of lines, packed or not.</summary>
     public static ThreadTable Load(string file)
     {
         using Stream bytes = File.OpenRead(file);
@@ -53,8 +51,6 @@ public sealed class ThreadTable
     public ThreadRow? Find(FieldReference field) => Find(DocId.OfField(field));
     public ThreadRow? Find(MethodReference method) => Find(method.DeclaringType, method);
 
-    /// <summary>The line of a method, or of the property or event whose accessor it is, on a type or, as C# lets one
-    /// write, on one that it derives from.</summary>
     public ThreadRow? Find(TypeReference type, MethodReference method)
     {
         for (TypeReference? at = type; at != null; at = Resolution.Of(at)?.BaseType)

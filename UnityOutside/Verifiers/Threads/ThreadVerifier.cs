@@ -1,11 +1,9 @@
 namespace UnityOutside.Threads;
 
-/// <summary>
-/// Walks the IL that is reachable from whatever begins on a thread that need not be the main one (<see cref="ThreadRoots"/>)
-/// and says where it uses a member of Unity that the table does not have for any thread, or takes Allocator.Temp outside of
-/// jobs. Unity throws there; .NET runs it all. Calls through interfaces, base types and delegates are followed to all that
-/// may be there (<see cref="ValueOrigins"/>).
-/// </summary>
+/// <summary>Walks the IL that is reachable from whatever begins on a thread that need not be the main one (<see
+/// cref="ThreadRoots"/>) and says where it uses a member of Unity that the table does not have for any thread, or takes
+/// Allocator.Temp outside of jobs. Unity throws there; .NET runs it all. Calls through interfaces, base types and delegates are
+/// followed to all that may be there (<see cref="ValueOrigins"/>).</summary>
 public sealed class ThreadVerifier
 {
     private sealed record Visit(MethodDefinition Method, GenericScope Scope, Value? Self, IReadOnlyList<string> Path,
@@ -21,7 +19,6 @@ public sealed class ThreadVerifier
     private readonly Queue<Visit> m_visits = new Queue<Visit>();
 
     /// <param name="modules">What is walked; whatever else is called is looked up in the table, or .NET's.</param>
-    /// <param name="nested">Whose stack of work is followed.</param>
     public ThreadVerifier(IEnumerable<ModuleDefinition> modules, ThreadTable table, string generation, NestedWork nested)
     {
         m_code = new CodeIndex(modules);
@@ -31,13 +28,11 @@ public sealed class ThreadVerifier
         m_nested = nested;
     }
 
-    /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
     public int WalkedCount { get; private set; }
 
     /// <summary>Where other threads begin, in words.</summary>
     public IEnumerable<string> Roots => ThreadRoots.Of(m_code, m_origins).Select(r => r.Name);
 
-    /// <summary>One line for each fault in what those types start: root, calls, place, what.</summary>
     public IReadOnlyCollection<string> Verify(Func<TypeDefinition, bool> isAsked)
     {
         m_problems.Clear();
@@ -67,7 +62,6 @@ public sealed class ThreadVerifier
         }
     }
 
-    /// <summary>One method of a walk.</summary>
     private sealed class Walker(ThreadVerifier verifier, ThreadRoot root, Visit? visit)
     {
         private readonly ThreadVerifier m_verifier = verifier;
@@ -174,7 +168,6 @@ public sealed class ThreadVerifier
         private IReadOnlyCollection<Value> Argument(Instruction at, int index) =>
             m_verifier.m_origins.Argument(Method, m_visit!.Self, at, index);
 
-        /// <summary>On each object that is known; on any, where one is not.</summary>
         private void FollowOn(Instruction at, MethodReference called)
         {
             IReadOnlyCollection<Value> objects = at.OpCode.Code == Code.Newobj
@@ -186,7 +179,6 @@ public sealed class ThreadVerifier
                 Follow(called, Scope, self);
         }
 
-        /// <summary>A call on a type parameter or a struct: what it comes to is known when the type is.</summary>
         private void Constrained(MethodReference called, TypeReference type)
         {
             if (type is GenericParameter || !type.IsValueType)
@@ -227,7 +219,6 @@ public sealed class ThreadVerifier
                 Run(made.Target!, made.Place == Method ? Scope : GenericScope.None, made.Inner);
         }
 
-        /// <summary>What .NET's and Unity's code may call of what it is given.</summary>
         private void HandOver(Instruction at, MethodReference called)
         {
             if (ThreadStarts.StateMachine(called) is { } machine)
@@ -268,8 +259,6 @@ public sealed class ThreadVerifier
             }
         }
 
-        /// <summary>Code outside calls a type argument's methods by its constraints: a comparer's, a job's that is run on
-        /// the spot.</summary>
         private void TypeArguments(GenericInstanceMethod called)
         {
             MethodDefinition? definition = Resolution.Of(called);
@@ -303,7 +292,6 @@ public sealed class ThreadVerifier
             Judge(DocId.OfField(field), m_verifier.m_table.Find(field), "");
         }
 
-        /// <summary>The static constructor, which the first use runs.</summary>
         private void Initialize(TypeDefinition type, GenericScope scope, bool isField)
         {
             MethodDefinition? constructor = type.Methods.FirstOrDefault(m => m.Name == ".cctor");

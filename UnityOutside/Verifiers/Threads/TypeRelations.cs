@@ -1,13 +1,11 @@
 namespace UnityOutside.Threads;
 
-/// <summary>What a type is derived from, with its arguments in place.</summary>
 internal static class TypeRelations
 {
     internal static bool IsDelegate(TypeReference type) => type is not ArrayType
         and not ByReferenceType and not GenericParameter
         && Resolution.Of(type)?.BaseType?.FullName == "System.MulticastDelegate";
 
-    /// <summary>A definition with its own parameters for arguments, as 'this' is.</summary>
     internal static TypeReference Self(TypeDefinition type)
     {
         if (!type.HasGenericParameters)
@@ -22,7 +20,6 @@ internal static class TypeRelations
         ? GenericScope.OfMember(type, Array.Empty<TypeReference>()).Concrete(parent)
         : null;
 
-    /// <summary>The type, those that it derives from and all of their interfaces.</summary>
     internal static IEnumerable<TypeReference> AllOf(TypeReference type)
     {
         for (TypeReference? at = type; at != null; at = Base(at))

@@ -1,10 +1,8 @@
 namespace UnityOutside.Threads;
 
-/// <summary>
-/// Goes back from where a value is used to where it was made: through variables, fields, parameters (to all callers) and
+/// <summary>Goes back from where a value is used to where it was made: through variables, fields, parameters (to all callers) and
 /// results (to all that may be called). Where the way is lost, in a collection or in other people's code, the type of the
-/// variable is all that is known.
-/// </summary>
+/// variable is all that is known.</summary>
 internal sealed class ValueOrigins(CodeIndex code)
 {
     private const string OuterThis = "<>4__this";
@@ -17,7 +15,6 @@ internal sealed class ValueOrigins(CodeIndex code)
         new Dictionary<(Instruction, string?), IReadOnlyList<Value>>();
 
     /// <summary>What may be an argument of a call; 0 is the object, where it has one.</summary>
-    /// <param name="self">The object that the calling method works on, where it is known.</param>
     internal IReadOnlyCollection<Value> Argument(MethodDefinition method, Value? self, Instruction call, int index)
     {
         if (m_known.TryGetValue((call, index, self?.Key), out IReadOnlyCollection<Value>? known))
@@ -28,7 +25,6 @@ internal sealed class ValueOrigins(CodeIndex code)
         return search.Found;
     }
 
-    /// <summary>The methods that a call may come to.</summary>
     internal IEnumerable<(MethodDefinition Method, TypeReference Type)> Targets(MethodReference called, Value receiver,
         GenericScope scope)
     {
@@ -43,7 +39,6 @@ internal sealed class ValueOrigins(CodeIndex code)
             .Select(t => Implementation(t, called, scope)).Where(t => t != null).Select(t => t!.Value).Distinct();
     }
 
-    /// <summary>The method that a type, or the nearest of those that it derives from, has for another's.</summary>
     internal static (MethodDefinition Method, TypeReference Type)? Implementation(TypeReference type, MethodReference called,
         GenericScope scope)
     {
@@ -104,7 +99,6 @@ internal sealed class ValueOrigins(CodeIndex code)
             }
         }
 
-        /// <summary>A search of its own for what this one needs to know on its way; null where that is what it is for.</summary>
         private IReadOnlyList<Value>? Sub(MethodDefinition method, Value? self, Instruction at,
             IEnumerable<Instruction> producers)
         {

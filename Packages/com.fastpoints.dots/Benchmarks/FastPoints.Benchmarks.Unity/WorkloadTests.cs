@@ -13,10 +13,7 @@ namespace FastPoints.Benchmarks
     /// side by side.</summary>
     public sealed class WorkloadTests
     {
-        /// <summary>Fewer than the command line's: the editor's safety checks take their time.</summary>
         const int Points = 1_000_000;
-
-        /// <summary>Names the folder of real clouds; workloads that want one are ignored without.</summary>
         const string DataVariable = "FASTPOINTS_DATA";
 
         bool m_wasSynchronous;

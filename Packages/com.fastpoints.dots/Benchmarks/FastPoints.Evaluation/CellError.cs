@@ -1,18 +1,12 @@
 namespace FastPoints.Evaluation
 {
-    /// <summary>How evenly a sample covers the cells and regions of an <see cref="ErrorGrid"/> that the full cloud
-    /// occupies.</summary>
     /// <remarks>What chance would give is for a simple random sample of as many points, drawn without replacement: the share
     /// taken of a cell with f points then has the variance p (1 - p) / f, where p is the share taken of all.</remarks>
     public struct CellError
     {
-        /// <summary>Points of the full cloud that a block must hold to count for <see cref="Variation"/>.</summary>
         public const int MinPointsOfBlock = 100;
-
-        /// <summary>A region must hold one in so many of the full cloud's points to count for <see cref="Bias"/>.</summary>
         public const int MinRegion = 1000;
 
-        /// <summary>Points of the full cloud, and of the sample, that lie in the grid.</summary>
         public long PointsOfCloud;
         public long PointsOfSample;
 

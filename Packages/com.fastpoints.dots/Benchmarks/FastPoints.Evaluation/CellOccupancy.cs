@@ -36,7 +36,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Counts a decoded block's points into the cells of a grid.</summary>
     [BurstCompile]
     public struct CountOccupancyJob : IJob
     {
@@ -52,7 +51,6 @@ namespace FastPoints.Evaluation
         public unsafe void Execute() => Count((byte*)Block.GetUnsafeReadOnlyPtr(), Positions, Transform, 0,
             Result.Value.Points, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
 
-        /// <summary>Counts points <paramref name="first"/> and on of a batch's memory.</summary>
         internal static unsafe void Count(byte* bytes, in PositionColumns positions, in PositionTransform transform, int first,
             int count, in ErrorGrid grid, ulong* cellsOf128th, long* pointsOfBlock)
         {
@@ -74,7 +72,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Counts a slice of a sample into the cells of a grid.</summary>
     [BurstCompile]
     public struct CountSampledCellsJob : IJob
     {

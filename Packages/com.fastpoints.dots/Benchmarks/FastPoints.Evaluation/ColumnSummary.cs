@@ -3,14 +3,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Range and sum of a column's stored values, exact for every type. Blittable.</summary>
     internal struct ColumnSummary
     {
         const ulong SignBit = 0x8000000000000000UL;
 
         public AttributeType Type;
-
-        /// <summary>Number of finite values: all of them, except for floats.</summary>
         public long Finite;
 
         /// <summary>Number of values that are infinite or NaN: they count in the sum, but not in the range.</summary>
@@ -44,7 +41,6 @@ namespace FastPoints.Evaluation
             m_maxOrdered = math.max(m_maxOrdered, other.m_maxOrdered);
         }
 
-        /// <summary>Includes the first <paramref name="count"/> values of a column of this type.</summary>
         public unsafe void IncludeColumn(byte* column, int count)
         {
             int bytes = Type.SizeOf();
@@ -83,8 +79,6 @@ namespace FastPoints.Evaluation
             Finite += count;
         }
 
-        /// <summary>Eight bytes like the eight before them are looked at no closer: most columns of bytes are flags and codes
-        /// that seldom change.</summary>
         static unsafe void IncludeBytes(byte* column, int count, byte bias, ref ulong sum, ref uint min, ref uint max)
         {
             ulong last = 0, sumOfLast = 0;

@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>The cells of a sample against those of the full cloud.</summary>
     [BurstCompile]
     public struct CompareOccupancyJob : IJob
     {
@@ -107,7 +106,6 @@ namespace FastPoints.Evaluation
 
         static double Share(long part, int whole) => whole == 0 ? 0 : part / (double)whole;
 
-        /// <summary>The lowest bit of each byte in which any bit is set.</summary>
         static ulong BytesSet(ulong bits)
         {
             bits |= bits >> 4;
@@ -117,13 +115,9 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>The largest of several independent normal deviations.</summary>
     static class ChanceDeviation
     {
-        /// <summary>Halvings until a double has no more digits to find.</summary>
         const int Halvings = 60;
-
-        /// <summary>Beyond so many standard deviations there is nothing.</summary>
         const double MaxSigmas = 10;
 
         /// <summary>The x that the largest |deviation| stays below in one case of two: the product of P(|deviation| &lt; x) is

@@ -20,10 +20,7 @@ namespace FastPoints.Evaluation
         /// <summary>Points of the full cloud from which distances are measured: all, or so many of a uniform choice.</summary>
         public const int MaxQueries = 200_000;
 
-        /// <summary>Points of each sample that are looked up in the full cloud.</summary>
         public const int LookedUpPerSample = 4096;
-
-        /// <summary>Usual size of the three views.</summary>
         public const int DefaultWidthPx = 640, DefaultHeightPx = 360;
 
         /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
@@ -44,9 +41,6 @@ namespace FastPoints.Evaluation
         long m_pointCount;
         ErrorGrid m_grid;
 
-        /// <param name="options">Colours, background and up axis of the views.</param>
-        /// <param name="widthPx">Of a view.</param>
-        /// <param name="heightPx">Of a view.</param>
         public CompareSamples(PointReader reader, PictureOptions options, int widthPx = DefaultWidthPx,
             int heightPx = DefaultHeightPx)
         {
@@ -56,22 +50,12 @@ namespace FastPoints.Evaluation
             HeightPx = heightPx;
         }
 
-        /// <summary>Size of the three views.</summary>
         public int WidthPx { get; }
         public int HeightPx { get; }
-
-        /// <summary>Where nearly all of the full cloud is: see <see cref="DisplayRanges.Robust"/>.</summary>
         public BoundsGeo Bounds => m_grid.Bounds;
-
-        /// <summary>Pictures of all points: top, front, iso.</summary>
         public RgbaImage[] FullViews { get; private set; }
-
-        /// <summary>Of the full cloud, as found.</summary>
         public long PointCount => m_pointCount;
 
-        /// <summary>Coroutine, with the stages <c>find blocks</c>, <c>reference sample</c> and <c>reference</c>:
-        /// reads the full cloud. Comes before all else.</summary>
-        /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobStep> Prepare(StageProgress progress)
         {
             if (!m_reader.BlocksAreKnown)
@@ -134,7 +118,6 @@ namespace FastPoints.Evaluation
         /// <paramref name="error"/>.</summary>
         /// <param name="points">As the source stores them; positions that are not finite are passed over. Stays the
         /// caller's, and must not change meanwhile.</param>
-        /// <param name="count">The sample is the first so many points of the batch.</param>
         /// <param name="viewsAtSameCount">The views of a uniform sample of as many points, to compare with; null for
         /// none.</param>
         public IEnumerator<JobStep> Measure(PointBatch points, int count, PositionTransform transform,
@@ -289,7 +272,6 @@ namespace FastPoints.Evaluation
                 m_queries.Dispose();
         }
 
-        /// <summary>Sees which positions of a table are in the source.</summary>
         sealed class LookUpPass : IBlockConsumer
         {
             readonly PositionTransform m_transform;

@@ -11,24 +11,18 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Draws packed blocks from the memory where they lie; index i is the i-th node. A block is unpacked on the stack as
-    /// a batch of its own.</summary>
     [BurstCompile]
     internal unsafe struct DrawBlocksJob : IJobFor
     {
-        /// <summary>Room for nine columns of eight bytes, and more.</summary>
         public const int MaxBatchBytes = 16 << 10;
 
         [ReadOnly] public NativeArray<NodeBlocks> Runs;
 
-        /// <summary>Indexed by node times planes, plus plane; position comes first.</summary>
         [ReadOnly] public NativeArray<PlaneView> Planes;
         public int PlaneCount;
 
-        /// <summary>The columns of all planes except the position.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>Where each column's values go in the batch.</summary>
         [ReadOnly] public NativeArray<PointColumn> Targets;
         [ReadOnly] public NativeArray<uint> Palettes;
         [ReadOnly] public NativeArray<float> SizeOfTile;
@@ -36,21 +30,15 @@ namespace FastPoints.Evaluation
         /// <summary>Nodes of a <see cref="SizeTree"/>; empty if no size is adaptive.</summary>
         [ReadOnly] public NativeArray<GpuSizeNode> SizeNodes;
 
-        /// <summary>Positions in grid steps from the corner of the cloud's root cube.</summary>
         [ReadOnly] public NativeArray<LocalClip> Clips;
 
-        /// <summary>The column of classes in the batch, if some are hidden.</summary>
         public PointColumn Classes;
         public ClassMask HiddenClasses;
-
-        /// <summary>Draws a batch of one block, with positions as doubles.</summary>
         public PointDrawing Drawing;
 
         /// <summary>Written by atomic minimum, so that jobs may draw at the same time.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
 
-        /// <summary>Empty to draw. To blend what was drawn, see <see cref="BlendedPixels"/>; written by atomic
-        /// addition.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
 
         public void Execute(int index)
@@ -81,7 +69,6 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>Moves hidden points to an invalid position, where nothing is drawn.</summary>
         void Hide(byte* batch, int count)
         {
             var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);
@@ -127,20 +114,12 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>A node's blocks as a drawing job sees them; its planes are listed beside.</summary>
     internal struct NodeBlocks
     {
-        /// <summary>Positions are offsets from this corner, in grid steps from the corner of the cloud's root cube.</summary>
         public Grid3 Corner;
         public int BlockCount;
-
-        /// <summary>Index in the <see cref="SizeTree"/>, if sizes are adaptive.</summary>
         public int SizeNode;
-
-        /// <summary>Corner of the node's cube, in grid steps from the corner of the cloud's root cube.</summary>
         public double3 CubeCorner;
-
-        /// <summary>One grid step as a fraction of the cube's edge.</summary>
         public double3 CubesPerStep;
     }
 }

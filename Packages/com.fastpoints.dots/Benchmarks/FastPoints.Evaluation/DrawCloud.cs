@@ -12,11 +12,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Draws a picture of every point of a source, block by block in bounded memory: a small sample decides on camera,
-    /// colours and size, then each block is drawn as it is decoded. With a point budget, it draws a sample instead.</summary>
     internal sealed class DrawCloud : IBlockConsumer
     {
-        /// <summary>Points that the choices are made from.</summary>
         const int PointsToPlanWith = 500_000;
 
         readonly PointReader m_reader;
@@ -33,17 +30,13 @@ namespace FastPoints.Evaluation
             m_budget = budget;
         }
 
-        /// <summary>Points that were drawn, including those outside the picture.</summary>
         public long PointsDrawn { get; private set; }
-
         public DisplayRanges Ranges { get; private set; }
         public PicturePlan Plan { get; private set; }
 
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Coroutine, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
-        /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             int sampled = m_budget > 0 ? (int)Math.Min(m_budget, int.MaxValue) : PointsToPlanWith;
@@ -77,7 +70,6 @@ namespace FastPoints.Evaluation
             return SourceScan.Run(m_reader, wanted, this, SourceScan.SlotsFor(m_reader, wanted), progress);
         }
 
-        /// <summary>The attributes that the mode's colours need; others are not decoded.</summary>
         PointSchema WantedFor(ColorMode mode)
         {
             var schema = m_reader.Info.Schema;
@@ -103,8 +95,6 @@ namespace FastPoints.Evaluation
         public void Completed(BlockRead read, int slot) => PointsDrawn += read.Points.Count;
     }
 
-    /// <summary>Draws a decoded block; index i is its i-th piece of <see cref="RasterizePointsJob.PointsPerPiece"/>
-    /// points.</summary>
     [BurstCompile]
     internal struct DrawBlockJob : IJobFor
     {

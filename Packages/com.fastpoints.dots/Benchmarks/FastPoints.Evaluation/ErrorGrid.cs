@@ -8,13 +8,11 @@ namespace FastPoints.Evaluation
     /// 512 one of a 64th, and 2^18 one of an eighth. Blittable, for jobs.</summary>
     public readonly struct ErrorGrid
     {
-        /// <summary>Along each axis.</summary>
         public const int Cells = 512;
 
         /// <summary>Cells of a 64th of the edge, each with 512 of the finest in it.</summary>
         public const int Blocks = 64 * 64 * 64;
 
-        /// <summary>Regions of an eighth of the edge.</summary>
         public const int Regions = 8 * 8 * 8;
 
         public readonly BoundsGeo Bounds;
@@ -30,8 +28,6 @@ namespace FastPoints.Evaluation
             CellsPerUnit = edge > 0 && perUnit <= double.MaxValue ? perUnit : 0;
         }
 
-        /// <summary>The finest cell at a georeferenced position; false outside of the box and for a position that is not
-        /// finite.</summary>
         public bool TryCell(double x, double y, double z, out uint cell)
         {
             double3 min = Bounds.Min, max = Bounds.Max;

@@ -19,7 +19,6 @@ namespace FastPoints.Evaluation
 
         const int Window = 8;
 
-        /// <exception cref="ArgumentException">The sizes differ.</exception>
         public static ImageError Compare(RgbaImage picture, RgbaImage reference, uint background)
         {
             if (picture.Width != reference.Width || picture.Height != reference.Height)

@@ -16,27 +16,18 @@ namespace FastPoints.Evaluation
     /// million points).</remarks>
     public sealed class PointTree : IDisposable
     {
-        /// <summary>Points that are rather looked at one by one.</summary>
         const int PointsPerLeaf = 8;
-
         const int PointsPerSlice = 1 << 17;
 
         NativeArray<double3> m_points;
         NativeArray<PointTreeNode> m_nodes;
-
-        /// <summary>Finite positions.</summary>
         public int Count { get; private set; }
-
-        /// <summary>Levels below the root.</summary>
         public int Levels { get; private set; }
-
-        /// <summary>The positions, georeferenced, in the tree's order: <see cref="Count"/> of them.</summary>
         public NativeArray<double3> Points => m_points;
 
         /// <summary>The root at 1, the children of i at 2i and 2i + 1.</summary>
         public NativeArray<PointTreeNode> Nodes => m_nodes;
 
-        /// <summary>Coroutine: the tree of a batch's first points.</summary>
         public IEnumerator<JobStep> Build(PointBatch batch, int count, PositionTransform transform)
         {
             m_points = new NativeArray<double3>(Math.Max(1, count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
@@ -88,8 +79,6 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>Coroutine: how far positions are from the nearest point of the tree.</summary>
-        /// <param name="count">The first so many positions.</param>
         /// <param name="unit">What distances are divided by; 0 stands for 1.</param>
         public IEnumerator<JobStep> Measure(NativeArray<double3> positions, int count, double unit, Action<DistanceError> take)
         {
@@ -175,11 +164,9 @@ namespace FastPoints.Evaluation
             return nearestSq;
         }
 
-        /// <summary>First place of a level's i-th node.</summary>
         internal static long FirstOf(int index, int level, int count) => (long)index * count >> level;
     }
 
-    /// <summary>The tight box of some points of a <see cref="PointTree"/>.</summary>
     public struct PointTreeNode
     {
         public double3 Min;
@@ -193,8 +180,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Measures the nodes of one level of a <see cref="PointTree"/>, and parts the points of each about the median
-    /// of its longest edge; index i is the level's i-th node.</summary>
     [BurstCompile]
     public struct SplitPointsJob : IJobFor
     {
@@ -202,7 +187,6 @@ namespace FastPoints.Evaluation
         public bool IsLeaf;
         public int Count;
 
-        /// <summary>Nodes of one level have disjoint places.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<double3> Points;
         [NativeDisableContainerSafetyRestriction] public NativeArray<PointTreeNode> Nodes;
 
@@ -224,8 +208,6 @@ namespace FastPoints.Evaluation
             Select(points, axis, first, end - 1, (int)PointTree.FirstOf(2 * index + 1, Level + 1, Count));
         }
 
-        /// <summary>Hoare's selection: what is less at <paramref name="axis"/> comes before the place, what is greater
-        /// behind it. A pivot at a hashed place keeps any input linear on average; equal values part evenly.</summary>
         static unsafe void Select(double3* points, int axis, int first, int last, int place)
         {
             uint hash = (uint)(first * 747796405 + last);

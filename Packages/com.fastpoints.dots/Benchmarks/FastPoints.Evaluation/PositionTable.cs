@@ -9,7 +9,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>A hash table of positions, to see which of them come along. Open addressing, at most half full.</summary>
     public sealed class PositionTable : IDisposable
     {
         NativeArray<double3> m_positions, m_slots;
@@ -30,8 +29,6 @@ namespace FastPoints.Evaluation
         public int Count { get; }
         public NativeArray<double3> Positions => m_positions;
         public NativeArray<double3> Slots => m_slots;
-
-        /// <summary>Of each slot: one of <see cref="PositionHash"/>' states.</summary>
         public NativeArray<byte> States => m_states;
 
         /// <summary>Whether a position that is in the table has come along; no job may be in flight.</summary>
@@ -52,14 +49,11 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Where positions lie in a <see cref="PositionTable"/>.</summary>
     static class PositionHash
     {
-        /// <summary>States of a slot.</summary>
         public const byte Empty = 0, Wanted = 1, Seen = 2;
 
         /// <summary>The position's slot, or the empty one that it would take. There is an empty one.</summary>
-        /// <param name="slotCount">A power of two.</param>
         public static unsafe int SlotOf(double3* slots, byte* states, int slotCount, double3 position)
         {
             // Adding 0 makes one number of both zeros.
@@ -75,7 +69,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Puts the positions of a <see cref="PositionTable"/> into its slots; equal ones share a slot.</summary>
     [BurstCompile]
     public struct FillPositionTableJob : IJob
     {
@@ -132,7 +125,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Appends a slice of a batch's finite positions, georeferenced, to those that came before.</summary>
     [BurstCompile]
     public struct LoadPositionsJob : IJob
     {
@@ -142,8 +134,6 @@ namespace FastPoints.Evaluation
         public int First;
         public int Count;
         public NativeArray<double3> Points;
-
-        /// <summary>Places filled so far.</summary>
         public NativeReference<int> Loaded;
 
         public unsafe void Execute()

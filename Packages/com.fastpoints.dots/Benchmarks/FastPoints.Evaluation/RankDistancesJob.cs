@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>From squares of distances, in place, to their root mean square and ranks.</summary>
     [BurstCompile]
     public struct RankDistancesJob : IJob
     {
@@ -56,10 +55,7 @@ namespace FastPoints.Evaluation
     /// 1993. Infinite for an empty sample.</remarks>
     public struct DistanceError
     {
-        /// <summary>Points of the full cloud that were asked, of a uniform choice.</summary>
         public int Queries;
-
-        /// <summary>Root of the mean square.</summary>
         public double Rms;
 
         /// <summary>The distance that 95 (99) of 100 points do not exceed: the nearest rank, of place ceil(0.95 n).</summary>
@@ -67,12 +63,9 @@ namespace FastPoints.Evaluation
         public double Ranked99;
     }
 
-    /// <summary>Squares of the distances from some positions to the nearest point of a tree; index i is the i-th piece of
-    /// <see cref="QueriesPerPiece"/>.</summary>
     [BurstCompile]
     public struct NearestDistancesJob : IJobFor
     {
-        /// <summary>About a millisecond.</summary>
         public const int QueriesPerPiece = 512;
 
         [ReadOnly] public NativeArray<double3> Queries;
@@ -82,7 +75,6 @@ namespace FastPoints.Evaluation
         public int Count;
         public int Levels;
 
-        /// <summary>Pieces write disjoint places.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<double> DistancesSq;
 
         public static int PieceCount(int queries) => (queries + QueriesPerPiece - 1) / QueriesPerPiece;

@@ -10,7 +10,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>One scan of a source that draws all its points in several views and counts them into cells.</summary>
     sealed class ReferencePass : IBlockConsumer, IDisposable
     {
         readonly PointReader m_reader;
@@ -21,8 +20,6 @@ namespace FastPoints.Evaluation
         readonly CellOccupancy m_cloud;
         readonly CellOccupancy[] m_cellsOfSlot;
 
-        /// <param name="plans">Of each view; all of one size.</param>
-        /// <param name="cloud">What is counted into.</param>
         public ReferencePass(PointReader reader, ErrorGrid grid, PicturePlan[] plans, CellOccupancy cloud, int widthPx,
             int heightPx)
         {
@@ -37,17 +34,14 @@ namespace FastPoints.Evaluation
                 m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
         }
 
-        /// <summary>Of each view, when all is done.</summary>
         public RgbaImage[] Images { get; private set; }
 
-        /// <summary>Coroutine: the sizes of points for a picture of all, from a sample.</summary>
         public IEnumerator<JobStep> ChooseSizes(PointBatch sample, long pointsInSource)
         {
             for (int view = 0; view < m_plans.Length; view++)
                 yield return JobStep.Of(SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource));
         }
 
-        /// <summary>Coroutine: the scan.</summary>
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             yield return JobStep.Of(SourceScan.Run(m_reader, m_wanted, this, m_cellsOfSlot.Length, progress));
@@ -73,7 +67,6 @@ namespace FastPoints.Evaluation
             }
         }
 
-        /// <summary>Coroutine: the colours.</summary>
         public IEnumerator<JobStep> Resolve(PointBatch sample, uint background)
         {
             var images = new RgbaImage[m_plans.Length];
@@ -122,7 +115,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Adds one count of cells to another.</summary>
     [BurstCompile]
     public struct AddOccupancyJob : IJob
     {

@@ -3,10 +3,8 @@ using FastPoints.Picture;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>How far a sample is from the full cloud: see <see cref="CompareSamples"/>.</summary>
     public sealed class SampleError
     {
-        /// <summary>Points of the sample.</summary>
         public int Points;
 
         /// <summary>Of the full cloud's points, 0 to 1.</summary>
@@ -16,18 +14,12 @@ namespace FastPoints.Evaluation
         public DistanceError Distance;
 
         public CellError Cells;
-
-        /// <summary>The three views (top, front, iso) together, against those of the full cloud.</summary>
         internal ImageError Picture;
 
         /// <summary>The same against the views of a uniform sample of as many points; null where there was none.</summary>
         internal ImageError? PictureAtSameCount;
 
-        /// <summary>The views: top, front, iso.</summary>
         public RgbaImage[] Views;
-
-        /// <summary>Points of the sample that were looked for in the full cloud, and those that were found there. Known after
-        /// <see cref="CompareSamples.LookUp"/>.</summary>
         public int LookedUp;
         public int Found;
 

@@ -27,9 +27,6 @@ namespace FastPoints.Evaluation
         NativeArray<StoredColumn> m_columns;
         NativeArray<PointColumn> m_targets;
 
-        /// <param name="cloud">Number of a cloud in the stream. Its source streams the planes that the plan's colours need, and
-        /// its pool is a <see cref="MemoryNodePool"/>.</param>
-        /// <param name="plan">Supplies the colours; its camera is ignored.</param>
         internal StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
         {
             m_stream = stream;
@@ -77,7 +74,6 @@ namespace FastPoints.Evaluation
         /// <summary>Classes whose points are not drawn; the source must stream the classification.</summary>
         public ClassMask HiddenClasses { get; }
 
-        /// <summary>How the cloud's points are drawn for a camera in the world space of the stream's placements.</summary>
         internal PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
         {
             var cloud = m_stream.Clouds[m_cloud];
@@ -95,7 +91,6 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>Draws what the last frame listed. The stream must not run before the job is complete.</summary>
-        /// <param name="sizes">The tree of that frame, used if sizes are adaptive.</param>
         internal JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, SizeTree sizes, JobHandle inputDeps)
         {
             var cloud = m_stream.Clouds[m_cloud];

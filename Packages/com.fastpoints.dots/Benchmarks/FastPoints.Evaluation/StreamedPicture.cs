@@ -24,16 +24,13 @@ namespace FastPoints.Evaluation
             m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent);
         }
 
-        /// <summary>Adds a cloud.</summary>
         /// <param name="blocks">The blocks, which this picture owns.</param>
-        /// <param name="mode">Any mode except <see cref="ColorMode.Auto"/>.</param>
         public void Add(StreamedBlocks blocks, ColorMode mode)
         {
             m_clouds.Add(blocks);
             m_edlStrength = math.max(m_edlStrength, m_options.EdlFor(mode));
         }
 
-        /// <summary>Draws what the stream's last frame listed, as a camera sees it.</summary>
         public RgbaImage Draw(in Camera camera)
         {
             m_canvas.Clear();

@@ -11,28 +11,21 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Decodes every point of a source with all attributes and summarises them, in bounded memory.</summary>
     internal sealed class SummariseCloud : IBlockConsumer
     {
-        /// <summary>The memory that one slot's job writes to.</summary>
         struct SlotState
         {
             public NativeArray<PointColumn> Columns;
             public NativeArray<ColumnSummary> SummaryOfColumn;
             public NativeReference<PositionBounds> Bounds;
-
-            /// <summary>Points of each class, then of each return number, of all blocks of the slot.</summary>
             public NativeArray<long> Counts;
         }
 
-        /// <summary>Values of a byte.</summary>
         const int ByteValues = SummariseBlockJob.ByteValues;
 
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
         readonly bool m_hasPositions;
-
-        /// <summary>Whether the bounds follow from the axes' ranges: whole numbers become places in their own order.</summary>
         readonly bool m_areRangesBounds;
         SlotState[] m_slots;
 
@@ -50,12 +43,9 @@ namespace FastPoints.Evaluation
         /// <summary>Called on the main thread with each block while its points are there; may be null.</summary>
         public Action<BlockRead> Took { get; set; }
 
-        /// <summary>Complete when the work has ended.</summary>
         public CloudSummary Summary { get; }
 
-        /// <summary>Coroutine, with the stages <c>find blocks</c> and <c>scan</c>.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
-        /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobStep> Run(StageProgress progress, int slots = 0)
         {
             if (!m_reader.BlocksAreKnown)
@@ -178,7 +168,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>The results of a scan of all points: facts, where a header has claims.</summary>
     internal sealed class CloudSummary
     {
         public long Points { get; internal set; }
@@ -186,12 +175,8 @@ namespace FastPoints.Evaluation
         /// <summary>Bounds of all finite positions, georeferenced; empty if there are none.</summary>
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
-        /// <summary>Number of points with a position that is not finite.</summary>
         public long NonFinite { get; internal set; }
-
         public PointSchema Schema { get; internal set; }
-
-        /// <summary>One for each attribute of <see cref="Schema"/>.</summary>
         public ColumnSummary[] Columns { get; internal set; }
 
         /// <summary>Points by class and by return number; null where there are none.</summary>
@@ -199,7 +184,6 @@ namespace FastPoints.Evaluation
         public long[] ReturnCounts { get; internal set; }
     }
 
-    /// <summary>Finds range and sum of each column of a decoded block, and the bounds of its positions.</summary>
     [BurstCompile]
     internal struct SummariseBlockJob : IJob
     {

@@ -5,8 +5,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests
 {
-    /// <summary>The one place that knows where real clouds for tests lie: $FASTPOINTS_DATA, or else the folder <c>shared</c>
-    /// beside the repository. A test that wants data which is not there is skipped, and says so.</summary>
     public static class TestData
     {
         const string Variable = "FASTPOINTS_DATA", PackageFolder = "Packages/com.fastpoints.dots";
@@ -20,14 +18,12 @@ namespace FastPoints.Tests
         /// <summary>The folder of small sample files, or null.</summary>
         public static string Samples => TryPath("data/samples", out string path) || TryPath("samples", out path) ? path : null;
 
-        /// <summary>Whether a file or folder is there.</summary>
         public static bool TryPath(string relative, out string path)
         {
             path = Root == null ? null : Path.Combine(Root, relative.Replace('/', Path.DirectorySeparatorChar));
             return path != null && (File.Exists(path) || Directory.Exists(path));
         }
 
-        /// <summary>A file or folder; the test is skipped where it is absent.</summary>
         public static string PathOrIgnore(string relative)
         {
             if (!TryPath(relative, out string path))
@@ -35,7 +31,6 @@ namespace FastPoints.Tests
             return path;
         }
 
-        /// <summary>A file under the samples; the test is skipped where it is absent.</summary>
         public static string SampleOrIgnore(string relative)
         {
             string path = Samples == null ? null : Path.Combine(Samples, relative.Replace('/', Path.DirectorySeparatorChar));

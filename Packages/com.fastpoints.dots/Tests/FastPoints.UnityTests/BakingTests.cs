@@ -14,7 +14,6 @@ namespace FastPoints.UnityTests
     {
         const string SubScenePath = TestProject.Folder + "/sub.unity";
 
-        /// <summary>A subscene is baked by an import worker and streamed in play mode, as in a player.</summary>
         [UnityTest]
         public IEnumerator SubScene_WithACloud_IsBakedToAnEntityWithItsFile()
         {

@@ -7,14 +7,11 @@ using UnityEngine;
 
 namespace FastPoints.UnityTests
 {
-    /// <summary>The drop handlers over the editor's own asset database and scenes. That the windows call them, and copy nothing
-    /// when they have taken a drop, takes a hand with a mouse.</summary>
     [Category("Smoke")]
     public sealed class DropTests : TestProjectFixture
     {
         int m_copiedMiB;
 
-        /// <summary>Every file is large.</summary>
         [SetUp]
         public void CopyNothing()
         {

@@ -9,7 +9,6 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
 {
-    /// <summary>Importers in Unity's asset database, and conversions stepped by the editor's updates.</summary>
     [Category("Smoke")]
     public sealed class ImporterTests : TestProjectFixture
     {

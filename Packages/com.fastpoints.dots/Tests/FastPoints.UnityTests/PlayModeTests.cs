@@ -52,7 +52,6 @@ namespace FastPoints.UnityTests
             Assert.That(GameObject.Find(CloudName), Is.Not.Null, "the scene is as it was");
         }
 
-        /// <summary>The conversion that runs when play mode begins is suspended and comes to its end all the same.</summary>
         [UnityTest]
         public IEnumerator PlayMode_DuringAConversion_LosesNothing()
         {

@@ -13,7 +13,6 @@ namespace FastPoints.UnityTests
 {
     public sealed class PlayerBuildTests : TestProjectFixture
     {
-        /// <summary>Builds a player for the target that is chosen: minutes at the first time. Run it by hand.</summary>
         [UnityTest, Category("Long"), Explicit("builds a whole player")]
         public IEnumerator BuildPlayer_SceneWithACloud_HasItsFolderInStreamingAssets()
         {

@@ -15,15 +15,10 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
 {
-    /// <summary>What these tests put into the project that is open, and take away again: a folder in Assets, one outside of it,
-    /// and what was converted. Nothing is kept in fields: going to play mode loads scripts anew in the middle of a
-    /// test.</summary>
     public static class TestProject
     {
         public const string Folder = "Assets/FastPointsUnityTests";
         public const string Scene = Folder + "/main.unity";
-
-        /// <summary>What the user's settings say of point files; outlives a reload.</summary>
         const string PointFilesBefore = "FastPoints.UnityTests.PointFiles";
 
         /// <summary>How long a test waits for something that takes a second or two.</summary>
@@ -33,7 +28,6 @@ namespace FastPoints.UnityTests
 
         static EditorImports Imports => PointCloudImports.Current;
 
-        /// <summary>Conversions that wait or run. A failed one stays in the queue: its reason is the test's.</summary>
         public static bool IsConverting
         {
             get
@@ -82,7 +76,6 @@ namespace FastPoints.UnityTests
         public static string MakeScan(int points = 20_000) =>
             TerrainBenchmarkFile.Make(new WorkloadContext { ScratchFolder = Outside, Points = points });
 
-        /// <summary>A handle in the tests' folder for a scan outside; its conversion begins.</summary>
         public static PointCloudAsset TakeScan(int points = 20_000)
         {
             var asset = Imports.CreateAsset(MakeScan(points), Folder);
@@ -108,8 +101,6 @@ namespace FastPoints.UnityTests
             }
         }
 
-        /// <summary>Has the main camera draw: in batch mode there is no Game view, and one behind another tab draws
-        /// nothing.</summary>
         public static void Draw()
         {
             var camera = Camera.main;
@@ -118,20 +109,16 @@ namespace FastPoints.UnityTests
             camera.Render();
         }
 
-        /// <summary>When a test that begins to wait now gives up.</summary>
         public static DateTime Deadline() => DateTime.UtcNow.AddSeconds(PatienceSeconds);
 
         public static void AssertBefore(DateTime deadline, string what) =>
             Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
 
-        /// <summary>Nodes that the world's clouds have in the list of what to draw.</summary>
         public static int DrawnNodes() => (PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld)
             ?.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stats.DrawnNodes ?? 0;
 
-        /// <summary>Entities that are converted clouds on disk.</summary>
         public static int CloudFiles() => Count(ComponentType.ReadOnly<PointCloudFile>());
 
-        /// <summary>To go into play mode as the project's settings do.</summary>
         public static EnterPlayMode EnterPlayMode() => new EnterPlayMode(!EditorSettings.enterPlayModeOptionsEnabled ||
             (EditorSettings.enterPlayModeOptions & EnterPlayModeOptions.DisableDomainReload) == 0);
 

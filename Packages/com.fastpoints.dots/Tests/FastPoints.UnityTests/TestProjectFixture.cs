@@ -8,7 +8,6 @@ namespace FastPoints.UnityTests
     /// <summary>Each test begins with an empty folder in Assets and leaves the project as it was, play mode too.</summary>
     public abstract class TestProjectFixture
     {
-        /// <summary>The test that the project was made ready for.</summary>
         const string Begun = "FastPoints.UnityTests.Begun";
 
         /// <summary>No [SetUp]: scripts may be loaded anew within a test, and that would run again in the middle of it.</summary>

@@ -36,7 +36,6 @@ sealed class Archetype : IDisposable
         return null;
     }
 
-    /// <returns>The new row, its components zero and enabled.</returns>
     public int Add(Entity entity)
     {
         if (Count == m_entities.Length)
@@ -52,8 +51,6 @@ sealed class Archetype : IDisposable
         return Count++;
     }
 
-    /// <summary>The last row takes the removed one's place.</summary>
-    /// <returns>The entity that moved, or <see cref="Entity.Null"/>.</returns>
     public Entity Remove(int row)
     {
         int last = --Count;

@@ -3,7 +3,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace StandIns.Entities;
 
-/// <summary>One component of all entities of an archetype, row by row.</summary>
 sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
 {
     byte* m_bytes;
@@ -23,7 +22,6 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
         m_enabled = Grow(m_enabled, Info.IsEnableable ? count : 0, Info.IsEnableable ? capacity : 0);
     }
 
-    /// <summary>As a component is when it is added: zeros, and enabled.</summary>
     public void Reset(int row)
     {
         UnsafeUtility.MemClear(At(row), Info.SizeBytes);
@@ -31,7 +29,6 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
             m_enabled[row] = 1;
     }
 
-    /// <summary>What a buffer has moves along: one of the two rows is then reset.</summary>
     public void Move(int row, ComponentColumn to, int toRow)
     {
         UnsafeUtility.MemCpy(to.At(toRow), At(row), Info.SizeBytes);
@@ -39,7 +36,6 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
             to.m_enabled[toRow] = m_enabled[row];
     }
 
-    /// <summary>A buffer's copy has elements of its own.</summary>
     public void Copy(int row, ComponentColumn to, int toRow)
     {
         Move(row, to, toRow);
@@ -78,7 +74,6 @@ sealed unsafe class ComponentColumn(int typeIndex) : IDisposable
     }
 }
 
-/// <summary>The elements of one entity's buffer.</summary>
 unsafe struct BufferStore
 {
     public byte* Elements;

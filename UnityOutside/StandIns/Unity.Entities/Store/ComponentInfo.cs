@@ -3,7 +3,6 @@ using Unity.Entities;
 
 namespace StandIns.Entities;
 
-/// <summary>What the store knows of a component type.</summary>
 sealed class ComponentInfo
 {
     static readonly MethodInfo s_sizeOf = typeof(UnsafeUtility).GetMethod(nameof(UnsafeUtility.SizeOf), Type.EmptyTypes);

@@ -16,11 +16,9 @@ sealed class EntityStore : IDisposable
         public int Version;
         public Archetype Archetype;
         public int Row;
-        /// <summary>Only its cleanup components are left.</summary>
         public bool IsDestroyed;
     }
 
-    /// <summary>Of entities of one archetype, which a chunk has at least one of.</summary>
     const int ChunkBytes = 16320;
 
     public bool IsDisposed { get; private set; }
@@ -28,9 +26,7 @@ sealed class EntityStore : IDisposable
     public EntityStore Alive => !IsDisposed ? this
         : throw new ObjectDisposedException("EntityManager", "The world has been disposed.");
 
-    /// <summary>Rises with each structural change: what was looked up before is invalid.</summary>
     public int StructuralVersion { get; private set; }
-
     public int ArchetypeCount => m_archetypes.Count;
 
     public Archetype ArchetypeAt(int index) => m_archetypes[index];
@@ -78,7 +74,6 @@ sealed class EntityStore : IDisposable
         return entity;
     }
 
-    /// <param name="store">That of the entity.</param>
     /// <param name="left">The component that the copy does not have; cleanup components it never has.</param>
     public Entity Copy(EntityStore store, Entity source, int left = -1)
     {
@@ -97,7 +92,6 @@ sealed class EntityStore : IDisposable
         return copy;
     }
 
-    /// <summary>What has cleanup components keeps these until they are removed.</summary>
     public void Destroy(Entity entity)
     {
         // As in Unity: one that is gone is passed over.
@@ -122,7 +116,6 @@ sealed class EntityStore : IDisposable
 
     public bool Has(Entity entity, int type) => Exists(entity) && m_places[entity.Index].Archetype.Find(type) != null;
 
-    /// <returns>Whether it was not there.</returns>
     public bool Add(Entity entity, int type)
     {
         if (!Exists(entity))
@@ -137,7 +130,6 @@ sealed class EntityStore : IDisposable
         return true;
     }
 
-    /// <returns>Whether it was there.</returns>
     public bool Remove(Entity entity, int type)
     {
         if (!Exists(entity))

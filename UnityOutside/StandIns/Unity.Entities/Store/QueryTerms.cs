@@ -4,27 +4,15 @@ namespace StandIns.Entities;
 
 sealed class QueryTerms
 {
-    /// <summary>There, and enabled where it can be.</summary>
     public readonly List<int> All = new List<int>();
-
-    /// <summary>Of these one at least: there, and enabled.</summary>
     public readonly List<int> Any = new List<int>();
-
-    /// <summary>Not there, or disabled.</summary>
     public readonly List<int> None = new List<int>();
-
-    /// <summary>There, and disabled.</summary>
     public readonly List<int> Disabled = new List<int>();
-
-    /// <summary>There, whether enabled or not.</summary>
     public readonly List<int> Present = new List<int>();
 
     static readonly int s_disabled = TypeRegistry.Of<Disabled>.Index.Value;
     static readonly int s_prefab = TypeRegistry.Of<Prefab>.Index.Value;
-
-    /// <summary>Not there.</summary>
     public readonly List<int> Absent = new List<int>();
-
     public EntityQueryOptions Options;
     public bool HasOptions;
     public bool IsOfASystem;

@@ -2,13 +2,11 @@ using Unity.Entities;
 
 namespace StandIns.Entities;
 
-/// <summary>Component types, numbered as they are first met.</summary>
 static class TypeRegistry
 {
     static readonly List<ComponentInfo> s_infos = new List<ComponentInfo>();
     static readonly Dictionary<Type, int> s_indexOfType = new Dictionary<Type, int>();
 
-    /// <summary>The number of a type, without a look into the dictionary.</summary>
     public static class Of<T>
     {
         public static readonly TypeIndex Index = IndexOf(typeof(T));

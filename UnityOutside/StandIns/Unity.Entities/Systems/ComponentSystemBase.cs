@@ -45,7 +45,6 @@ public abstract class ComponentSystemBase
         }
     }
 
-    /// <summary>Whether it runs in this update: tells the system where that has changed.</summary>
     internal bool Begin()
     {
         if (!Enabled)

@@ -7,8 +7,6 @@ public sealed class World : IDisposable
     readonly List<ComponentSystemBase> m_systems = new List<ComponentSystemBase>();
     readonly EntityStore m_store = new EntityStore();
     readonly EntityManager m_entities;
-
-    /// <summary>Systems whose update has begun and not ended.</summary>
     internal int Executing;
 
     public World(string name, WorldFlags flags = WorldFlags.Simulation)

@@ -10,9 +10,7 @@ public sealed partial class Application
     /// <summary>As a test says.</summary>
     public static bool isBatchMode { get; internal set; }
 
-    /// <summary>Of a project that a test has made.</summary>
     internal static string AssetsPath;
-
     public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
 
     /// <summary>Of a test; there is none otherwise.</summary>

@@ -5,7 +5,6 @@ namespace UnityEngine;
 /// <summary>Everything goes to standard error: standard output belongs to the command line's own results.</summary>
 public partial class Debug
 {
-    /// <summary>Takes the place of standard error where a test wants to see what was logged.</summary>
     internal static Action<LogType, string> s_sink;
 
     public static void Log(object message) => Write(LogType.Log, message);

@@ -15,7 +15,6 @@ static class NamedFiles
     static readonly List<(string Path, OpenFile File)> s_open = new List<(string Path, OpenFile File)>();
 
     /// <summary>Opens a file if it is not open, on an I/O thread.</summary>
-    /// <returns>It has a reader more, which is to be removed after the read.</returns>
     internal static OpenFile Take(string path)
     {
         lock (s_open)

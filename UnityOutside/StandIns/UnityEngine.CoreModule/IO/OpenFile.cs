@@ -37,8 +37,6 @@ sealed unsafe class OpenFile
 
     internal FileStatus Status { get; private set; }
     internal JobHandle Opened { get; private set; }
-
-    /// <summary>Closes once the reads that were begun are done.</summary>
     internal Action Close { get; }
 
     internal static OpenFile Begin(string path)

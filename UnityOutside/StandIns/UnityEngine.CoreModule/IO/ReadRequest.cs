@@ -23,7 +23,6 @@ sealed unsafe class ReadRequest
     int m_status = (int)WaitingOnJob;
     bool m_cancelled;
 
-    /// <summary>A read that has not begun.</summary>
     /// <param name="path">A file to read by its name, or null where <paramref name="file"/> is given.</param>
     internal static ReadRequest Take(string path, OpenFile file, ReadCommand* commands, int count)
     {

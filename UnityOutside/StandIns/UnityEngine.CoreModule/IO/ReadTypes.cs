@@ -20,7 +20,6 @@ public enum ReadStatus
     Complete = 0,
     InProgress = 1,
     Failed = 2,
-    /// <summary>The file ended before the command did.</summary>
     Truncated = 4,
     Canceled = 5,
 }

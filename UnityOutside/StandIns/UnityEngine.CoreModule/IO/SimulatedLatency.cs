@@ -14,7 +14,6 @@ static class SimulatedLatency
     /// <summary>Reads since <see cref="Begin"/>.</summary>
     internal static long Reads => Interlocked.Read(ref s_reads);
 
-    /// <summary>The clock, in ticks of <see cref="Stopwatch"/>.</summary>
     internal static long Now
     {
         get

@@ -144,7 +144,6 @@ static class WindowsFiles
         return true;
     }
 
-    /// <summary>Whether a file of that name was deleted and is still open somewhere.</summary>
     static bool IsPending(string path)
     {
         string full = Path.GetFullPath(path);
@@ -156,7 +155,6 @@ static class WindowsFiles
         return false;
     }
 
-    /// <summary>Whether this process has the file open, or one below the folder; and what the strictest shares.</summary>
     static bool AnyOpen(string path, bool isFolder, out Share share, bool writersOnly = false)
     {
         string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));

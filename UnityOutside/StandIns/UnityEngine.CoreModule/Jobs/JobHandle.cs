@@ -11,7 +11,6 @@ namespace Unity.Jobs
             m_Version = node.Version;
         }
 
-        /// <summary>Starts what was scheduled, too.</summary>
         public bool IsCompleted
         {
             get
@@ -21,8 +20,6 @@ namespace Unity.Jobs
             }
         }
 
-        /// <summary>Starts what was scheduled, and waits for the job. What a job threw was logged, and is not thrown
-        /// here.</summary>
         public void Complete()
         {
             if (m_Index == 0)
@@ -67,10 +64,8 @@ namespace Unity.Jobs
         public static JobHandle CombineDependencies(NativeArray<JobHandle> jobs) =>
             LowLevel.Unsafe.JobHandleUnsafeUtility.CombineDependencies((JobHandle*)jobs.GetUnsafeReadOnlyPtr(), jobs.Length);
 
-        /// <summary>Jobs that were scheduled wait for this, or until somebody completes a job or asks whether one is.</summary>
         public static void ScheduleBatchedJobs() => JobScheduler.Flush();
 
-        /// <summary>Whether what depends on <paramref name="dependsOn"/> comes after <paramref name="jobHandle"/>.</summary>
         public static bool CheckFenceIsDependencyOrDidSyncFence(JobHandle jobHandle, JobHandle dependsOn)
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS

@@ -2,8 +2,6 @@ using System.Diagnostics;
 
 namespace StandIns.Memory;
 
-/// <summary>What is allocated and not yet freed, in the test build: leaks, TempJob memory that lives too long, memory freed twice
-/// or with another allocator than its own.</summary>
 static unsafe class AllocationLedger
 {
     /// <summary>Frames that TempJob memory may live.</summary>
@@ -71,7 +69,6 @@ static unsafe class AllocationLedger
         }
     }
 
-    /// <summary>Allocations alive, of one allocator or (Invalid) of all.</summary>
     internal static int Live(Allocator allocator = Allocator.Invalid)
     {
         lock (s_lock)
@@ -85,7 +82,6 @@ static unsafe class AllocationLedger
     }
 
     /// <summary>Ends a frame on the main thread; the host's stand-in for the player loop.</summary>
-    /// <exception cref="InvalidOperationException">TempJob memory is older than it may be; Unity logs the same.</exception>
     internal static void AdvanceFrame()
     {
         TempMemory.FreeSince(default);

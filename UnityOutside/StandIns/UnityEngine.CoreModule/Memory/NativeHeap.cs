@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace StandIns.Memory;
 
-/// <summary>The process's own heap, aligned.</summary>
 static unsafe class NativeHeap
 {
     // Unity's allocators give at least 16; vectors of 32 bytes then need no care either.

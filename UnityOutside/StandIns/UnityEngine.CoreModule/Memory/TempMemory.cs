@@ -39,7 +39,6 @@ static unsafe class TempMemory
         NativeHeap.Free(memory);
     }
 
-    /// <summary>Threads of the pool have no such memory.</summary>
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
     static void CheckThread()
     {

@@ -95,7 +95,6 @@ public unsafe partial struct AtomicSafetyHandle
         handle.m_Node->SecondaryVersion++;
     }
 
-    /// <summary>For making a view that stays valid while jobs are in flight (deferred arrays).</summary>
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
     public static void CheckGetSecondaryDataPointerAndThrow(AtomicSafetyHandle handle)
     {

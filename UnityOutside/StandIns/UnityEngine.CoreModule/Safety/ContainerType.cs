@@ -2,7 +2,6 @@ using System.Collections.Concurrent;
 
 namespace StandIns.Safety;
 
-/// <summary>A [NativeContainer] struct: what it allows, and where the fields lie that the job system knows by name.</summary>
 sealed class ContainerType
 {
     static readonly ConcurrentDictionary<Type, ContainerType> s_types = new ConcurrentDictionary<Type, ContainerType>();

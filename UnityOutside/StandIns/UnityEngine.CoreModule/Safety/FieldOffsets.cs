@@ -5,7 +5,6 @@ namespace StandIns.Safety;
 /// <summary>Where fields lie in a struct, as the runtime laid it out (not as it would be marshalled).</summary>
 static unsafe class FieldOffsets
 {
-    /// <param name="paths">Fields, each by the way to it from <paramref name="root"/>.</param>
     internal static int[] Of(Type root, IReadOnlyList<FieldInfo[]> paths)
     {
         var offsets = new int[paths.Count];

@@ -1,6 +1,5 @@
 namespace StandIns.Safety;
 
-/// <summary>One container of one scheduled job.</summary>
 sealed class JobAccess
 {
     public JobRecord Record;

@@ -14,8 +14,6 @@ static unsafe class JobChecks
             throw new InvalidOperationException($"{what} can only be called from the main thread.");
     }
 
-    /// <summary>Checks the job against the jobs in flight, adds it to them, and gives its copies of the containers the rights
-    /// that its fields declare.</summary>
     internal static JobRecord Register<T>(ref T job, bool parallel, JobHandle dependency, bool runsAtOnce = false)
         where T : struct
     {

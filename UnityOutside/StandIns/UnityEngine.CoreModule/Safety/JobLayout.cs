@@ -2,13 +2,11 @@ using System.Collections.Concurrent;
 
 namespace StandIns.Safety;
 
-/// <summary>A container in a job struct. Attributes of the structs around it count as its own.</summary>
 sealed class JobField
 {
     internal FieldInfo[] Path;
     internal ContainerType Type;
     internal int Offset;
-    /// <summary>Type and field, as messages name it; and the number of that name in a handle.</summary>
     internal string Name;
     internal int NameId;
     internal bool IsReadOnly;

@@ -51,7 +51,6 @@ sealed unsafe class JobRecord
 
     internal bool DependsDirectlyOn(JobRecord other) => Array.IndexOf(m_dependencies, other) >= 0;
 
-    /// <summary>Whether a job that depends on <paramref name="dependency"/> runs after this one.</summary>
     internal bool Precedes(JobHandle dependency)
     {
         if (m_synced)

@@ -1,6 +1,5 @@
 namespace StandIns.Safety;
 
-/// <summary>What an access that is not allowed throws, in Unity's types and roughly Unity's words.</summary>
 static unsafe class SafetyErrors
 {
     internal static void Deallocated(in AtomicSafetyHandle handle)

@@ -1,6 +1,5 @@
 namespace StandIns.Safety;
 
-/// <summary>Names of container types and job fields, as numbers that fit into a handle.</summary>
 static class SafetyNames
 {
     static readonly object s_lock = new object();

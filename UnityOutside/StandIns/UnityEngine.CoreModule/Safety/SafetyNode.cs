@@ -8,10 +8,8 @@ unsafe struct SafetyNode
     internal const int ReaderInFlight = 2;
 
     public int Version;
-    /// <summary>Of views that a growing container invalidates (NativeList.AsArray).</summary>
     public int SecondaryVersion;
     public int InFlight;
-    /// <summary>Index of the node's jobs in <see cref="InFlightJobs"/>.</summary>
     public int Index;
     public int BumpOnScheduledWrite;
 
@@ -33,7 +31,6 @@ unsafe struct SafetyNode
         }
     }
 
-    /// <param name="recycle">False while jobs in flight may still look at the node.</param>
     internal static void Release(SafetyNode* node, bool recycle)
     {
         lock (s_lock)

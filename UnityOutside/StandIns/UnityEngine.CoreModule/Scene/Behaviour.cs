@@ -20,8 +20,6 @@ public class Behaviour : Component
     }
 
     public bool isActiveAndEnabled => enabled && gameObject.activeInHierarchy;
-
-    /// <summary>How far it is told of its life.</summary>
     internal bool IsAwake { get; set; }
     internal bool IsTold { get; set; }
     internal bool IsStarted { get; set; }

@@ -34,12 +34,10 @@ static class SceneLoop
 
     internal static void DestroyLater(Object removing) => s_leaving.Add(removing);
 
-    /// <summary>Of components, those that are disabled and inactive, too.</summary>
     internal static T[] Find<T>() where T : Object => Objects.OfType<T>()
         .Concat(Objects.SelectMany(o => o.Components).OfType<T>())
         .ToArray();
 
-    /// <summary>A scene takes the place of those that are open.</summary>
     internal static void Clear()
     {
         foreach (var root in Objects.ToArray())
@@ -67,7 +65,6 @@ static class SceneLoop
         Send(behaviour, isOn ? "OnEnable" : "OnDisable");
     }
 
-    /// <summary>An editor that does not play has a component that was added just now set itself up.</summary>
     internal static void Added(Behaviour behaviour)
     {
         if (!IsPlaying)

@@ -35,13 +35,8 @@ public struct SceneHandle { }
 public partial class SceneManager
 {
     internal static Scene s_active;
-
-    /// <summary>Numbers of those that a test has closed.</summary>
     internal static readonly HashSet<int> s_closed = new HashSet<int>();
-
-    /// <summary>Those that a test has opened; without any there is the active one.</summary>
     internal static readonly List<Scene> s_open = new List<Scene>();
-
     public static int sceneCount => Math.Max(1, s_open.Count);
 
     public static Scene GetSceneAt(int index) => s_open.Count > 0 || index > 0 ? s_open[index] : s_active;

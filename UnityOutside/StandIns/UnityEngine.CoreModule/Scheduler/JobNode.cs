@@ -1,7 +1,5 @@
 namespace StandIns.Scheduling;
 
-/// <summary>One scheduled job, or (without work) something to wait for: combined dependencies, a read. Nodes are reused; a
-/// JobHandle names one by index and version.</summary>
 sealed class JobNode(int index)
 {
     internal readonly int Index = index;
@@ -11,15 +9,12 @@ sealed class JobNode(int index)
     internal int BatchSize;
     internal int BatchCount;
     internal bool Shared;
-    /// <summary>Something to do once the dependencies are done, in place of a job.</summary>
     internal Action Callback;
-
     internal volatile bool Done;
     internal volatile bool Waited;
     /// <summary>In the test build: the job for Unity's rules.</summary>
     internal JobRecord Record;
 
-    /// <summary>Dependencies not done yet, and one while the node is being set up.</summary>
     internal int Pending;
     internal JobNode NextFree;
 
@@ -49,7 +44,6 @@ sealed class JobNode(int index)
         m_dependentCount = 0;
     }
 
-    /// <summary>Makes <paramref name="dependent"/> wait for this node, unless it is done already.</summary>
     internal void AddDependent(int version, JobNode dependent)
     {
         lock (this)
@@ -65,14 +59,12 @@ sealed class JobNode(int index)
         }
     }
 
-    /// <summary>Opens the batches to takers.</summary>
     internal void Publish()
     {
         m_unfinishedBatches = BatchCount;
         Volatile.Write(ref m_cursor, (long)Version << 32);
     }
 
-    /// <summary>Whether batches of this version are still to be taken.</summary>
     internal bool HasWork(int version)
     {
         long cursor = Volatile.Read(ref m_cursor);
@@ -103,10 +95,8 @@ sealed class JobNode(int index)
         return false;
     }
 
-    /// <returns>Whether these were the last batches.</returns>
     internal bool BatchesDone(int count) => Interlocked.Add(ref m_unfinishedBatches, -count) == 0;
 
-    /// <summary>From now on nobody can depend on the node: those who do are listed.</summary>
     internal int Close(out JobNode[] dependents)
     {
         lock (this)
@@ -118,7 +108,6 @@ sealed class JobNode(int index)
     }
 
     /// <summary>The main thread has completed the node: it need not be kept for that.</summary>
-    /// <returns>Whether the node can be reused.</returns>
     internal bool Observe(int version)
     {
         lock (this)
@@ -131,7 +120,6 @@ sealed class JobNode(int index)
     }
 
     /// <summary>The finishing thread looks at the node no more.</summary>
-    /// <returns>Whether the node can be reused.</returns>
     internal bool LetGo()
     {
         lock (this)
@@ -145,7 +133,6 @@ sealed class JobNode(int index)
         }
     }
 
-    /// <summary>Makes handles to the node stale.</summary>
     internal void Retire()
     {
         lock (this)

@@ -1,6 +1,5 @@
 namespace StandIns.Scheduling;
 
-/// <summary>All nodes, by the index that is in a JobHandle.</summary>
 static class JobNodes
 {
     static readonly object s_lock = new object();

@@ -60,7 +60,6 @@ static class JobQueue
         return false;
     }
 
-    /// <summary>Sleeps until a job is pushed or a read is begun.</summary>
     internal static void WaitForWork()
     {
         lock (s_gate)
@@ -73,7 +72,6 @@ static class JobQueue
         }
     }
 
-    /// <summary>Sleeps until a job is pushed or the node is done.</summary>
     internal static void WaitFor(JobNode node, int version)
     {
         lock (s_gate)

@@ -1,9 +1,7 @@
 namespace StandIns.Scheduling;
 
-/// <summary>How long runs of a job took.</summary>
 sealed class JobRuns
 {
-    /// <summary>Of a bucket; the last has all that is longer.</summary>
     internal const double MsPerBucket = 0.01;
 
     readonly int[] m_runsOfBucket = new int[4096];

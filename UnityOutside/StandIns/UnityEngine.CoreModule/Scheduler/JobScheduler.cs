@@ -1,7 +1,5 @@
 namespace StandIns.Scheduling;
 
-/// <summary>Schedules, runs and completes jobs. A job waits until what is scheduled is flushed, and starts as soon as its
-/// dependencies are done.</summary>
 static unsafe partial class JobScheduler
 {
     // A job that became ready when this worker finished another, and that nobody else has to be woken for.
@@ -47,7 +45,6 @@ static unsafe partial class JobScheduler
         return handle;
     }
 
-    /// <summary>Lets the workers have all that was scheduled.</summary>
     internal static void Flush()
     {
         if (Volatile.Read(ref s_heldCount) == 0)
@@ -92,7 +89,6 @@ static unsafe partial class JobScheduler
         }
     }
 
-    /// <summary>A handle that is done when all of the given ones are.</summary>
     internal static JobHandle Combine(JobHandle* handles, int count)
     {
         JobNode node = JobNodes.Take();
@@ -107,7 +103,6 @@ static unsafe partial class JobScheduler
         return handle;
     }
 
-    /// <summary>A handle that somebody else, say a read, will make done with <see cref="FinishExternal"/>.</summary>
     internal static JobNode BeginExternal() => JobNodes.Take();
 
     internal static void FinishExternal(JobNode node) => Release(node);
@@ -140,7 +135,6 @@ static unsafe partial class JobScheduler
         return Volatile.Read(ref node.Version) != handle.m_Version || node.Done;
     }
 
-    /// <summary>Waits for the job, running others and reads that nobody has begun meanwhile.</summary>
     internal static void Complete(JobHandle handle)
     {
         if (handle.m_Index == 0)
@@ -178,7 +172,6 @@ static unsafe partial class JobScheduler
         record?.Sync();
     }
 
-    /// <summary>Runs one job that is ready, if there is one.</summary>
     internal static bool RunOne()
     {
         JobNode node = t_next;
@@ -223,7 +216,6 @@ static unsafe partial class JobScheduler
             JobNodes.At(dependency.m_Index).AddDependent(dependency.m_Version, node);
     }
 
-    /// <summary>One thing less that the node waits for; after the last it is ready.</summary>
     static void Release(JobNode node)
     {
         if (Interlocked.Decrement(ref node.Pending) != 0)
@@ -275,7 +267,6 @@ static unsafe partial class JobScheduler
         return ran;
     }
 
-    /// <summary>Batches of a node have ended that <see cref="Execute"/> ran.</summary>
     internal static void EndBatches(JobNode node, int count)
     {
         if (node.BatchesDone(count))

@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace StandIns.Scheduling;
 
-/// <summary>How often jobs of each kind ran, and how long: for measurements. Off until it is begun.</summary>
 /// <remarks>On Linux in time of the processor, to which other load of the machine adds little; elsewhere by the clock.</remarks>
 static class JobTimes
 {
@@ -12,7 +11,6 @@ static class JobTimes
 
     internal static bool AreTaken => Volatile.Read(ref s_runsOfKind) != null;
 
-    /// <summary>Starts, or starts again.</summary>
     internal static void Begin() => Volatile.Write(ref s_runsOfKind, []);
 
     /// <summary>What was measured, by kind of job; ends the measurement.</summary>

@@ -6,7 +6,6 @@ interface IJobKind<T> where T : struct
     void Execute(ref T job, int begin, int end);
 }
 
-/// <summary>A scheduled job's own copy of the job struct.</summary>
 abstract class JobWork
 {
     internal abstract Type JobType { get; }
@@ -14,7 +13,6 @@ abstract class JobWork
     /// <param name="shared">Other threads run other ranges of the same job.</param>
     internal abstract void Execute(int begin, int end, bool shared, int threadIndex);
 
-    /// <summary>The job is done: frees what it was told to free and goes back to its pool.</summary>
     internal abstract void Finish();
 }
 
@@ -42,7 +40,6 @@ sealed class JobWork<T, TKind> : JobWork where T : struct where TKind : struct, 
         return work;
     }
 
-    /// <summary>Back to the pool without having run.</summary>
     internal void Return()
     {
         lock (s_lock)

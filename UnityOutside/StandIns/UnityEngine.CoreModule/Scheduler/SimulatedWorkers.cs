@@ -9,7 +9,6 @@ static class SimulatedWorkers
 {
     static readonly Queue<(JobNode Node, int Version)> s_ready = new Queue<(JobNode, int)>();
 
-    /// <summary>By when they end; of those that end together, the first to begin.</summary>
     static readonly SortedDictionary<(double EndMs, long Number), (JobNode Node, int Batches)> s_running =
         new SortedDictionary<(double, long), (JobNode, int)>();
 
@@ -20,11 +19,8 @@ static class SimulatedWorkers
 
     internal static bool IsOn { get; private set; }
     internal static double NowMs { get; private set; }
-
-    /// <summary>In ticks of <see cref="Stopwatch"/>.</summary>
     internal static long Ticks => (long)(NowMs * Stopwatch.Frequency / 1000);
 
-    /// <param name="jobMs">A worker's time for a job, or for a batch of a parallel one.</param>
     /// <param name="callMs">The main thread's time to schedule a job, or to look whether it is done.</param>
     internal static void Begin(int workers, double jobMs, double callMs)
     {
@@ -36,7 +32,6 @@ static class SimulatedWorkers
         JobWorkers.Count = workers;
     }
 
-    /// <summary>Everything must have ended.</summary>
     internal static void End()
     {
         IsOn = false;
@@ -50,7 +45,6 @@ static class SimulatedWorkers
     /// <summary>The main thread schedules a job, or looks at one.</summary>
     internal static void Call() => AdvanceTo(NowMs + s_callMs);
 
-    /// <summary>Brings the clock forward, and with it all workers.</summary>
     internal static void AdvanceTo(double ms)
     {
         Start();
@@ -59,8 +53,6 @@ static class SimulatedWorkers
         NowMs = Math.Max(NowMs, ms);
     }
 
-    /// <summary>Brings the clock forward to the end of the job that ends next.</summary>
-    /// <returns>Whether there is one.</returns>
     internal static bool EndNext()
     {
         Start();

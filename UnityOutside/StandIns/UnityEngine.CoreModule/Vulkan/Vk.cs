@@ -1,10 +1,8 @@
 namespace StandIns.Vulkan;
 
-/// <summary>
-/// The commands of Vulkan 1.3 that the stand-ins call, under their own names, so that its specification explains them. A
-/// process that draws nothing never comes here, and so never loads the library. Of large structures only the fields that are
-/// read or set are declared, where they lie in a 64-bit process.
-/// </summary>
+/// <summary>The commands of Vulkan 1.3 that the stand-ins call, under their own names, so that its specification explains them. A
+/// process that draws nothing never comes here, and so never loads the library. Of large structures only the fields that are read
+/// or set are declared, where they lie in a 64-bit process.</summary>
 static unsafe partial class Vk
 {
     internal const uint ApiVersion = (1u << 22) | (3u << 12);

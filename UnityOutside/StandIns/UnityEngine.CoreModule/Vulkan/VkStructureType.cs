@@ -1,6 +1,5 @@
 namespace StandIns.Vulkan;
 
-/// <summary>What a structure says of itself in its first field.</summary>
 enum VkStructureType
 {
     ApplicationInfo = 0,

@@ -1,6 +1,5 @@
 namespace UnityOutside.Tests.StandIns.Graphics;
 
-/// <summary>Squares in front of a camera at the origin that looks along -Z, as a view matrix of Unity's does.</summary>
 public sealed class DrawTests : GraphicsFixture
 {
     private const int Side = 32;

@@ -1,6 +1,5 @@
 namespace UnityOutside.Tests.StandIns.Graphics;
 
-/// <summary>Frames as a streaming scene has them: a ring of staging buffers, a copy into a pool, draws.</summary>
 public sealed class FrameTests : GraphicsFixture
 {
     private const int RingBuffers = HeadlessGraphics.FramesInFlight + 1;

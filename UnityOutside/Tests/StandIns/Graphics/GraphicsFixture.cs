@@ -1,7 +1,5 @@
 namespace UnityOutside.Tests.StandIns.Graphics;
 
-/// <summary>What tests of the graphics have in common: a device with the validation layer watching, and nothing that it
-/// says.</summary>
 public abstract class GraphicsFixture
 {
     [OneTimeSetUp]
@@ -34,7 +32,6 @@ public abstract class GraphicsFixture
         return data;
     }
 
-    /// <summary>The texels, the lowest row first.</summary>
     protected static T[] Read<T>(Texture texture, int layer = 0) where T : struct
     {
         AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture);

@@ -2,7 +2,6 @@ using StandIns.Vulkan;
 
 namespace UnityOutside.Tests.StandIns.Graphics;
 
-/// <summary>Reading and compiling shaders; what needs no device runs without one.</summary>
 public sealed class ShaderToolTests
 {
     private const string Pass = "HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"

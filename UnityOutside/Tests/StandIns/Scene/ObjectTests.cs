@@ -1,6 +1,5 @@
 namespace UnityOutside.Tests.StandIns;
 
-/// <summary>Objects that go, and what behaviours are told of their lives.</summary>
 public sealed class ObjectTests
 {
     static readonly List<string> s_told = new List<string>();

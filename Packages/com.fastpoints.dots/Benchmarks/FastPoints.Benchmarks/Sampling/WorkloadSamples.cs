@@ -3,10 +3,8 @@ using System.Linq;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The samples of one workload, and the figures that follow from them.</summary>
     public sealed class WorkloadSamples
     {
-        /// <summary>Names of the series. Scripts and comparisons with earlier runs go by them.</summary>
         public const string Time = "Time", PointsPerSecond = "Points/s", BytesPerSecond = "Bytes/s",
             Garbage = "GC", Error = "Error", TimesLimit = "Times limit";
 
@@ -24,8 +22,6 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
-
-        /// <summary>Points that one run works on.</summary>
         public long Points => m_result.Points;
 
         /// <summary>Bytes of input that one run works on, 0 where bytes mean nothing.</summary>
@@ -35,13 +31,8 @@ namespace FastPoints.Benchmarks
         public string ErrorUnit => m_result.ErrorUnit;
 
         public string Note => m_result.Note;
-
-        /// <summary>A workload that did nothing had no input: the clouds that it wants are not there.</summary>
         public bool HadInput => m_result.Points > 0 || m_result.Bytes > 0;
-
-        /// <summary>Milliseconds of one run, a sample each.</summary>
         public IReadOnlyList<double> Ms => m_ms;
-
         public double MedianMs => Median(m_ms);
         public double MedianError => Median(m_errors);
         public double MedianGarbageBytes => Median(m_garbageBytes);
@@ -56,8 +47,6 @@ namespace FastPoints.Benchmarks
             ? m_ms.Zip(m_limit.m_ms, (own, limit) => own / limit * Amount(m_limit, this))
             : Enumerable.Empty<double>();
 
-        /// <param name="ms">Milliseconds of one run.</param>
-        /// <param name="garbageBytes">Managed bytes that it allocated.</param>
         public void Add(double ms, double garbageBytes, in WorkloadResult result)
         {
             m_ms.Add(ms);
@@ -66,7 +55,6 @@ namespace FastPoints.Benchmarks
             m_result = result;
         }
 
-        /// <summary>The sample groups of this workload; the error is among them whether or not there is any.</summary>
         public IEnumerable<SampleSeries> Series()
         {
             yield return new SampleSeries(Time, SeriesUnit.Millisecond, false, m_ms);
@@ -109,7 +97,6 @@ namespace FastPoints.Benchmarks
         Undefined = 8,
     }
 
-    /// <summary>What one figure of a workload was in each sample: a sample group of the Performance Testing package.</summary>
     public readonly struct SampleSeries
     {
         public readonly string Name;
@@ -117,7 +104,6 @@ namespace FastPoints.Benchmarks
         public readonly bool IncreaseIsBetter;
         public readonly IReadOnlyList<double> Samples;
 
-        /// <param name="samples">What is not finite is left out: neither JSON nor a median can hold it.</param>
         public SampleSeries(string name, SeriesUnit unit, bool increaseIsBetter, IEnumerable<double> samples)
         {
             Name = name;

@@ -19,7 +19,6 @@ namespace FastPoints.Benchmarks
                 .Select(group => group.OrderBy(w => w.LimitName == null ? 0 : 1).ToList());
         }
 
-        /// <summary>Prepares, warms up, times and disposes one group.</summary>
         public static List<WorkloadSamples> Take(IReadOnlyList<IWorkload> group, WorkloadContext context, TurnSettings settings)
         {
             var samples = new List<WorkloadSamples>();
@@ -60,7 +59,6 @@ namespace FastPoints.Benchmarks
             samples.Add(ms, (double)(settings.AllocatedBytes() - allocated) / repeats, result);
         }
 
-        /// <summary>Milliseconds that a run takes, on the average of the warm-up.</summary>
         static double WarmUp(IWorkload workload, TurnSettings settings)
         {
             var watch = Stopwatch.StartNew();
@@ -71,10 +69,8 @@ namespace FastPoints.Benchmarks
         }
     }
 
-    /// <summary>How workloads are timed.</summary>
     public sealed class TurnSettings
     {
-        /// <summary>Samples of each workload.</summary>
         public int Turns = 7;
 
         /// <summary>Managed bytes that were allocated until now, on all threads.</summary>

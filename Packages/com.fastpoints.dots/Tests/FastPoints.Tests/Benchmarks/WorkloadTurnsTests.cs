@@ -9,7 +9,6 @@ namespace FastPoints.Tests.Benchmarks
     [Category("Smoke")]
     public sealed class WorkloadTurnsTests
     {
-        /// <summary>Writes down what is done to it.</summary>
         sealed class Told : IWorkload
         {
             readonly List<string> m_log;

@@ -44,7 +44,6 @@ namespace FastPoints.Tests.Build
             return result;
         }
 
-        /// <summary>Converts, and proves that the same points are there.</summary>
         ConvertResult Prove(MemoryReader reader, ConvertSettings settings = null)
         {
             var converted = Convert(reader, "cloud", settings);
@@ -381,7 +380,6 @@ namespace FastPoints.Tests.Build
         static unsafe byte* ColumnOf(PointBatch batch, int column) =>
             (byte*)batch.Bytes.GetUnsafeReadOnlyPtr() + batch.Column(column).OffsetBytes;
 
-        /// <summary>Of the intensities of so many points from the root down.</summary>
         static unsafe double Deviation(CloudFolder folder, NodeSelection selection, Camera? camera, long budget)
         {
             selection.Choose(camera?.ToStreamView(4000, 4000), budget);

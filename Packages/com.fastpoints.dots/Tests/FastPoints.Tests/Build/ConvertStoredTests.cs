@@ -15,14 +15,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Build
 {
-    /// <summary>Builds whose points do not fit into memory, and builds that were killed.</summary>
     public class ConvertStoredTests : FolderTests
     {
         const int Points = 200000;
 
         static readonly PositionTransform s_centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };
 
-        /// <summary>A street's worth of unevenness: a flat half, a dense corner, one far point.</summary>
         static MemoryReader Uneven(int count = Points, int blockPoints = 2000)
         {
             var random = new Unity.Mathematics.Random(5);
@@ -376,7 +374,6 @@ namespace FastPoints.Tests.Build
             Assert.That(Directory.GetFiles(Target("cloud")), Has.Length.EqualTo(3));
         }
 
-        /// <summary>Converts, and stops at each new generation.</summary>
         IEnumerable<long> Generations(ConvertSettings settings)
         {
             string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);

@@ -2,7 +2,6 @@ using System;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
-using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Tests.Support;
@@ -22,7 +21,6 @@ namespace FastPoints.Tests.Build
             return bytes;
         }
 
-        /// <summary>As a network gives it: in pieces of a few bytes to a few thousand. Waits where it is told to.</summary>
         sealed class Trickle : MemoryStream
         {
             readonly System.Random m_random = new System.Random(2);

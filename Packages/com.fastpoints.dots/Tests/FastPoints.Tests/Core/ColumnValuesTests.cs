@@ -168,7 +168,6 @@ namespace FastPoints.Tests.Core
             Assert.That(found.Bounds.Max, Is.EqualTo(new double3(108, 5, 6)));
         }
 
-        /// <summary>Vectors and what is left over behave as single values do.</summary>
         [TestCase(AttributeType.UInt8)]
         [TestCase(AttributeType.UInt16)]
         [TestCase(AttributeType.Int16)]

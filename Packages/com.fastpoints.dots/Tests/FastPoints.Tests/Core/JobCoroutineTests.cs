@@ -22,7 +22,6 @@ namespace FastPoints.Tests.Core
             m_atInnermost = () => { };
         }
 
-        /// <summary>A step, what is nested, a step.</summary>
         IEnumerator<JobStep> Level(int levels)
         {
             try
@@ -66,7 +65,6 @@ namespace FastPoints.Tests.Core
             Assert.That(value.Value, Is.EqualTo(7));
         }
 
-        /// <summary>With a clock that stands, a look lasts until its job has ended.</summary>
         [Test]
         public void Tick_ShortJobsInARow_DoesNotTakeATickForEach()
         {
@@ -115,7 +113,6 @@ namespace FastPoints.Tests.Core
 
         static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();
 
-        /// <summary>Awaits jobs of a tenth of a millisecond that wait for the gate.</summary>
         static IEnumerator<JobStep> Waits(int jobs)
         {
             var job = default(JobHandle);

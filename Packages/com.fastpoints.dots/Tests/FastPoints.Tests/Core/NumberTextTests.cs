@@ -91,7 +91,6 @@ namespace FastPoints.Tests.Core
             }
         }
 
-        /// <summary>The two texts of one significant digit less that are next to it.</summary>
         static bool Shortened(string text, out string below, out string above)
         {
             int e = text.IndexOf('E');

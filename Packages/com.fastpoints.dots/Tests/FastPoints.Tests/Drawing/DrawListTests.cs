@@ -13,7 +13,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Drawing
 {
-    /// <summary>What draws read, against the cloud in double: the arithmetic of the shader is done here in floats.</summary>
     [Category("Smoke")]
     public sealed unsafe class DrawListTests
     {
@@ -59,7 +58,6 @@ namespace FastPoints.Tests.Drawing
                 System.Threading.Thread.Yield();
         }
 
-        /// <summary>Each point: where the shader has it, from the camera, and where it is.</summary>
         static IEnumerable<(double3 Drawn, double3 True)> PlacesOf(StreamContext stream, DrawList list, double3 eyeWorld)
         {
             var places = new List<(double3, double3)>();
@@ -172,7 +170,6 @@ namespace FastPoints.Tests.Drawing
             Assert.That(worst, Is.GreaterThan(0).And.LessThan(4 * Ulp));
         }
 
-        /// <summary>Turned about Z, then scaled along the world's axes.</summary>
         static double3x3 Turned(double angle, double3 scale)
         {
             double sin = math.sin(angle), cos = math.cos(angle);

@@ -23,7 +23,6 @@ namespace FastPoints.Tests.Drawing
             Assert.That(size.ToPx(0, float.PositiveInfinity), Is.EqualTo(10));
         }
 
-        /// <summary>A component that nobody filled in.</summary>
         [Test]
         public void ToPx_NothingSet_IsOnePixel() => Assert.That(default(PointSize).ToPx(1, 1), Is.EqualTo(1));
     }

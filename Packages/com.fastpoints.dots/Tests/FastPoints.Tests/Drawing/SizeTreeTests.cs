@@ -10,7 +10,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Drawing
 {
-    /// <summary>The tree of sizes against a search through all nodes that are drawn.</summary>
     public sealed unsafe class SizeTreeTests
     {
         StreamedTestCloud m_cloud;
@@ -21,7 +20,6 @@ namespace FastPoints.Tests.Drawing
         [OneTimeTearDown]
         public void DeleteCloud() => m_cloud?.Dispose();
 
-        /// <summary>The grid cube of what is drawn: corner and edge, in steps from the corner of the root cube.</summary>
         static (Grid3 Corner, long Edge) CubeOf(StreamContext stream, DrawnNode drawn)
         {
             var cloud = stream.Clouds[drawn.Cloud];
@@ -35,7 +33,6 @@ namespace FastPoints.Tests.Drawing
             return from.X >= 0 && from.Y >= 0 && from.Z >= 0 && from.X < cube.Edge && from.Y < cube.Edge && from.Z < cube.Edge;
         }
 
-        /// <summary>From node to node by the lists' own parents: the deepest below one that has a place.</summary>
         static int DeepestBelow(StreamContext stream, Dictionary<int, List<int>> childrenOf, int drawn, Grid3 place)
         {
             for (; ; )
@@ -70,7 +67,6 @@ namespace FastPoints.Tests.Drawing
             CheckGaps(stream, sizes, (float)scale);
         }
 
-        /// <summary>Small heaps of points far apart: what is between them has no points, and so no nodes.</summary>
         [Test]
         public void GapAt_NodesSeveralLevelsBelowTheirParents_IsThatOfTheDeepestNodeDrawnThere()
         {

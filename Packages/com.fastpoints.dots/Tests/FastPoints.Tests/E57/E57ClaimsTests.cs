@@ -2,14 +2,12 @@ using System;
 using System.Linq;
 using System.Text;
 using FastPoints.Core;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.E57
 {
-    /// <summary>Files that claim what is not so: a failure that says where, or the points that are there and a warning.</summary>
     public class E57ClaimsTests
     {
         const int Count = 20000;
@@ -34,7 +32,6 @@ namespace FastPoints.Tests.E57
             Assert.That(contents.Column<float>("X"), Is.EqualTo(Enumerable.Range(first, count).Select(i => (float)i)));
         }
 
-        /// <summary>Changes bytes of the content at a logical offset, and puts the checksums right.</summary>
         static byte[] With(byte[] file, long logical, params byte[] bytes)
         {
             for (int i = 0; i < bytes.Length; i++)

@@ -1,7 +1,6 @@
 using System;
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -9,7 +8,6 @@ using static FastPoints.Tests.E57.E57TestScans;
 
 namespace FastPoints.Tests.E57
 {
-    /// <summary>Several scans of one file as one cloud: their poses, their grids, and fields that not all of them have.</summary>
     public class E57ManyScansTests
     {
         [Test]

@@ -7,8 +7,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.E57
 {
-    /// <summary>Damaged files end in a failure that names them, or in points and warnings; nothing else, and nothing
-    /// large.</summary>
     public class E57MutationTests
     {
         const int Count = 900;

@@ -3,7 +3,6 @@ using System.Linq;
 using FastPoints.Core;
 using FastPoints.E57;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

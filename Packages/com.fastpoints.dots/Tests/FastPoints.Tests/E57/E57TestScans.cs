@@ -1,13 +1,11 @@
 using System;
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.E57
 {
-    /// <summary>Small scans of a known content, and what was read of them.</summary>
     static class E57TestScans
     {
         public static double[] Reals(int count, double first, double step) =>
@@ -28,7 +26,6 @@ namespace FastPoints.Tests.E57
             });
         }
 
-        /// <summary>Positions that are scaled integers of odd widths.</summary>
         public static E57TestScan Grid(int count, double scale = 0.001, double offset = 0, int seed = 1) => new E57TestScan(
             E57TestField.Scaled("cartesianX", -100000, 120000, scale, offset, RandomLongs(count, -100000, 120000, seed)),
             E57TestField.Scaled("cartesianY", 5, 4100, scale, offset, RandomLongs(count, 5, 4100, seed + 1)),

@@ -17,10 +17,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
 {
-    /// <summary>Copies of entities of clouds: each opens a cloud of its own, whatever has become of the original.</summary>
     public sealed class CloudCopiesTests
     {
-        /// <summary>How far the original is when it is copied.</summary>
         public enum Moment { Waiting, Opening, Opened, Shown }
 
         static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(2);

@@ -19,7 +19,6 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
 {
-    /// <summary>Entities whose clouds are not converted yet, or never are.</summary>
     public sealed class CloudStatesTests
     {
         static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
@@ -175,7 +174,6 @@ namespace FastPoints.Tests.Entities
             m_world.Dispose();
         }
 
-        /// <summary>In edit mode no frame comes but those that are asked for.</summary>
         [Test]
         public void NeedsFrame_HierarchyThatIsReadPageByPage_IsTrueUntilAllIsShown()
         {
@@ -254,7 +252,6 @@ namespace FastPoints.Tests.Entities
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
 
-        /// <summary>A reload of scripts at any moment.</summary>
         [Test]
         public void Dispose_OfTheWorldInTheMiddleOfAPreview_FreesAll()
         {

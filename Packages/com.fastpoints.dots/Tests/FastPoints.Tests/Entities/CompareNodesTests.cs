@@ -8,7 +8,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Entities
 {
-    /// <summary>What entities of nodes a frame makes, destroys and updates.</summary>
     public sealed class CompareNodesTests
     {
         const int Max = 10, Count = 45;
@@ -69,7 +68,6 @@ namespace FastPoints.Tests.Entities
                 m_slots[i] = new CachedNode { Phase = phase, Version = version };
         }
 
-        /// <summary>Compares until nothing is left, and returns what each time did.</summary>
         List<(int Come, int Gone, int Changed)> Follow()
         {
             var done = new List<(int Come, int Gone, int Changed)>();

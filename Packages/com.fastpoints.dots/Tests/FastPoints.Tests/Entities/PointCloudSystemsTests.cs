@@ -13,7 +13,6 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
 {
-    /// <summary>Clouds and nodes as entities, in a world of the test's own.</summary>
     [Category("Smoke")]
     public sealed class PointCloudSystemsTests
     {
@@ -74,8 +73,6 @@ namespace FastPoints.Tests.Entities
             return m_group.Stats;
         }
 
-        /// <summary>Frames until all that is selected is drawn and entities have followed.</summary>
-        /// <param name="hasAll">False where somebody took entities away.</param>
         FrameStats Settle(Camera camera, bool hasAll = true)
         {
             for (int frame = 0; frame < MaxFrames; frame++)
@@ -122,7 +119,6 @@ namespace FastPoints.Tests.Entities
             Assert.That(points, Is.EqualTo(stats.DrawnPoints));
         }
 
-        /// <summary>Frames until it is shown, without waiting for entities.</summary>
         void SettleStream()
         {
             while (!Frame(StreamedTestCloud.Overview()).IsSettled)
@@ -281,7 +277,6 @@ namespace FastPoints.Tests.Entities
             return entity;
         }
 
-        /// <summary>Frames until the file is open, or could not be.</summary>
         void AwaitOpen(Entity entity)
         {
             for (int frame = 0; frame < MaxFrames && !Entities.HasComponent<StreamedPointCloud>(entity) &&
@@ -346,7 +341,6 @@ namespace FastPoints.Tests.Entities
             Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(1 << 17));
         }
 
-        /// <summary>At any moment of a load.</summary>
         [Test]
         public void Dispose_OfTheWorldWhileItStreams_FreesAll()
         {

@@ -41,7 +41,6 @@ namespace FastPoints.Tests.Evaluation
             return picture.Draw(camera);
         }
 
-        /// <summary>From packed blocks in the pool, and from points that the other way unpacked: the same picture.</summary>
         [Test]
         public void Draw_AllIsResident_IsThePictureOfTheStoredCloud()
         {

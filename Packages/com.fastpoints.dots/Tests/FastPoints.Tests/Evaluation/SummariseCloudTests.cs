@@ -121,7 +121,6 @@ namespace FastPoints.Tests.Evaluation
             }
         }
 
-        /// <summary>One value at a time, joined.</summary>
         static unsafe void Add(ref ColumnSummary summary, AttributeType type, byte* value)
         {
             var one = ColumnSummary.EmptyOf(type);

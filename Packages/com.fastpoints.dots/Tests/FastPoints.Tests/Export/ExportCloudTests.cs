@@ -8,7 +8,6 @@ using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -16,7 +15,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Export
 {
-    /// <summary>What is exported is what the source holds, and nothing is left of an export that ended early.</summary>
     public class ExportCloudTests
     {
         TemporaryFolder m_folder;
@@ -38,7 +36,6 @@ namespace FastPoints.Tests.Export
             ? Directory.GetFiles(folder, "*.laz").Select(Path.GetFileName).OrderBy(name => name, StringComparer.Ordinal)
             : new[] { "none" };
 
-        /// <summary>More points than a slice has, in scanner channels that change, with odd return numbers.</summary>
         [Test]
         public void Run_EachPointFormat_EveryRecordInOrder([Range(0, 10)] int format, [Values(0, 3)] int extra)
         {
@@ -286,7 +283,6 @@ namespace FastPoints.Tests.Export
             Failures.Of(() => header.SetPoints("x", byReturn, default, default), FailureCode.Unsupported, "1.2");
         }
 
-        /// <summary>A thousand places of whole numbers, with a class and a weight each.</summary>
         static MemoryPointReader Grid()
         {
             var batch = TestBatches.New(1000, AttributeType.Float64,

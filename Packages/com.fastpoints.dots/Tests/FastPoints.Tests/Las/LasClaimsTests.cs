@@ -4,7 +4,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -12,7 +11,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Las
 {
-    /// <summary>Headers that lie: what can be saved is offered with a warning, the rest is one line.</summary>
     public class LasClaimsTests
     {
         const int CountAt = 107, Count64At = 247;

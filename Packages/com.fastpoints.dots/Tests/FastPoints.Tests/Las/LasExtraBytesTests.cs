@@ -5,7 +5,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 

@@ -10,8 +10,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Las
 {
-    /// <summary>Seeded damage to small files: flipped bits, cuts, insertions, fields set to their extremes. Whatever comes of it
-    /// is a result or a <see cref="PointCloudException"/>, in memory that the file's real size justifies.</summary>
     public class LasMutationTests
     {
         const int CasesPerFile = 300;
@@ -79,7 +77,6 @@ namespace FastPoints.Tests.Las
             Assert.That(opened, Is.GreaterThan(0));
         }
 
-        /// <returns>Whether the file could be opened.</returns>
         static bool Survives(string path, string which)
         {
             try
@@ -101,7 +98,6 @@ namespace FastPoints.Tests.Las
             }
         }
 
-        /// <summary>Most of the damage goes where the header and its records are: that is what is believed or not.</summary>
         static byte[] Damaged(byte[] sound, int pointsOffset, Random random) => Damage.Of(sound, random, count =>
         {
             int head = Math.Max(1, Math.Min(count, pointsOffset));

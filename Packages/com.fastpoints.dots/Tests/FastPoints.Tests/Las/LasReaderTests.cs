@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -199,7 +198,6 @@ namespace FastPoints.Tests.Las
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
-        /// <summary>What the specification's tables say of each bit, written out by hand.</summary>
         static void CheckPoint(PointBatch points, int i, byte[] bytes, int at, int format)
         {
             byte returns = bytes[at + 14], flags = bytes[at + 15];

@@ -60,7 +60,6 @@ namespace FastPoints.Tests.Las
             return this;
         }
 
-        /// <summary>Seeded bytes in every field; positions within the default bounds.</summary>
         public LasTestFile RandomPoints(int count, int seed = 1)
         {
             var random = new Random(seed);
@@ -72,7 +71,6 @@ namespace FastPoints.Tests.Las
             return this;
         }
 
-        /// <summary>Points that are zero but for the position.</summary>
         public LasTestFile Positions(params int[] xyz)
         {
             Points = new byte[xyz.Length / 3 * RecordBytes];
@@ -124,7 +122,6 @@ namespace FastPoints.Tests.Las
             return file.ToArray();
         }
 
-        /// <summary>Writes the file.</summary>
         public LasTestFile Save() => Save(ToBytes());
 
         public LasTestFile Save(byte[] bytes)
@@ -133,7 +130,6 @@ namespace FastPoints.Tests.Las
             return this;
         }
 
-        /// <summary>Writes the file with one field changed.</summary>
         public LasTestFile SaveWith(int at, byte[] field)
         {
             var bytes = ToBytes();

@@ -4,7 +4,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -123,7 +122,6 @@ namespace FastPoints.Tests.Las
                 Throws.ArgumentException);
         }
 
-        /// <summary>The points of a file, under the schema of a writer's settings.</summary>
         static PointBatch Batch(LasWriterSettings settings, LasTestFile file, out PointSchema schema)
         {
             var attributes = new System.Collections.Generic.List<PointAttribute>();

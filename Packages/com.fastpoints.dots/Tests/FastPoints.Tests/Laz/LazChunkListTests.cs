@@ -25,8 +25,6 @@ namespace FastPoints.Tests.Laz
             Assert.That(list.MaxBytes, Is.EqualTo(maxBytes));
         }
 
-        /// <param name="equal">So many chunks have as many points as the first one.</param>
-        /// <param name="gapAt">Before this chunk there are bytes of none.</param>
         [TestCase(0, 0, -1), TestCase(1, 1, -1), TestCase(65, 65, -1), TestCase(65, 64, -1), TestCase(1000, 999, -1)]
         [TestCase(1000, 500, -1), TestCase(1000, 128, -1), TestCase(70_000, 0, -1), TestCase(300, 300, 128)]
         [TestCase(300, 10, 200)]

@@ -9,7 +9,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Files of very many chunks: sparse ones, of which the disk has a header and a table.</summary>
     public class LazManyChunksTests : FolderTests
     {
         const int Chunks = 300_000, PointsPerChunk = 10;
@@ -25,7 +24,6 @@ namespace FastPoints.Tests.Laz
             return bytes;
         }
 
-        /// <returns>Where the first chunk is.</returns>
         long Write(List<int> bytes, List<int> points, byte[] table)
         {
             var writer = new LazFileWriter

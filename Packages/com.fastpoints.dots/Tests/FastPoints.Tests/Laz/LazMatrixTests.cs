@@ -11,7 +11,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Files by LASzip itself, each beside its truth.</summary>
     public class LazMatrixTests
     {
         const string Matrix = "data/laszip-matrix";
@@ -43,7 +42,6 @@ namespace FastPoints.Tests.Laz
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
-        /// <summary>Chunks backwards, of each some prefixes and its end, two attributes at a time.</summary>
         [TestCaseSource(nameof(FilesOfEachFormat))]
         public void Read_RangesAndSelections_AreTheTruth(string name)
         {
@@ -70,7 +68,6 @@ namespace FastPoints.Tests.Laz
             }
         }
 
-        /// <summary>Makes the wanted fields of some records wrong.</summary>
         static void Flip(byte[] records, LasRecordLayout layout, PointSchema wanted, long first, int count)
         {
             foreach (var field in layout.Fields.Where(field => wanted.Has(field.Name)))

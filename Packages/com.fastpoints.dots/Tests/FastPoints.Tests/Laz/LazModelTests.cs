@@ -7,7 +7,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>The coder and its models against the encoder's, symbol by symbol.</summary>
     public unsafe class LazModelTests
     {
         [TestCase(4, SymbolModel.Bytes4), TestCase(6, SymbolModel.Bytes6), TestCase(9, SymbolModel.Bytes9)]

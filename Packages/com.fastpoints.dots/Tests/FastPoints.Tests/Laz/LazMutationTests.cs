@@ -11,9 +11,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes
-    /// of it is a cloud (of no more points than the bytes can hold) or a <see cref="PointCloudException"/>; no decoder writes
-    /// outside its state and its tile.</summary>
     /// <remarks>The long ones take their number of cases from $FASTPOINTS_MUTATIONS, so that a million can be run:
     /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only LazMutationTests</c>.</remarks>
     public unsafe class LazMutationTests

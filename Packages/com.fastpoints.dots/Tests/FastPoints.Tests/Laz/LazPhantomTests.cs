@@ -17,7 +17,6 @@ namespace FastPoints.Tests.Laz
         /// file whose header lies.</summary>
         const int MaxAlikeMissing = 1200;
 
-        /// <summary>By how alike neighbours are: hashed; in steps; steps now and then; all the same.</summary>
         static List<byte[]> Records(int pointFormat, int alike, int count, int seed)
         {
             var records = LazRecords.Make(pointFormat, 0, count, seed);

@@ -12,7 +12,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Files made by the repository's own encoder: every point format, item version and chunking.</summary>
     [Category("Smoke")]
     public class LazReaderTests
     {

@@ -5,7 +5,6 @@ using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
@@ -15,7 +14,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Layers that nobody asks for are neither read nor decoded.</summary>
     public unsafe class LazSelectionTests
     {
         const int RecordBytes = 36, ColorLayer = 9;
@@ -148,7 +146,6 @@ namespace FastPoints.Tests.Laz
                     file[at] = (byte)random.Next(256);
         }
 
-        /// <summary>The layers of a file's first chunk.</summary>
         static (long Offset, long Bytes)[] Layers(byte[] file)
         {
             int chunk = BitConverter.ToInt32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetBytes;

@@ -3,14 +3,12 @@ using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 
 namespace FastPoints.Tests.Laz
 {
-    /// <summary>Decoder states that are kept between ranges of a block.</summary>
     public class LazStateTests
     {
         static IEnumerable<int[]> FormatsAndSelections()

@@ -7,13 +7,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Nodes
 {
-    /// <summary>A source of points that a test has in memory: blocks of a size of the test's choice.</summary>
     sealed class MemoryReader : PointReader
     {
         readonly int m_points, m_blockPoints;
         readonly Array[] m_columns;
 
-        /// <param name="columns">By attribute of the schema: an array of the attribute's type.</param>
         public MemoryReader(PointSchema schema, PositionTransform transform, int blockPoints, params Array[] columns)
         {
             m_columns = columns;
@@ -29,7 +27,6 @@ namespace FastPoints.Tests.Nodes
             };
         }
 
-        /// <summary>Points with whole coordinates, an intensity, and a colour.</summary>
         public static MemoryReader Of(int3[] places, PositionTransform transform, int blockPoints = 1000, uint seed = 1)
         {
             int count = places.Length;
@@ -62,10 +59,7 @@ namespace FastPoints.Tests.Nodes
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
 
-        /// <summary>Reads that did not come behind another's jobs.</summary>
         public int BlocksBehindNone { get; private set; }
-
-        /// <summary>Bytes of the slots that there are, in the source and as columns, and the most that there were.</summary>
         public long SlotBytes { get; private set; }
         public long MaxSlotBytes { get; private set; }
 

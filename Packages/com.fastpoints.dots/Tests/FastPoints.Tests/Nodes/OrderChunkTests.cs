@@ -10,7 +10,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Nodes
 {
-    /// <summary>The order of a chunk against a sort by comparing records.</summary>
     sealed unsafe class OrderChunkTests
     {
         static readonly Grid3 s_corner = new Grid3(1000, -50000, 7);

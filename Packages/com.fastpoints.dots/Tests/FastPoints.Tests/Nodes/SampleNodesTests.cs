@@ -135,7 +135,6 @@ namespace FastPoints.Tests.Nodes
             }
         }
 
-        /// <summary>Plain dart throwing in the order of priority at the widest spacing, then at half of it.</summary>
         static bool[] Thrown(SampledPoints sampled, int widest)
         {
             var order = new int[sampled.Places.Length];
@@ -158,7 +157,6 @@ namespace FastPoints.Tests.Nodes
             return thrown;
         }
 
-        /// <summary>Coefficient of variation of the distances to the nearest neighbour.</summary>
         static double Unevenness(SampledPoints sampled, Func<int, bool> isChosen)
         {
             var chosen = new List<int>();

@@ -10,7 +10,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Nodes
 {
-    /// <summary>Places put through a sampler as one chunk, without a file.</summary>
     sealed class SampledPoints
     {
         /// <summary>In order along the Morton curve, from the cube's corner.</summary>
@@ -116,7 +115,6 @@ namespace FastPoints.Tests.Nodes
             return smallest;
         }
 
-        /// <summary>Whether a point is in a node that has a spacing: no leaf, and no chain of equal points.</summary>
         public bool IsSampled(int point) => !Nodes[NodeOfPoint[point]].IsLeaf && Nodes[NodeOfPoint[point]].SideLog2 > 0;
 
         public double DistanceOf(int a, int b)
@@ -126,7 +124,6 @@ namespace FastPoints.Tests.Nodes
         }
     }
 
-    /// <summary>Small clouds, seeded, that samplers are compared with their references on.</summary>
     static class SamplingClouds
     {
         public static Grid3[] Make(int count, Func<Unity.Mathematics.Random, int, (Grid3, Unity.Mathematics.Random)> make)
@@ -171,7 +168,6 @@ namespace FastPoints.Tests.Nodes
                 (new Grid3(r.NextInt(int.MaxValue), r.NextInt(int.MaxValue), i % 2 * (long)int.MaxValue), r)));
         }
 
-        /// <summary>{m} stands for the method's name.</summary>
         static TestCaseData Case(string name, Grid3[] places) => new TestCaseData((object)places).SetName("{m}(" + name + ")");
     }
 }

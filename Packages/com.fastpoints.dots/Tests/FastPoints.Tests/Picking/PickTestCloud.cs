@@ -8,7 +8,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picking
 {
-    /// <summary>A cloud on disk far from the origin, whose points a test has too, with attributes of every kind.</summary>
     sealed class PickTestCloud : IDisposable
     {
         public const double Scale = 0.001;
@@ -82,7 +81,6 @@ namespace FastPoints.Tests.Picking
         }
 
         /// <summary>The first hit by looking at every point; -1 where there is none.</summary>
-        /// <param name="toWorld">Of a georeferenced place.</param>
         /// <param name="nextDistance">Of the second hit: where it is no farther to speak of, either may be found.</param>
         public int First(PickRay ray, Func<double3, double3> toWorld, Func<int, bool> isShown, out double distance,
             out double nextDistance)
@@ -106,7 +104,6 @@ namespace FastPoints.Tests.Picking
             return first;
         }
 
-        /// <summary>Back to the source's own numbers.</summary>
         public static int3 StoredOf(PickedPoint point) => (int3)math.round((point.PositionGeo - OriginGeo) / Scale);
 
         public void Dispose() => m_cloud.Dispose();

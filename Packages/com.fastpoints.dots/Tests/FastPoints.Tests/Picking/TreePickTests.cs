@@ -22,8 +22,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picking
 {
-    /// <summary>Points of COPC, EPT and Potree that are streamed as they are, and of previews: what is picked of a converted
-    /// cloud is right (<see cref="PointPickerTests"/>), and they are the same.</summary>
     public sealed class TreePickTests
     {
         const int MaxFrames = 10_000_000;
@@ -65,7 +63,6 @@ namespace FastPoints.Tests.Picking
             }
         }
 
-        /// <returns>What was found of the source itself; some rays hit and some miss.</returns>
         static List<PickedPoint> Compare(string path, int rays, PickOptions options)
         {
             var all = PlacesOf(path);
@@ -176,7 +173,6 @@ namespace FastPoints.Tests.Picking
             }
         }
 
-        /// <summary>At any moment of a search: everything is freed, whatever is under way.</summary>
         [Test]
         public void Find_Aborted_LeavesNothingAndCanBeginAgain(
             [Values(TreeTestCloud.Copc, TreeTestCloud.EptLaz, TreeTestCloud.Potree2)] string kind)

@@ -1,6 +1,5 @@
 using System;
 using FastPoints.Core;
-using FastPoints.Drawing;
 using FastPoints.Picture;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -77,7 +76,6 @@ namespace FastPoints.Tests.Picture
             }
         }
 
-        /// <summary>Where nearly all points are is a little larger than one place.</summary>
         [Test]
         public void Frame_OnePlaceFarOut_IsSeenFromAUnitAwayOrMore([Values(0, 1e-7)] double size)
         {

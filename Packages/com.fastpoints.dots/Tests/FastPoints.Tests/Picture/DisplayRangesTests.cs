@@ -16,7 +16,6 @@ namespace FastPoints.Tests.Picture
             return ranges;
         }
 
-        /// <summary>A few points with one colour, of this type.</summary>
         static PointBatch Colored(AttributeType type, params double[] values)
         {
             var batch = TestBatches.New(values.Length, AttributeType.Float32, TestBatches.Colors(type));
@@ -157,7 +156,6 @@ namespace FastPoints.Tests.Picture
             Assert.That(UpGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
         }
 
-        /// <summary>Ground with a thin tower, and one point far away.</summary>
         [Test]
         public void Measure_FarthestPoints_AreInTheRimButForOutliers()
         {

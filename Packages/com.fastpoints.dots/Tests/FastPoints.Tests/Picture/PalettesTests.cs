@@ -7,7 +7,6 @@ namespace FastPoints.Tests.Picture
 {
     public class PalettesTests
     {
-        /// <summary>Published values of viridis at five places.</summary>
         [TestCase(0.0, 68, 1, 84), TestCase(0.25, 59, 82, 139), TestCase(0.5, 33, 145, 140)]
         [TestCase(0.75, 94, 201, 98), TestCase(1.0, 253, 231, 37)]
         public void Viridis_KnownPlaces_AreWithinFiveSteps(double share, int red, int green, int blue)
@@ -19,7 +18,6 @@ namespace FastPoints.Tests.Picture
             Assert.That(color >> 24, Is.EqualTo(255));
         }
 
-        /// <summary>Published values of turbo at its ends and in its middle.</summary>
         [TestCase(0.0, 48, 18, 59), TestCase(0.5, 164, 252, 60), TestCase(1.0, 122, 4, 3)]
         public void Turbo_KnownPlaces_AreWithinAnEighth(double share, int red, int green, int blue)
         {
@@ -29,7 +27,6 @@ namespace FastPoints.Tests.Picture
             Assert.That((int)(color >> 16 & 255), Is.EqualTo(blue).Within(32));
         }
 
-        /// <summary>Returns as sensors have them; flight lines of a survey, which are numbered one after the other.</summary>
         [TestCase(ColorMode.ReturnNumber, 7), TestCase(ColorMode.PointSource, 100)]
         public void Create_Categories_HaveColoursOfTheirOwn(ColorMode mode, int count)
         {

@@ -10,7 +10,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture
 {
-    /// <summary>LAZ files whose blocks are known only when all of them was decoded.</summary>
     public class PreviewBeginningTests
     {
         const int LongChunkPoints = 1000, Points = 5000;

@@ -108,8 +108,6 @@ namespace FastPoints.Tests.Picture
             Assert.That(preview.Plan.Assumptions, Has.Some.Contains("these are framed"));
         }
 
-        /// <param name="parts">Squares of equal size, so many edges apart.</param>
-        /// <param name="ofLast">Of ten points, so many are in the last part, the others equally in those before.</param>
         [TestCase(2, 5, 100, "50 %"), TestCase(2, 5, 1e6, "50 %"), TestCase(2, 3, 40, "70 %")]
         [TestCase(2, 9, 40, "most"), TestCase(3, 4, 300, "40 %")]
         public void Picture_OfPartsFarApart_FramesTheLargestAndReportsIt(int parts, int ofLast, double edges, string share)

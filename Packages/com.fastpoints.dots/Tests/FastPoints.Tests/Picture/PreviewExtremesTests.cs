@@ -14,8 +14,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picture
 {
-    /// <summary>Files that are far from what is usual, or change under the reader's feet: something to draw, or a clear
-    /// reason.</summary>
     public class PreviewExtremesTests : FolderTests
     {
         const int LasRecordBytes = 20;
@@ -36,7 +34,6 @@ namespace FastPoints.Tests.Picture
 
         /// <summary>A LAS file of format 0 that claims so many points, and has room for them; x counts those that are
         /// written.</summary>
-        /// <param name="written">Those for which this holds: the others are a hole.</param>
         void WriteLas(long points, int stride, Func<long, bool> written)
         {
             using var file = new FileStream(FilePath, FileMode.Create, FileAccess.Write, FileShare.ReadWrite);

@@ -11,15 +11,12 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture
 {
-    /// <summary>Text whose lines are found by jumping: long enough for that, the first half of the lines short and the other
-    /// long.</summary>
     public class PreviewStretchTests : FolderTests
     {
         const int Lines = 800_000, ShortLine = 20, LongLine = 160;
 
         string m_path;
 
-        /// <summary>x counts the lines.</summary>
         void Write(string name, string header)
         {
             m_path = Folder.File("cloud" + name);

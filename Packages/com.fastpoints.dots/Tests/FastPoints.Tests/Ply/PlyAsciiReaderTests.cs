@@ -1,7 +1,6 @@
 using System;
 using System.Text;
 using FastPoints.Core;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -132,7 +131,6 @@ namespace FastPoints.Tests.Ply
             }
         }
 
-        /// <summary>A line that ends, starts or runs on exactly where a block does.</summary>
         [Test]
         public void Read_LineAtABlockBorder_BelongsToTheBlockItStartsIn([Range(-4, 8)] int shift)
         {

@@ -6,8 +6,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Ply
 {
-    /// <summary>Damaged files end in a failure that names them, or in points and warnings; nothing else, and nothing
-    /// large.</summary>
     public class PlyMutationTests
     {
         static readonly string[] s_words =

@@ -5,7 +5,6 @@ using System.IO;
 using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -18,7 +17,6 @@ namespace FastPoints.Tests.Ply
     {
         static readonly string[] s_formats = { "ascii", "binary_little_endian", "binary_big_endian" };
 
-        /// <summary>Type words of the format, and two values of each type: its ends, or what a parser could get wrong.</summary>
         static readonly object[][] s_types =
         {
             new object[] { "char", AttributeType.Int8, sbyte.MinValue, sbyte.MaxValue },
@@ -126,8 +124,6 @@ namespace FastPoints.Tests.Ply
             Assert.That(contents.Info.Transform.Scale.x, Is.EqualTo(1));
         }
 
-        /// <summary>Runs of one, two, three and four values of each width, wanted and not, to meet every way of
-        /// copying.</summary>
         [Test]
         public void Read_AnySubsetOfAttributes_GivesTheSameAsAll([ValueSource(nameof(s_formats))] string format)
         {

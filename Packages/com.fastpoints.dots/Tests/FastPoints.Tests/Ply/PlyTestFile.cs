@@ -5,7 +5,6 @@ using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Ply
 {
-    /// <summary>A PLY file built by hand in the temporary folder, gone when disposed.</summary>
     sealed class PlyTestFile : TemporaryFile
     {
         readonly MemoryStream m_bytes = new MemoryStream();
@@ -14,7 +13,6 @@ namespace FastPoints.Tests.Ply
 
         public long Length => m_bytes.Length;
 
-        /// <summary>A header with these lines between format and end_header.</summary>
         public static PlyTestFile WithHeader(string format, params string[] lines) =>
             new PlyTestFile("ply\nformat " + format + " 1.0\n" + string.Join("\n", lines) + "\nend_header\n");
 
@@ -26,7 +24,6 @@ namespace FastPoints.Tests.Ply
             return this;
         }
 
-        /// <summary>Numbers of any type, in the order of the machine or turned round.</summary>
         public PlyTestFile Values(bool isBigEndian, params object[] values)
         {
             foreach (object value in values)

@@ -6,12 +6,10 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Ply;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Reading
 {
-    /// <summary>Everything that a reader gives of a file, read block by block.</summary>
     sealed class FileContents
     {
         readonly Dictionary<string, MemoryStream> m_bytesOfName = new Dictionary<string, MemoryStream>();
@@ -31,7 +29,6 @@ namespace FastPoints.Tests.Reading
             return OfE57(file.Path, names);
         }
 
-        /// <summary>Reads the attributes of these names, or all where none are named; disposes the reader.</summary>
         static FileContents Read(PointReader opened, string[] names)
         {
             using var reader = opened;
@@ -70,7 +67,6 @@ namespace FastPoints.Tests.Reading
 
         public bool HasWarning(string part) => Info.Warnings.Exists(warning => warning.Text.Contains(part));
 
-        /// <summary>The first warning with this text, which must be there.</summary>
         public CloudWarning Warning(string part) => Info.Warnings.First(warning => warning.Text.Contains(part));
 
         public bool HasFact(string part) => Info.Facts.Exists(fact => (fact.Key + ": " + fact.Value).Contains(part));

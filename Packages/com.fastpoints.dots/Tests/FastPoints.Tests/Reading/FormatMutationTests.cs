@@ -13,9 +13,6 @@ using Unity.Collections;
 
 namespace FastPoints.Tests.Reading
 {
-    /// <summary>Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped
-    /// bits, cuts, insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more
-    /// points than its blocks say, or a <see cref="PointCloudException"/> of one line.</summary>
     /// <remarks>The stress command, a million damaged clouds over all formats: <c>FASTPOINTS_MUTATIONS=1000000 ./test --only
     /// FormatMutationTests.Mutate_ManyTimes</c>. Without the variable: 20,000. FASTPOINTS_MUTATIONS_SEED takes other cases than
     /// those of seed 7.</remarks>
@@ -29,8 +26,6 @@ namespace FastPoints.Tests.Reading
         [TestCaseSource(nameof(Fixtures))]
         public void Mutate(FormatFixture fixture) => Mutate(fixture, fixture.IsSample ? SampleCases : Cases, 1, 1);
 
-        /// <summary>Nearly all cases go to the small clouds of our own, which are quick and as much of a decoder as large
-        /// ones.</summary>
         [TestCaseSource(nameof(Fixtures)), Category("Long"), Explicit]
         public void Mutate_ManyTimes(FormatFixture fixture)
         {
@@ -44,7 +39,6 @@ namespace FastPoints.Tests.Reading
         static int Number(string variable, int otherwise) =>
             int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : otherwise;
 
-        /// <returns>Clouds that could be read.</returns>
         int Mutate(FormatFixture fixture, int cases, int seed, int minReadable)
         {
             Directory.Delete(Folder.Path, true);
@@ -82,8 +76,6 @@ namespace FastPoints.Tests.Reading
         static bool IsIndex(string path) => path.EndsWith(".json") || path.EndsWith(".js") || path.EndsWith(".hrc")
             || Path.GetFileName(path) == "hierarchy.bin";
 
-        /// <summary>Keeps the length: places that say where others are get numbers at their extremes, those of other places, and
-        /// their own; numbers in text get other digits.</summary>
         static byte[] DamageTelling(byte[] sound, List<(int At, int Bytes)> places, Random random)
         {
             var bytes = (byte[])sound.Clone();
@@ -120,7 +112,6 @@ namespace FastPoints.Tests.Reading
             return at + random.Next((length + 3) / 4) * 4;
         }
 
-        /// <summary>The first digits from a place on become others, as many.</summary>
         static void ReplaceDigits(byte[] bytes, int at, Random random)
         {
             while (at < bytes.Length && !char.IsDigit((char)bytes[at]))
@@ -130,7 +121,6 @@ namespace FastPoints.Tests.Reading
                 bytes[i] = (byte)(kind == 0 ? '9' : kind == 1 ? '0' : i == at && kind == 2 ? '-' : '0' + random.Next(10));
         }
 
-        /// <returns>Whether there is a cloud; false for a failure that says what is wrong.</returns>
         static bool Reads(string path, string detail)
         {
             try

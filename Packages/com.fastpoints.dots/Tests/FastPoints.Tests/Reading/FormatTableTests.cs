@@ -9,11 +9,8 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Reading
 {
-    /// <summary>The manual's table "format, what is read, what is not, tested by" is true: what it names is there.</summary>
     public class FormatTableTests : FolderTests
     {
-        /// <summary>The cells of each row of the first table of formats.md; the test is skipped where the package lies without
-        /// its manual.</summary>
         static List<string[]> Rows()
         {
             string package = TestData.PackageRoot;
@@ -25,7 +22,6 @@ namespace FastPoints.Tests.Reading
                 .Select(l => l.Trim('|', ' ').Split('|').Select(c => c.Trim()).ToArray()).ToList();
         }
 
-        /// <summary>The names in a row's first cell, without versions and what stands in brackets.</summary>
         static IEnumerable<string> FormatsOf(string[] row) =>
             Regex.Matches(Regex.Replace(row[0], @"\(.*?\)", ""), "[A-Z][A-Za-z0-9]+").Cast<Match>().Select(m => m.Value);
 

@@ -27,7 +27,6 @@ namespace FastPoints.Tests.Reading
 
         static FormatFixture[] Fixtures() => FormatFixture.All.ToArray();
 
-        /// <summary>As where an opening is called off before anybody takes what it opened.</summary>
         [TestCaseSource(nameof(Fixtures))]
         public void Open_OnAThreadOfThePool_CanBeCancelledThere(FormatFixture fixture)
         {

@@ -4,7 +4,6 @@ using System.Linq;
 using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using Unity.Collections;
 
 namespace FastPoints.Tests.Reading
@@ -12,7 +11,6 @@ namespace FastPoints.Tests.Reading
     /// <summary>Reads whole columns, or ranges, of any reader, block by block on the test's thread.</summary>
     static class ReadPoints
     {
-        /// <summary>An open source whose blocks are known.</summary>
         public static PointReader Open(string path)
         {
             var reader = PointReaders.Open(path);
@@ -38,7 +36,6 @@ namespace FastPoints.Tests.Reading
             Enumerable.Range(0, reader.BlockCount)
                 .Select(block => new BlockRange(block, 0, reader.PointsInBlock(block))).ToList();
 
-        /// <summary>Reads ranges in the order given, several at once, and calls back with each decoded slot in turn.</summary>
         public static void InTurns(PointReader reader, PointSchema wanted, IReadOnlyList<BlockRange> ranges, int slots,
             Action<BlockRead> visit)
         {
@@ -79,8 +76,6 @@ namespace FastPoints.Tests.Reading
             return values;
         }
 
-        /// <summary>Calls back with the decoded slot of each block in turn.</summary>
-        /// <returns>Points that were read.</returns>
         public static long EachBlock(PointReader reader, PointSchema wanted, Action<BlockRead> visit)
         {
             long points = 0;

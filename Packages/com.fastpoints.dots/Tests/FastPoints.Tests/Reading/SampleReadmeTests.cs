@@ -6,7 +6,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -16,7 +15,6 @@ namespace FastPoints.Tests.Reading
     /// format and record length, count, and points within the header's box. Broken files against the table below.</summary>
     public class SampleReadmeTests
     {
-        /// <summary>One row of one table of the README.</summary>
         public sealed class Row
         {
             public string Folder;
@@ -30,7 +28,6 @@ namespace FastPoints.Tests.Reading
             public override string ToString() => Folder + "/" + File;
         }
 
-        /// <summary>What becomes of a broken file: a failure, or so many points with a warning.</summary>
         sealed class Outcome
         {
             public readonly FailureCode? Failure;
@@ -64,7 +61,6 @@ namespace FastPoints.Tests.Reading
             { "A4.e57", new Outcome(4, null) },
         };
 
-        /// <summary>Files whose header has a box that is not that of the points: found so, and what is said of it.</summary>
         static readonly Dictionary<string, string> s_oddBounds = new Dictionary<string, string>
         {
             { "simple1_3.las", "raw integers" },
@@ -149,7 +145,6 @@ namespace FastPoints.Tests.Reading
             Assert.That(info.RecordBytes, Is.EqualTo(bytes));
         }
 
-        /// <summary>All attributes of all points are decoded; the box is that of the finite positions.</summary>
         static BoundsGeo ScanBounds(PointReader reader, out long points)
         {
             var bounds = BoundsGeo.Empty;
@@ -187,7 +182,6 @@ namespace FastPoints.Tests.Reading
         static string Boxes(BoundsGeo found, SourceInfo info) =>
             "found " + found.Min + " .. " + found.Max + ", claimed " + info.BoundsClaimed.Min + " .. " + info.BoundsClaimed.Max;
 
-        /// <summary>The rows of the README's tables for these folders; none where there are no samples.</summary>
         static List<Row> Rows(params string[] folders)
         {
             var rows = new List<Row>();

@@ -8,7 +8,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Sampling
 {
-    /// <summary>Sources of so many blocks that not each can be looked at, or not each have a decoder's state.</summary>
     public class ManyBlocksTests
     {
         [Test]

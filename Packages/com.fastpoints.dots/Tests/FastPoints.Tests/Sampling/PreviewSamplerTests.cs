@@ -18,7 +18,6 @@ namespace FastPoints.Tests.Sampling
     {
         string FilePath => Folder.File("cloud");
 
-        /// <summary>Points whose x is their index, with an intensity of it.</summary>
         PointReader Numbered(int count, bool isBigEndian = false)
         {
             var bytes = new List<byte>(Encoding.ASCII.GetBytes("ply\nformat binary_" + (isBigEndian ? "big" : "little")
@@ -242,7 +241,6 @@ namespace FastPoints.Tests.Sampling
             }
         }
 
-        /// <summary>Points of a source of which only the prefixes of blocks are cheap; x is the index.</summary>
         static MemoryPointReader Blocks(int count, int pointsPerBlock) =>
             new MemoryPointReader(TestBatches.Numbered(count), pointsPerBlock, fixedStride: false);
 

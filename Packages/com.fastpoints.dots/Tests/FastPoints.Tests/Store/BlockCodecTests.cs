@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using FastPoints.Nodes;
 using FastPoints.Store;
 using NUnit.Framework;
 

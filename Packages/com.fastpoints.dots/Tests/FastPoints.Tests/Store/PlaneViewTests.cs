@@ -46,7 +46,6 @@ namespace FastPoints.Tests.Store
             }
         }
 
-        /// <summary>The rules one by one; the plane is known to have room for its descriptors.</summary>
         static bool IsSound(uint* plane, long length, PlaneShape shape, int blocks)
         {
             long word = (long)blocks * shape.DescriptorWords;

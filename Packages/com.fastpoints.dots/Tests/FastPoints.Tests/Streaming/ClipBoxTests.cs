@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    /// <summary>What clip boxes leave, of places, of boxes, and of what is streamed.</summary>
     public sealed unsafe class ClipBoxTests
     {
         static ClipBox Turned(double3 center, double3 edges, double angle, bool cuts)

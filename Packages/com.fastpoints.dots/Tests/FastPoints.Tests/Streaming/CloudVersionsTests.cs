@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    /// <summary>Which states of a cloud are shown.</summary>
     public sealed class CloudVersionsTests
     {
         StreamedTestCloud m_cloud;
@@ -28,7 +27,6 @@ namespace FastPoints.Tests.Streaming
         [TearDown]
         public void End() => m_stream.Dispose();
 
-        /// <summary>Adds a state and lets it come.</summary>
         void Add(CloudStage stage)
         {
             m_versions.Add(m_cloud.Open(), null, stage);
@@ -90,7 +88,6 @@ namespace FastPoints.Tests.Streaming
             Assert.That(Shown(), Is.EqualTo(new[] { m_versions.Cloud }));
         }
 
-        /// <summary>States of one cloud have grids and cubes of their own.</summary>
         [Test]
         public void Place_StatesWithOtherCubes_PutsEveryPlaceWhereItWas()
         {

@@ -16,7 +16,6 @@ namespace FastPoints.Tests.Streaming
     {
         const int Points = 120_000, MaxFrames = 1_000_000;
 
-        /// <summary>A cloud that grows while it is looked at: all of it is shown in the end.</summary>
         [Test]
         public void Update_CloudInTheMaking_ShowsMoreWithEachGenerationAndAllInTheEnd()
         {

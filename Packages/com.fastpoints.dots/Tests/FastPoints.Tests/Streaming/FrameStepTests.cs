@@ -65,8 +65,6 @@ namespace FastPoints.Tests.Streaming
             Assert.That(Failures(), Is.Empty);
         }
 
-        /// <summary>Planes that lie one after the other in the file, and planes with others between them, which are left out or
-        /// read along.</summary>
         [TestCase(StoreLayout.ColorName, 32 << 10)]
         [TestCase(AttributeNames.Intensity, 0)]
         [TestCase(AttributeNames.Intensity, 1 << 20)]

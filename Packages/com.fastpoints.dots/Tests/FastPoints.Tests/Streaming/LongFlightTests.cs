@@ -136,7 +136,6 @@ namespace FastPoints.Tests.Streaming
             return stream.Add(source, placement);
         }
 
-        /// <summary>Of two clouds, one beside the other.</summary>
         byte[] Picture(StreamContext stream, Camera camera)
         {
             var options = new PictureOptions { WidthPx = StreamedTestCloud.WidthPx, HeightPx = StreamedTestCloud.HeightPx };

@@ -81,7 +81,6 @@ namespace FastPoints.Tests.Streaming
             }
         }
 
-        /// <summary>Every node of the cloud is looked at, without a tree.</summary>
         [Test]
         public void Choose_WithoutBudget_IsAllThatIsInViewAndCoarse()
         {

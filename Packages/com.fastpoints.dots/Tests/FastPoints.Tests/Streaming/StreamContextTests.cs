@@ -10,7 +10,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    /// <summary>Lives and deaths of clouds that are streamed.</summary>
     public unsafe class StreamContextTests
     {
         StreamedTestCloud m_cloud;
@@ -40,7 +39,6 @@ namespace FastPoints.Tests.Streaming
         static int[] CloudsDrawn(StreamContext stream) =>
             stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct().ToArray();
 
-        /// <summary>At any moment of a load: everything is freed, whatever is under way.</summary>
         [Test]
         public void Dispose_WhileItStreams_FreesAll()
         {
@@ -142,7 +140,6 @@ namespace FastPoints.Tests.Streaming
             Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
         }
 
-        /// <summary>A plane is hashed once, and again when its file has another time. Only a hash finds a single bit.</summary>
         [Test]
         public void Run_OpenedAgain_ChecksFilesThatChanged()
         {

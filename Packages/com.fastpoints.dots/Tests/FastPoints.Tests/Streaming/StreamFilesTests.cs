@@ -7,7 +7,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Streaming
 {
-    /// <summary>Files that a stream keeps open between reads.</summary>
     public sealed class StreamFilesTests
     {
         StreamedTestCloud m_cloud;

@@ -3,7 +3,6 @@ using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
@@ -56,8 +55,6 @@ namespace FastPoints.Tests.Streaming
             return hashes.ToArray();
         }
 
-        /// <summary>Read from the files, and brought to the source's grid in double.</summary>
-        /// <param name="names">Of the attributes, in the order of the streamed planes' columns.</param>
         public static ulong[] Of(string path, CloudGrid grid, params string[] names)
         {
             var hashes = new List<ulong>();
@@ -71,7 +68,6 @@ namespace FastPoints.Tests.Streaming
             return hashes.ToArray();
         }
 
-        /// <summary>Those of a batch, in the same way.</summary>
         public static ulong[] Of(PointBatch points, PositionTransform transform, CloudGrid grid, params string[] names)
         {
             var hashes = new List<ulong>();

@@ -3,7 +3,6 @@ using System.IO;
 using System.Threading;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Drawing;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Store;
@@ -17,7 +16,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    /// <summary>A small cloud on disk, far from the origin of its coordinates, and how tests fly over it.</summary>
     sealed class StreamedTestCloud : IDisposable
     {
         /// <summary>A read that never ends must not hang the tests.</summary>
@@ -38,7 +36,6 @@ namespace FastPoints.Tests.Streaming
             Convert(pointsPerChunk, readers);
         }
 
-        /// <summary>Converts another cloud to the same folder.</summary>
         public void ConvertAgain(int points) => Convert(6000, new PointReader[] { Hills(points, 8) });
 
         void Convert(long pointsPerChunk, PointReader[] readers)
@@ -87,7 +84,6 @@ namespace FastPoints.Tests.Streaming
             return stream;
         }
 
-        /// <summary>A camera near the ground that looks along it.</summary>
         public static Camera Near(double x, double y, double heading)
         {
             var eye = OriginGeo + new double3(x, y, 12);
@@ -104,7 +100,6 @@ namespace FastPoints.Tests.Streaming
             return FrameStep.Run(stream, views);
         }
 
-        /// <summary>Frames until nothing more comes.</summary>
         public static FrameStats Settle(StreamContext stream, Camera camera)
         {
             for (int frame = 0; frame < MaxFrames; frame++)
@@ -118,7 +113,6 @@ namespace FastPoints.Tests.Streaming
             return default;
         }
 
-        /// <summary>Frames until nothing is under way, though not all may have room.</summary>
         public static FrameStats Rest(StreamContext stream, Camera camera)
         {
             int quiet = 0;
@@ -136,7 +130,6 @@ namespace FastPoints.Tests.Streaming
 
         public void Dispose() => m_scratch.Dispose();
 
-        /// <summary>What a frame runs after its choice, by itself.</summary>
         internal static void RunJobsOfAFrame(StreamContext stream, NativeList<SelectedNode> wanted)
         {
             var selector = stream.Selector;

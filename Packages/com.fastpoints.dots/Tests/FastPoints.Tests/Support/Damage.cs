@@ -4,8 +4,6 @@ using System.Text;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Seeded damage to the bytes of a file: flipped bits, cuts, insertions, doubled stretches, words and fields at
-    /// their extremes.</summary>
     static class Damage
     {
         static readonly string[] s_words =
@@ -15,7 +13,6 @@ namespace FastPoints.Tests.Support
             "element", "",
         };
 
-        /// <summary>One to three changes.</summary>
         /// <param name="place">Where a change is, of so many bytes; null for half of them near the start, where most of what says
         /// what the rest is lies.</param>
         /// <param name="words">What stands in texts of the format; null for what stands in most.</param>

@@ -9,7 +9,6 @@ namespace FastPoints.Tests.Support
     /// exact.</summary>
     public static class ExactNumber
     {
-        /// <summary>Whether no other double is nearer to the text, nor as near with an even mantissa.</summary>
         public static bool IsNearest(string text, double value)
         {
             ulong bits = math.asulong(value);

@@ -3,7 +3,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>What a user is told where something cannot be had.</summary>
     static class Failures
     {
         /// <summary>The failure of a call: it must have this code, and be one line that has all these parts.</summary>

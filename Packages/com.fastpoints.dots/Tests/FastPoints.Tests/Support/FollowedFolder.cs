@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 
@@ -15,18 +14,11 @@ namespace FastPoints.Tests.Support
         readonly string[] m_planes;
         readonly CloudPlacement? m_placement;
 
-        /// <param name="path">With or without the suffix of a folder in the making.</param>
         /// <param name="placement">Null for georeferenced space.</param>
-        /// <param name="planes">As <see cref="FolderSource"/> has them.</param>
-        /// <exception cref="PointCloudException">There is no cloud yet, or it is damaged.</exception>
         public FollowedFolder(StreamContext stream, string path, CloudPlacement? placement, params string[] planes)
             : this(new CloudVersions(stream), path, placement, planes) { }
 
-        /// <param name="versions">What is shown until the folder is there: a preview.</param>
-        /// <param name="path">With or without the suffix of a folder in the making.</param>
         /// <param name="placement">Null for georeferenced space.</param>
-        /// <param name="planes">As <see cref="FolderSource"/> has them.</param>
-        /// <exception cref="PointCloudException">There is no cloud yet, or it is damaged.</exception>
         public FollowedFolder(CloudVersions versions, string path, CloudPlacement? placement, params string[] planes)
         {
             m_versions = versions;
@@ -36,21 +28,13 @@ namespace FastPoints.Tests.Support
             Add(m_generations.Take());
         }
 
-        /// <summary>Number of the generation that is shown.</summary>
         public int Cloud => m_versions.Cloud;
-
-        /// <summary>Of the newest generation that was found.</summary>
         public long Generation => m_generations.Generation;
-
-        /// <summary>Whether newer generations are looked for.</summary>
         public bool IsBuilding => m_generations.IsBuilding;
-
-        /// <summary>Whether the newest generation that was found is the one that is shown.</summary>
         public bool IsCurrent => m_versions.IsCurrent && m_generations.Newest == null;
 
         /// <summary>Once a frame, after it. Never waits. A generation that is not shown yet may never be: its files get other
         /// names with the next one.</summary>
-        /// <exception cref="PointCloudException">As of <see cref="FolderGenerations.Update"/>.</exception>
         public void Update()
         {
             m_versions.Update();
@@ -62,7 +46,6 @@ namespace FastPoints.Tests.Support
                 Add(m_generations.Take());
         }
 
-        /// <summary>Waits for a folder that is being opened. What is streamed stays the stream's.</summary>
         public void Dispose() => m_generations.Dispose();
 
         void Add(CloudFolder folder) => m_versions.Add(new FolderSource(folder, m_planes),

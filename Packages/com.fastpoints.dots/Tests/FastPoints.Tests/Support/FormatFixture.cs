@@ -9,19 +9,14 @@ using FastPoints.Tests.Ply;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>A small cloud of one format, made by the tests themselves or a sample: what the manual's table of formats and the
-    /// mutation tests go over. A format that is new gets one here.</summary>
     public sealed class FormatFixture
     {
-        /// <summary>As <see cref="SourceInfo.Format"/> says it.</summary>
         public string Format { get; private set; }
-
         public string Name { get; private set; }
 
         /// <summary>Writes an own cloud into a folder; null for a sample.</summary>
         Action<string> m_write;
 
-        /// <summary>Of an own cloud, what to open in its folder.</summary>
         string m_main;
 
         /// <summary>Below the samples: a file, or an index whose folder is the cloud; null for an own one.</summary>
@@ -76,8 +71,6 @@ namespace FastPoints.Tests.Support
             Sample("Potree", "potree/v2-mixedconifer-default/metadata.json", true),
         };
 
-        /// <summary>Writes the cloud into an empty folder. A test that wants a sample which is not there is skipped.</summary>
-        /// <returns>What to open: the file, or its index.</returns>
         public string Write(string folder)
         {
             if (m_sample == null)

@@ -15,7 +15,6 @@ namespace FastPoints.Tests.Support
         readonly int m_pointsPerBlock;
         readonly bool m_fixedStride;
 
-        /// <param name="pointsReadable">Where the input breaks off: blocks beyond have fewer points than they claim.</param>
         public MemoryPointReader(PointBatch points, int pointsPerBlock, bool fixedStride = true,
             int pointsReadable = int.MaxValue)
         {

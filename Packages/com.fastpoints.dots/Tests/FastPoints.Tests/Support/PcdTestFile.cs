@@ -6,8 +6,6 @@ using System.Text;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>A PCD file of points with x, y, z, a packed colour, padding, an intensity and a field of three values, in each of
-    /// its encodings. The compressor is a plain one of the tests' own.</summary>
     static class PcdTestFile
     {
         public const string Fields = "FIELDS x y z rgb _ intensity f\nSIZE 4 4 8 4 1 2 4\nTYPE F F F U U U F\n" +
@@ -65,7 +63,6 @@ namespace FastPoints.Tests.Support
             return BitConverter.GetBytes(lzf.Length).Concat(BitConverter.GetBytes(columns.Count)).Concat(lzf).ToArray();
         }
 
-        /// <summary>LZF: the last place of each three bytes is looked up.</summary>
         public static byte[] Compress(byte[] bytes)
         {
             var output = new List<byte>();

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Core;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -14,7 +13,6 @@ namespace FastPoints.Tests.Support
     /// other.</summary>
     static class PointMultiset
     {
-        /// <summary>Names that two sources have in the same type; positions are compared by their place in the world.</summary>
         public static string[] CommonNames(PointReader a, PointReader b)
         {
             var names = new List<string>();
@@ -58,7 +56,6 @@ namespace FastPoints.Tests.Support
             return hashes.ToArray();
         }
 
-        /// <summary>Both have the same points, so many.</summary>
         /// <param name="step">CRS units to which positions are rounded.</param>
         public static void CheckTwins(PointReader reader, PointReader twin, string[] names, double3 step, int points)
         {

@@ -5,11 +5,8 @@ using System.Text;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Where a binary file says where its other parts are, and how long: chunk tables, headers of chunks, extended VLRs
-    /// with their pages, sections, packets, XML. Damage that falls anywhere seldom falls on these few bytes.</summary>
     static class TellingPlaces
     {
-        /// <summary>Of a sound file; none where nothing is known of its sort.</summary>
         public static List<(int At, int Bytes)> Of(byte[] file)
         {
             var places = new List<(int At, int Bytes)>();

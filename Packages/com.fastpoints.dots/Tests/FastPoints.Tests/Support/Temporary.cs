@@ -18,7 +18,6 @@ namespace FastPoints.Tests.Support
         public void Dispose() => File.Delete(Path);
     }
 
-    /// <summary>A folder in the temporary folder, gone when disposed.</summary>
     public sealed class TemporaryFolder : IDisposable
     {
         public TemporaryFolder() => Directory.CreateDirectory(Path = NewPath());
@@ -28,11 +27,9 @@ namespace FastPoints.Tests.Support
 
         public string Path { get; private set; }
 
-        /// <summary>A path in it.</summary>
         public string File(string relative) =>
             System.IO.Path.Combine(Path, relative.Replace('/', System.IO.Path.DirectorySeparatorChar));
 
-        /// <returns>The file's path.</returns>
         public string Write(string relative, byte[] bytes)
         {
             string path = File(relative);
@@ -43,7 +40,6 @@ namespace FastPoints.Tests.Support
 
         public string Write(string relative, string text) => Write(relative, Encoding.UTF8.GetBytes(text));
 
-        /// <summary>Renames the folder.</summary>
         public void Move()
         {
             Directory.Move(Path, Path + " moved");
@@ -57,7 +53,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>Tests of which each has a folder of its own.</summary>
     public abstract class FolderTests
     {
         protected TemporaryFolder Folder { get; private set; }

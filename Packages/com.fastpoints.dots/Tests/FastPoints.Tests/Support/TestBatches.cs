@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Batches of points for tests, from arrays.</summary>
     public static class TestBatches
     {
         /// <summary>Positions as float64 columns.</summary>
@@ -89,14 +88,12 @@ namespace FastPoints.Tests.Support
             return batch;
         }
 
-        /// <summary>Positions of a type, and what else the points have.</summary>
         public static PointBatch New(int count, AttributeType positions, params PointAttribute[] others) =>
             New(count, Xyz(positions).Concat(others));
 
         public static PointBatch New(int count, IEnumerable<PointAttribute> attributes) =>
             new PointBatch(new PointSchema(attributes), Math.Max(1, count), Allocator.Persistent) { Count = count };
 
-        /// <summary>One value of a column of any type.</summary>
         public static void Set(PointBatch batch, int column, int index, double value)
         {
             switch (batch.Schema[column].Type)

@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>A source of any number of points: a grid of the plane, in blocks that are made when they are read.</summary>
     public sealed class VirtualReader : PointReader
     {
         readonly long m_points;

@@ -3,7 +3,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Another number of job workers (as near as the machine allows) until it is disposed.</summary>
     public readonly struct WorkerCount : IDisposable
     {
         readonly int m_before;

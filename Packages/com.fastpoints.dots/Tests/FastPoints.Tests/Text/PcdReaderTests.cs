@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text;
 using FastPoints.Core;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using FastPoints.Text;
@@ -59,7 +58,6 @@ namespace FastPoints.Tests.Text
                 CheckPoints(reader, points);
         }
 
-        /// <summary>The library writes whole pages: their zeros are nothing to warn of, anything else is.</summary>
         [TestCase(3922, 0, 0), TestCase(1, 0, 0), TestCase(4096, 0, 1), TestCase(3922, 1, 1)]
         public void Open_BinaryWithBytesBehind_WarnsUnlessTheyPadAPage(int behind, byte last, int warnings)
         {
@@ -70,7 +68,6 @@ namespace FastPoints.Tests.Text
             Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));
         }
 
-        /// <summary>Ranges within blocks, backwards and several at once, have the points that their numbers say.</summary>
         [Test]
         public void Compressed_RangesInAnyOrder_AreThosePoints()
         {
@@ -134,7 +131,6 @@ namespace FastPoints.Tests.Text
                 Is.EqualTo(new[] { 512345.678, 4123456.789, 12.345 }));
         }
 
-        /// <summary>Not all writers begin with a comment, or with the version.</summary>
         [TestCase("# .PCD v.5 - Point Cloud Data file format\nVERSION .5\n"), TestCase("VERSION 0.6\n"), TestCase("")]
         public void Open_EachBeginning_IsPcd(string head)
         {
@@ -175,7 +171,6 @@ namespace FastPoints.Tests.Text
                 Has.Some.Contains("\"AUTHOR\"").And.Some.Contains("WIDTH times HEIGHT"));
         }
 
-        /// <summary>What a small file claims costs nothing.</summary>
         [TestCase("POINTS 3000\n", "POINTS 4000000000\n"), TestCase("COUNT 1 1 1 1 2 1 3", "COUNT 1 1 1 1 2 1 4000000000")]
         public void Compressed_LargeClaims_AreRefused(string sound, string bad)
         {

@@ -9,7 +9,6 @@ using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Import;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -35,7 +34,6 @@ namespace FastPoints.Tests.Text
             return reader;
         }
 
-        /// <summary>All points as text: each stored value, positions with their scale, by line.</summary>
         static List<string> Points(PointReader reader, params string[] names)
         {
             var schema = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
@@ -276,7 +274,6 @@ namespace FastPoints.Tests.Text
                 Assert.That(reader.Info.HasPointsClaimed, Is.False);
         }
 
-        /// <summary>Lines over block borders, in any order of blocks and ranges.</summary>
         [Test]
         public void Read_ManyBlocks_InAnyOrder()
         {

@@ -3,7 +3,6 @@ namespace StandIns.Graphics;
 /// <summary>Fills constant buffers from what is set by name; what is not set is zero.</summary>
 static unsafe class ConstantWriter
 {
-    /// <param name="target">Zeros, as many bytes as the block has.</param>
     internal static void Write(ShaderResource block, in PropertyScope scope, byte* target)
     {
         foreach (ShaderMember member in block.Members)

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Numbers for names, the same for as long as the process lives.</summary>
 static class PropertyNames
 {
     static readonly Dictionary<string, int> s_ids = new Dictionary<string, int>();

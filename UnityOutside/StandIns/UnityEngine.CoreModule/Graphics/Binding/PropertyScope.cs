@@ -8,7 +8,6 @@ readonly struct PropertyScope
     readonly PropertySheet m_defaults;
 
     /// <param name="near">A property block, or a kernel's buffers; may be null.</param>
-    /// <param name="far">A material, or a compute shader's constants.</param>
     /// <param name="defaults">What a shader's Properties say, before the globals, as in Unity; may be null.</param>
     internal PropertyScope(PropertySheet near, PropertySheet far, PropertySheet defaults = null) =>
         (m_near, m_far, m_defaults) = (near, far, defaults);

@@ -1,9 +1,7 @@
 namespace StandIns.Graphics;
 
-/// <summary>Values by name: of a material, a property block, a compute shader, or of all.</summary>
 sealed class PropertySheet
 {
-    /// <summary>What Shader.SetGlobal and CommandBuffer.SetGlobal set.</summary>
     internal static readonly PropertySheet Global = new PropertySheet();
 
     // Kept when the values are cleared: an array set anew each frame makes no garbage.
@@ -37,7 +35,6 @@ sealed class PropertySheet
     internal void Set(int name, Vector4[] values) => Set(name, MemoryMarshal.Cast<Vector4, float>(values));
     internal void Set(int name, Matrix4x4[] values) => Set(name, MemoryMarshal.Cast<Matrix4x4, float>(values));
 
-    /// <summary>A name that stands for no buffer or texture is as if it had not been set.</summary>
     internal void Set(int name, GraphicsBuffer value)
     {
         if (value == null)

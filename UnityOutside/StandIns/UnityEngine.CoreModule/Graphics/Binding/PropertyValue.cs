@@ -12,17 +12,14 @@ enum PropertyKind : byte
     Texture,
 }
 
-/// <summary>What a name stands for in a sheet.</summary>
 struct PropertyValue
 {
     internal PropertyKind Kind;
-    /// <summary>Of a texture: its depth, not its colour.</summary>
     internal bool IsDepth;
     internal int Int;
     /// <summary>A float is in x; Ints has its bits here.</summary>
     internal Vector4 Vector;
     internal Matrix4x4 Matrix;
-    /// <summary>A GraphicsBuffer, a Texture, or the float[] of an array.</summary>
     internal object Reference;
 
     internal static PropertyValue Of(float value) =>
@@ -30,7 +27,6 @@ struct PropertyValue
 
     internal static PropertyValue Of(int value) => new PropertyValue { Kind = PropertyKind.Int, Int = value };
 
-    /// <summary>One vector of whole numbers.</summary>
     internal static PropertyValue Of(int[] values)
     {
         if (values.Length > 4)

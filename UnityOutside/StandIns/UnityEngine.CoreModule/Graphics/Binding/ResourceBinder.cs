@@ -19,8 +19,6 @@ sealed unsafe class ResourceBinder(GpuDevice device)
             }
     }
 
-    /// <param name="shader">Named in messages.</param>
-    /// <exception cref="InvalidOperationException">Something is not set, disposed, locked, or of another kind.</exception>
     internal void Bind(GpuRecording recording, VkPipelineBindPoint point, string shader, ShaderLayout layout,
         in PropertyScope scope)
     {

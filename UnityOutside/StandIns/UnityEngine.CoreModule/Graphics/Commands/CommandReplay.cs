@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Does what a command buffer lists: names become what they stand for now, and everything goes to the device in one
-/// submission.</summary>
 sealed unsafe partial class CommandReplay
 {
     readonly GpuDevice m_device;

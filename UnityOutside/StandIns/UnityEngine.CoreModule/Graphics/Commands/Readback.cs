@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Copies to where the host reads; what is copied is there when the copy's last use has passed.</summary>
 static unsafe class Readback
 {
     internal static GpuBuffer Copy(GpuDevice device, GpuBuffer source, ulong offset, ulong bytes)

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>One readback: memory that the device writes, then the host's until the end of a frame.</summary>
 sealed unsafe class ReadbackEntry
 {
     internal readonly int Width;

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>The readbacks under way and those whose data is still there.</summary>
 static unsafe class ReadbackTable
 {
     static readonly Dictionary<int, ReadbackEntry> s_entries = new Dictionary<int, ReadbackEntry>();
@@ -38,7 +37,6 @@ static unsafe class ReadbackTable
         return entry.Data<T>(layer);
     }
 
-    /// <summary>Looks which are done; the data of those that were done before this frame goes.</summary>
     internal static void EndFrame()
     {
         for (int i = s_ids.Count - 1; i >= 0; i--)

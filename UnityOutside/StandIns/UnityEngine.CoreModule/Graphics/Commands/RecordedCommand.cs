@@ -27,7 +27,6 @@ enum CommandKind : byte
     ReadTexture,
 }
 
-/// <summary>One entry of a command buffer. What the numbers mean is said where it is recorded.</summary>
 struct RecordedCommand
 {
     internal CommandKind Kind;
@@ -39,6 +38,5 @@ struct RecordedCommand
     internal int B;
     internal int C;
     internal int D;
-    /// <summary>Where the command's further data begins, in the list that its kind uses.</summary>
     internal int Data;
 }

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>What is drawn into, and the pass that is open on it while draws follow one another.</summary>
 sealed unsafe class RenderTargets(GpuDevice device)
 {
     internal const int MaxColors = 4;
@@ -37,7 +36,6 @@ sealed unsafe class RenderTargets(GpuDevice device)
 
     internal void SetDepth(GpuImage image) => m_depth = image;
 
-    /// <summary>All images of one size, and the whole of them to draw into.</summary>
     internal Vector4 Complete()
     {
         for (int i = 0; i < m_colorCount; i++)
@@ -54,7 +52,6 @@ sealed unsafe class RenderTargets(GpuDevice device)
         Array.Clear(m_colors, 0, MaxColors);
     }
 
-    /// <summary>Opens the pass if it is not.</summary>
     internal void Open(GpuRecording recording)
     {
         if (m_isOpen)

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Textures that command buffers ask for by name and give back; those given back are used again.</summary>
 sealed class TemporaryTextures
 {
     readonly Dictionary<int, RenderTexture> m_byName = new Dictionary<int, RenderTexture>();
@@ -42,7 +41,6 @@ sealed class TemporaryTextures
     }
 
     /// <summary>The texture that an identifier stands for; null where it stands for none.</summary>
-    /// <exception cref="InvalidOperationException">A name that stands for nothing, or a texture that was destroyed.</exception>
     internal Texture Resolve(in RenderTargetIdentifier target)
     {
         if (target.IsNone)

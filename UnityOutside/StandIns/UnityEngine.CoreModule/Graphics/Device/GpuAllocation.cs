@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>A part of a block of device memory.</summary>
 readonly unsafe struct GpuAllocation(GpuMemoryBlock block, ulong offset, ulong bytes)
 {
     internal readonly GpuMemoryBlock Block = block;

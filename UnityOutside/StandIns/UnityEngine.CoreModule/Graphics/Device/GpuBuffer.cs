@@ -5,7 +5,6 @@ sealed unsafe class GpuBuffer
     internal readonly ulong Handle;
     internal readonly ulong Bytes;
     internal readonly GpuAllocation Allocation;
-    /// <summary>The last submission that may touch it.</summary>
     internal ulong LastUse;
 
     GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation) => (Handle, Bytes, Allocation) = (handle, bytes, allocation);
@@ -13,8 +12,6 @@ sealed unsafe class GpuBuffer
     internal byte* Mapped => Allocation.Mapped;
 
     /// <summary>A buffer, or null where there is no memory for it.</summary>
-    /// <param name="isForHost">In memory that the host sees.</param>
-    /// <param name="isRead">The host reads it: cached, where there is such memory.</param>
     internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, VkBufferUsageFlags usage, bool isForHost,
         bool isRead = false)
     {

@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>The device that everything here is drawn with: made when it is first asked for, with one queue that does
-/// all.</summary>
 sealed unsafe class GpuDevice
 {
     const string PushDescriptor = "VK_KHR_push_descriptor";
@@ -48,13 +46,9 @@ sealed unsafe class GpuDevice
         AppDomain.CurrentDomain.ProcessExit += (_, _) => Vk.vkDeviceWaitIdle(Handle);
     }
 
-    /// <summary>Whether the validation layer is to watch; has an effect only before the device is made.</summary>
     internal static bool Validate { get; set; }
-
     internal static bool Exists => s_current != null;
 
-    /// <summary>The device, made now if there is none.</summary>
-    /// <exception cref="InvalidOperationException">There is none to be had; the message says why.</exception>
     internal static GpuDevice Current =>
         s_current ?? TryGet(out string reason) ?? throw new InvalidOperationException("No graphics device: " + reason);
 
@@ -89,7 +83,6 @@ sealed unsafe class GpuDevice
         return (properties.optimalTilingFeatures & colorAttachmentBlend) != 0;
     }
 
-    /// <summary>Vertex shaders may say which slice is drawn into.</summary>
     internal bool ChoosesSlices { get; private set; }
 
     IntPtr Create(uint family, out bool writesAnyFormat)

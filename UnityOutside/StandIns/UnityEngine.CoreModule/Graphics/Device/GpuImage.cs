@@ -2,12 +2,9 @@ using System.Diagnostics;
 
 namespace StandIns.Graphics;
 
-/// <summary>An image with its memory and views, always in the general layout: nothing has to be kept in mind of what it was used
-/// for.</summary>
 sealed unsafe class GpuImage
 {
     internal readonly ulong Handle;
-    /// <summary>Of all slices, as shaders see it: an array where the image was made as one.</summary>
     internal readonly ulong View;
     internal readonly VkFormat Format;
     internal readonly int Width;

@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Device memory, taken in blocks and handed out in parts: drivers allow only some thousand allocations. Parts of a
-/// block are all buffers or all images; what is large has a block of its own.</summary>
 sealed unsafe class GpuMemory
 {
     const ulong BlockBytes = 16 << 20;
@@ -20,10 +18,8 @@ sealed unsafe class GpuMemory
         m_properties = properties;
     }
 
-    /// <summary>Beyond this many bytes there is no more memory, as if the device had no more.</summary>
     internal ulong LimitBytes { get; set; } = ulong.MaxValue;
 
-    /// <summary>What is handed out, alignment included.</summary>
     internal ulong UsedBytes
     {
         get
@@ -33,7 +29,6 @@ sealed unsafe class GpuMemory
         }
     }
 
-    /// <summary>A part that fits, or one with no memory where there is none.</summary>
     /// <param name="wanted">What the memory must be; <paramref name="liked"/> what it had better be.</param>
     internal GpuAllocation Allocate(VkMemoryRequirements needs, bool isImage, VkMemoryPropertyFlags wanted,
         VkMemoryPropertyFlags liked)

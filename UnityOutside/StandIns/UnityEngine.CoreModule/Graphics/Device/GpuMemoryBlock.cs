@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>One allocation of the driver's and the parts of it that are free, in order, none touching the next.</summary>
 sealed unsafe class GpuMemoryBlock
 {
     internal readonly ulong Memory;

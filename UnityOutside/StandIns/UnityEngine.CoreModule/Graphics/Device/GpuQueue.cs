@@ -35,17 +35,10 @@ sealed unsafe class GpuQueue
         m_timeline = timeline;
     }
 
-    /// <summary>What the host has learnt to be done: by waiting, or by asking a fence.</summary>
     internal ulong Known { get; private set; }
-
-    /// <summary>What was submitted after this one is not done, whatever the device says: for cards that are frames
-    /// behind.</summary>
     internal ulong NotBeyond { get; set; } = HeadlessGraphics.FramesBehind == 0 ? ulong.MaxValue : 0;
-
-    /// <summary>The number that what is recorded now will have.</summary>
     internal ulong Next => m_submitted + 1;
 
-    /// <summary>The open recording; opened if there is none.</summary>
     internal GpuRecording Open()
     {
         if (m_open != null)
@@ -57,7 +50,6 @@ sealed unsafe class GpuQueue
         return m_open;
     }
 
-    /// <summary>Submits what is recorded; gives the number of the last submission.</summary>
     internal ulong Flush()
     {
         if (m_open == null)
@@ -91,7 +83,6 @@ sealed unsafe class GpuQueue
         return m_submitted;
     }
 
-    /// <summary>Whether a submission is done; what is not yet submitted is not.</summary>
     internal bool HasPassed(ulong number)
     {
         if (number > Known && number <= NotBeyond)
@@ -104,7 +95,6 @@ sealed unsafe class GpuQueue
         return number <= Known;
     }
 
-    /// <summary>Waits for a submission, and submits it before if need be.</summary>
     internal void Await(ulong number)
     {
         if (number > m_submitted)
@@ -116,7 +106,6 @@ sealed unsafe class GpuQueue
         Known = number;
     }
 
-    /// <summary>So that a recording is free again: the host learns nothing.</summary>
     void WaitFor(ulong number)
     {
         ulong timeline = m_timeline;
@@ -131,7 +120,6 @@ sealed unsafe class GpuQueue
         SetDone(number);
     }
 
-    /// <summary>Lets a <see cref="GpuBuffer"/> or <see cref="GpuImage"/> go when nothing in flight may use it.</summary>
     internal void Retire(object resource)
     {
         m_retired.Enqueue((m_open != null ? Next : m_submitted, resource));

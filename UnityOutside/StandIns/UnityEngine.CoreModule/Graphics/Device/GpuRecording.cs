@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Commands for one submission, and the memory for what they bring along (constants, data to upload). Used again when
-/// the submission has passed.</summary>
 sealed unsafe class GpuRecording
 {
     internal readonly IntPtr Commands;
@@ -32,7 +30,6 @@ sealed unsafe class GpuRecording
         Commands = commands;
     }
 
-    /// <summary>Of the submission.</summary>
     internal ulong Number { get; private set; }
 
     internal void Begin(ulong number)

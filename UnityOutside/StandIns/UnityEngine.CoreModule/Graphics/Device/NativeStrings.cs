@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Text as C reads it, for the length of one call.</summary>
 sealed unsafe class NativeStrings : IDisposable
 {
     readonly List<IntPtr> m_blocks = new List<IntPtr>();

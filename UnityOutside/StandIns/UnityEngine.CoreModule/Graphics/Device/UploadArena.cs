@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Memory that the host writes and one submission reads: handed out in order, all given back at once.</summary>
 sealed unsafe class UploadArena(GpuDevice device)
 {
     const ulong ChunkBytes = 256 << 10;
@@ -28,7 +27,6 @@ sealed unsafe class UploadArena(GpuDevice device)
         Bytes = 0;
     }
 
-    /// <summary>Where to write; the buffer and offset are what the commands name.</summary>
     internal byte* Take(ulong bytes, out GpuBuffer buffer, out ulong offset)
     {
         while (m_chunk < m_chunks.Count && m_used + bytes > m_chunks[m_chunk].Bytes)

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>What the validation layer found wrong: tests allow nothing here.</summary>
 static unsafe class ValidationLog
 {
     const int Kept = 200;

@@ -31,8 +31,6 @@ public sealed class Camera : Behaviour
     public bool stereoEnabled { get; internal set; }
 
     public MonoOrStereoscopicEye stereoActiveEye { get; internal set; } = MonoOrStereoscopicEye.Mono;
-
-    /// <summary>By eye: view and projection of a host's headset.</summary>
     internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
 
     public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => Eyes[(int)eye].View;
@@ -46,9 +44,7 @@ public sealed class Camera : Behaviour
     /// <summary>The part of the screen that it draws into, from the lower left; null for all of it.</summary>
     internal Rect? Part { get; set; }
 
-    /// <summary>A host's dynamic resolution.</summary>
     internal float DynamicScale { get; set; } = 1;
-
     public int pixelWidth => (int)(Part?.width ?? (Target == null ? 0 : Target.width));
     public int pixelHeight => (int)(Part?.height ?? (Target == null ? 0 : Target.height));
     public int scaledPixelWidth => (int)(pixelWidth * DynamicScale);

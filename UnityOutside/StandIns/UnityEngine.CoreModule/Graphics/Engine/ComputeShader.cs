@@ -16,9 +16,7 @@ public sealed class ComputeShader : Object
             m_kernels.Add(new ComputeKernel(source, kernel));
     }
 
-    /// <summary>The constants: all kernels have them in common.</summary>
     internal PropertySheet Constants { get; } = new PropertySheet();
-
     internal KeywordSet Keywords => m_keywords;
 
     /// <exception cref="ArgumentException">No such kernel.</exception>

@@ -8,7 +8,6 @@ public class Graphics
     /// <exception cref="InvalidOperationException">A command names what is not there: the message says which.</exception>
     public static void ExecuteCommandBuffer(CommandBuffer buffer) => Execute(null, buffer);
 
-    /// <summary>Executes a camera's command buffer where the camera draws.</summary>
     internal static void Execute(CommandBuffer before, CommandBuffer buffer, RenderTexture cameraTarget = null)
     {
         if (buffer == null)

@@ -55,7 +55,6 @@ public sealed unsafe partial class GraphicsBuffer
         copy.Destroy(device);
     }
 
-    /// <summary>Records the copy of elements that lie in the host's memory.</summary>
     internal void Record(GpuRecording recording, byte* data, int start, int count, int size)
     {
         CheckRange(start, count, size);

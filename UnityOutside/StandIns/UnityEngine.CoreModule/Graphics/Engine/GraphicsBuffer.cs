@@ -53,8 +53,6 @@ public sealed partial class GraphicsBuffer : IDisposable
     public UsageFlags usageFlags { get; }
     public string name { private get; set; }
     internal long Bytes => (long)count * stride;
-
-    /// <summary>Text for messages.</summary>
     internal string Label => string.IsNullOrEmpty(name) ? $"GraphicsBuffer ({target})" : name;
 
     public bool IsValid() => m_buffer != null;
@@ -68,8 +66,6 @@ public sealed partial class GraphicsBuffer : IDisposable
         m_buffer = null;
     }
 
-    /// <summary>The memory, for commands that use it.</summary>
-    /// <exception cref="InvalidOperationException">Disposed, or locked for writing.</exception>
     internal GpuBuffer ForDevice()
     {
         CheckValid();

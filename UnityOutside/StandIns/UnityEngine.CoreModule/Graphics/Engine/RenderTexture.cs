@@ -35,7 +35,6 @@ public class RenderTexture : Texture
     public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
         : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat)) { }
 
-    /// <summary>Stands for a host's screen.</summary>
     internal bool IsScreen { get; set; }
 
     public override int width

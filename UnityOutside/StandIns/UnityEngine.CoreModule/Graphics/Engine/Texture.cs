@@ -26,7 +26,6 @@ public class Texture : Object
             return s_textures.TryGetValue(id, out Texture texture) ? texture : null;
     }
 
-    /// <summary>What shaders see.</summary>
     internal virtual GpuImage ImageFor(bool isDepth) => throw new System.NotSupportedException(GetType().Name);
 
     internal override void OnDestroyed()

@@ -1,6 +1,5 @@
 namespace UnityOutside.Graphics;
 
-/// <summary>What a host asks about the graphics, and tells it: the engine's own loop does the same for a game.</summary>
 public static class HeadlessGraphics
 {
     /// <summary>Frames that the device may be behind: Unity's QualitySettings.maxQueuedFrames.</summary>
@@ -8,8 +7,6 @@ public static class HeadlessGraphics
 
     static readonly Queue<ulong> s_endsOfFrames = new Queue<ulong>();
     static int s_framesBehind;
-
-    /// <summary>Whether there is a device and a shader compiler; makes the device when first asked.</summary>
     public static bool IsAvailable => WhyNot.Length == 0;
 
     /// <summary>What is missing, in one line; empty where nothing is.</summary>
@@ -23,17 +20,14 @@ public static class HeadlessGraphics
         }
     }
 
-    /// <summary>Whether the validation layer is to watch, where it is installed. To be set before anything is drawn.</summary>
     public static bool Validate
     {
         get => GpuDevice.Exists ? GpuDevice.Current.IsValidated : GpuDevice.Validate;
         set => GpuDevice.Validate = value;
     }
 
-    /// <summary>Device memory in use, in bytes, what is on its way and what is kept for uploads included.</summary>
     public static long UsedBytes => GpuDevice.Exists ? (long)GpuDevice.Current.Memory.UsedBytes : 0;
 
-    /// <summary>Beyond so many bytes nothing more can be made, as on a device with less memory.</summary>
     public static long MemoryLimitBytes
     {
         get => (long)System.Math.Min(long.MaxValue, GpuDevice.Current.Memory.LimitBytes);
@@ -60,7 +54,6 @@ public static class HeadlessGraphics
     /// <summary>A device without compute shaders, as WebGL 2: what takes them is refused.</summary>
     public static bool HasNoCompute { get; set; }
 
-    /// <summary>A device that does not tell how far it is, as with OpenGL.</summary>
     public static bool HasNoFences { get; set; }
 
     /// <summary>A device that gives vertex shaders so many storage buffers; null: as it is.</summary>
@@ -69,8 +62,6 @@ public static class HeadlessGraphics
     /// <summary>What the validation layer has said since the last call: nothing, or there is a fault.</summary>
     public static string[] TakeValidationMessages() => ValidationLog.Take();
 
-    /// <summary>Ends a frame: waits until the device is no more than <see cref="FramesInFlight"/> frames behind (or
-    /// <see cref="FramesBehind"/>), and lets readbacks that are done call back.</summary>
     public static void EndFrame()
     {
         if (!GpuDevice.Exists)
@@ -87,7 +78,6 @@ public static class HeadlessGraphics
         ReadbackTable.EndFrame();
     }
 
-    /// <summary>Waits until the device has done all that was asked of it.</summary>
     public static void WaitForIdle()
     {
         if (!GpuDevice.Exists)

@@ -13,8 +13,6 @@ public partial class CommandBuffer : IDisposable
     bool m_isReleased;
 
     public string name { get; set; } = "";
-
-    /// <summary>What commands bring along in bytes.</summary>
     internal byte[] Bytes { get; private set; } = Array.Empty<byte>();
 
     int BytesUsed { get; set; }

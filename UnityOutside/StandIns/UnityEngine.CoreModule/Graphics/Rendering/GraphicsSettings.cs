@@ -4,7 +4,6 @@ public interface IRenderPipelineGraphicsSettings { }
 
 public sealed class GraphicsSettings : Object
 {
-    /// <summary>Of the pipeline's global settings, by type.</summary>
     internal static readonly Dictionary<Type, object> Settings = new Dictionary<Type, object>();
 
     public static bool TryGetRenderPipelineSettings<T>(out T settings) where T : class, IRenderPipelineGraphicsSettings

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>A compiled variant of a kernel.</summary>
 sealed unsafe class ComputeProgram
 {
     internal readonly string Name;

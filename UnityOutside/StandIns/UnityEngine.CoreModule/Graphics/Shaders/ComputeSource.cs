@@ -1,10 +1,8 @@
 namespace StandIns.Graphics;
 
-/// <summary>A .compute file: HLSL with the names of its kernels and its keywords in pragmas.</summary>
 sealed class ComputeSource
 {
     internal readonly ShaderFiles Files;
-    /// <summary>The file's name.</summary>
     internal readonly string Name;
     internal readonly string Text;
     internal readonly List<string> Kernels = new List<string>();
@@ -31,7 +29,6 @@ sealed class ComputeSource
         Keywords = keywords.ToArray();
     }
 
-    /// <summary>A variant of a kernel.</summary>
     internal ShaderStage Kernel(string kernel, long variant) =>
         new ShaderStage(Files, Name, Text, "comp", kernel, KeywordVariant.Names(Keywords, variant, "comp").ToArray());
 }

@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>A compiled variant of a pass and its pipelines, one for each state and set of formats that it is drawn
-/// with.</summary>
 sealed unsafe class GraphicsProgram(GpuDevice device, string name, SpirvModule vertex, string vertexEntry,
     SpirvModule fragment, string fragmentEntry)
 {

@@ -1,13 +1,10 @@
 namespace StandIns.Graphics;
 
-/// <summary>One multi_compile line: of its keywords one is on, or none where it begins with an underscore.</summary>
 sealed class KeywordGroup
 {
     /// <summary>The names; null for none.</summary>
     internal readonly string[] Keywords;
-    /// <summary>Global keywords do not reach it.</summary>
     internal readonly bool IsLocal;
-
     readonly string m_stage;
 
     KeywordGroup(string[] keywords, bool isLocal, string stage) => (Keywords, IsLocal, m_stage) = (keywords, isLocal, stage);
@@ -36,11 +33,8 @@ sealed class KeywordGroup
         return new KeywordGroup(names.ToArray(), isLocal, only);
     }
 
-    /// <summary>Whether a stage, as glslang calls it, is told of the keywords.</summary>
     internal bool IsFor(string stage) => m_stage == null || m_stage == stage;
 
-    /// <summary>Which is on, as an index: the first that is asked for; else none, or the first where none is not
-    /// offered.</summary>
     internal int Choose(KeywordSet local, KeywordSet global)
     {
         for (int i = 0; i < Keywords.Length; i++)

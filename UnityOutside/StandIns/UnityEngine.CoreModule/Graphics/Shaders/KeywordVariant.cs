@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Which keyword of each group is on, as one number: a digit a group, the first group's the lowest.</summary>
 static class KeywordVariant
 {
     internal static long Choose(KeywordGroup[] groups, KeywordSet local)
@@ -14,7 +13,6 @@ static class KeywordVariant
         return variant;
     }
 
-    /// <summary>How many there are.</summary>
     internal static long Count(KeywordGroup[] groups)
     {
         long count = 1;
@@ -23,7 +21,6 @@ static class KeywordVariant
         return count;
     }
 
-    /// <summary>The keywords that a stage, as glslang calls it, is compiled with.</summary>
     internal static IEnumerable<string> Names(KeywordGroup[] groups, long variant, string stage)
     {
         foreach (KeywordGroup group in groups)

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>What a pipeline depends on beside its program.</summary>
 readonly struct PipelineKey : IEquatable<PipelineKey>
 {
     internal readonly FixedState State;

@@ -45,7 +45,6 @@ sealed class RenderState
         m_colorMask = other.m_colorMask;
     }
 
-    /// <summary>Reads a command; false where the word is none of this kind.</summary>
     internal bool TryRead(string word, ShaderLabTokens tokens)
     {
         switch (word.ToLowerInvariant())
@@ -78,7 +77,6 @@ sealed class RenderState
         }
     }
 
-    /// <summary>The state of a draw.</summary>
     internal FixedState Evaluate(in PropertyScope scope) => new FixedState
     {
         Cull = (VkCullModeFlags)m_cull.Evaluate(scope),

@@ -16,16 +16,9 @@ static class ShaderCompiler
         + "#define SHADER_TARGET 50\n#define FASTPOINTS_GLSLANG 1\n";
 
     static string s_version;
-
-    /// <summary>Processes run: a test of the cache counts them.</summary>
     internal static int Runs { get; private set; }
-
-    /// <summary>Whether there is a compiler to run.</summary>
     internal static bool IsThere => Version().Length > 0;
 
-    /// <summary>Compiles one stage.</summary>
-    /// <param name="stage">As glslang calls it: vert, frag, comp.</param>
-    /// <exception cref="InvalidOperationException">Errors, with the compiler's words, or there is none.</exception>
     internal static byte[] Compile(ShaderFiles files, string name, string source, string stage, string entry,
         IEnumerable<string> keywords)
     {

@@ -2,18 +2,13 @@ using System.Text.RegularExpressions;
 
 namespace StandIns.Graphics;
 
-/// <summary>Where shaders and what they include lie: the project, whose packages are named by path, and the stub
-/// includes.</summary>
 sealed class ShaderFiles
 {
     static readonly Regex s_include = new Regex(@"^[ \t]*#[ \t]*include[ \t]+[""<]([^"">]+)["">]", RegexOptions.Multiline);
     static readonly Regex s_line = new Regex(@"^[ \t]*#[ \t]*line[ \t]+(\d+)");
-
-    /// <summary>The folder that Packages/ is in.</summary>
     internal readonly string Root;
     readonly string m_folder;
 
-    /// <param name="path">Of the shader.</param>
     internal ShaderFiles(string path)
     {
         m_folder = Path.GetDirectoryName(Path.GetFullPath(path));
@@ -24,7 +19,6 @@ sealed class ShaderFiles
         Root ??= FromHere() ?? m_folder;
     }
 
-    /// <summary>Folders to look for includes in, in order.</summary>
     internal IEnumerable<string> Folders
     {
         get
@@ -35,7 +29,6 @@ sealed class ShaderFiles
         }
     }
 
-    /// <summary>All files that a text may include, whatever its conditions say, each once.</summary>
     internal IEnumerable<string> Includes(string text)
     {
         var found = new HashSet<string>();
@@ -55,8 +48,6 @@ sealed class ShaderFiles
         }
     }
 
-    /// <summary>A shader's text with what it includes in place, for compilers that look for no files; lines keep their
-    /// numbers and the names of their files.</summary>
     internal string Flat(string text, string name) => Flat(text, name, m_folder);
 
     string Flat(string text, string name, string folder)

@@ -9,7 +9,6 @@ sealed class ShaderLabReader
 
     ShaderLabReader(string path) => m_tokens = new ShaderLabTokens(path, File.ReadAllText(path));
 
-    /// <exception cref="InvalidDataException">Names the file and the line.</exception>
     internal static ShaderLabSource Read(string path) => new ShaderLabReader(path).ReadShader(new ShaderFiles(path));
 
     ShaderLabSource ReadShader(ShaderFiles files)

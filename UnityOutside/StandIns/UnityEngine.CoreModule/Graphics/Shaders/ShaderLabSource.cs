@@ -1,12 +1,10 @@
 namespace StandIns.Graphics;
 
-/// <summary>What a .shader file says: its properties, and the passes of its first SubShader.</summary>
 sealed class ShaderLabSource(string name, ShaderFiles files)
 {
     internal readonly string Name = name;
     internal readonly ShaderFiles Files = files;
     internal readonly List<ShaderPass> Passes = new List<ShaderPass>();
-    /// <summary>What a material has where nothing else is set.</summary>
     internal readonly PropertySheet Defaults = new PropertySheet();
 
     internal ShaderPass Pass(int index)
@@ -16,7 +14,6 @@ sealed class ShaderLabSource(string name, ShaderFiles files)
         return Passes[index];
     }
 
-    /// <summary>A material's value: its own, or the property's.</summary>
     internal bool Value(PropertySheet sheet, int name, out PropertyValue value) =>
         sheet.TryGet(name, out value) || Defaults.TryGet(name, out value);
 }

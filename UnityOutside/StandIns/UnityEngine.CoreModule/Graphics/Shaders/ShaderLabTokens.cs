@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>The words of a .shader file: names, numbers, texts in quotes, signs; a program is one word, from its keyword to its
-/// end.</summary>
 sealed class ShaderLabTokens
 {
     readonly string m_path;
@@ -19,7 +17,6 @@ sealed class ShaderLabTokens
     /// <summary>The next word, not yet taken; empty at the end.</summary>
     internal string Next => IsAtEnd ? "" : m_tokens[m_at].Text;
 
-    /// <summary>Of the word taken last.</summary>
     internal int Line => m_tokens.Count == 0 ? 0 : m_tokens[Math.Max(0, m_at - 1)].Line;
 
     internal string Take()
@@ -43,7 +40,6 @@ sealed class ShaderLabTokens
             throw Error($"'{word}' is wanted, '{Next}' is there");
     }
 
-    /// <summary>Text in quotes, without them.</summary>
     internal string TakeText()
     {
         string token = Take();

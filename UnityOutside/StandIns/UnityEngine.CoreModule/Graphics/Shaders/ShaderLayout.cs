@@ -1,7 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>Where the stages of a pass, or a kernel, find what they name: resources of one name are one in both stages, and each
-/// stage's constants are its own.</summary>
 sealed unsafe class ShaderLayout
 {
     // What every device takes by vkCmdPushDescriptorSetKHR.

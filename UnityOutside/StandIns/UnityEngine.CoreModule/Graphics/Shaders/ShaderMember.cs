@@ -6,7 +6,6 @@ sealed class ShaderMember(string name, int offset)
     internal readonly string Name = name;
     internal readonly int NameId = PropertyNames.IdOf(name);
     internal readonly int Offset = offset;
-    /// <summary>Not whole numbers.</summary>
     internal bool IsFloat;
     internal int Columns = 1;
     internal int Rows = 1;

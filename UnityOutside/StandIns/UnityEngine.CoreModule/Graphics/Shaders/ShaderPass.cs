@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>One pass of a shader and its variants, each compiled when it is first drawn with.</summary>
 sealed class ShaderPass
 {
     // Unity adds it to every shader that asks for it, where a headset is drawn for in one pass.
@@ -42,7 +41,6 @@ sealed class ShaderPass
 
     string Label => Name.Length == 0 ? Shader.Name : Shader.Name + ", pass " + Name;
 
-    /// <exception cref="InvalidOperationException">It does not compile.</exception>
     internal GraphicsProgram Program(KeywordSet local)
     {
         long variant = KeywordVariant.Choose(Keywords, local);

@@ -3,7 +3,6 @@ namespace StandIns.Graphics;
 /// <summary>The pragmas in a shader's own text (Unity does not look for them in includes either).</summary>
 static class ShaderPragmas
 {
-    /// <summary>The words after each #pragma.</summary>
     internal static IEnumerable<string[]> Of(string text)
     {
         foreach (string line in text.Split('\n'))

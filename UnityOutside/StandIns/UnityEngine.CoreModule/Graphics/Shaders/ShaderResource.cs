@@ -1,25 +1,14 @@
 namespace StandIns.Graphics;
 
-/// <summary>Something that a shader names and a draw or dispatch has to bring: a buffer, a texture, a sampler,
-/// constants.</summary>
 sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
 {
     internal readonly string Name = name;
     internal readonly int NameId = PropertyNames.IdOf(name);
     internal readonly VkDescriptorType Kind = kind;
-    /// <summary>Its id in the module that it was read from.</summary>
     internal readonly uint Variable = variable;
-
-    /// <summary>Of constants: what is in them.</summary>
     internal ShaderMember[] Members { get; set; } = System.Array.Empty<ShaderMember>();
-
-    /// <summary>Bytes from one element of a structured buffer to the next.</summary>
     internal int Stride { get; set; }
-
-    /// <summary>A buffer that the shader may write.</summary>
     internal bool IsWritten { get; set; }
-
-    /// <summary>A texture of slices.</summary>
     internal bool IsArray { get; set; }
 
     /// <summary>Of a texture that is read and written at random; undefined where it may have any.</summary>
@@ -27,7 +16,6 @@ sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
 
     internal int Binding { get; set; }
 
-    /// <summary>Of constants, in bytes.</summary>
     internal int Size
     {
         get

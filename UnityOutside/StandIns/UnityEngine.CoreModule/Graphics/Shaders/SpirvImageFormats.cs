@@ -14,7 +14,6 @@ static class SpirvImageFormats
     // The formats that glslang takes for float4, float2 and float: Rgba32f, Rg32f, R32f.
     static readonly HashSet<uint> s_assumed = new HashSet<uint> { 1, 6, 3 };
 
-    /// <summary>Formats of SPIR-V that a shader can name; Undefined for those that the stand-ins do not know.</summary>
     internal static VkFormat Vulkan(uint format) => format switch
     {
         1 => VkFormat.R32g32b32a32Sfloat,
@@ -27,7 +26,6 @@ static class SpirvImageFormats
         _ => VkFormat.Undefined,
     };
 
-    /// <summary>The code without the claims; the same where there are none.</summary>
     internal static byte[] WithoutAssumed(byte[] code)
     {
         var words = new uint[code.Length / 4];

@@ -59,15 +59,11 @@ sealed class SpirvModule
     }
 
     internal uint[] Words => m_words;
-
-    /// <summary>Of a compute shader.</summary>
     internal (uint X, uint Y, uint Z) GroupSize { get; private set; }
 
-    /// <summary>As a device takes it.</summary>
     internal static SpirvModule For(GpuDevice device, byte[] code) =>
         new SpirvModule(device.WritesAnyFormat ? SpirvImageFormats.WithoutAssumed(code) : code);
 
-    /// <summary>All resources that the code names, with no binding yet.</summary>
     internal List<ShaderResource> Resources()
     {
         var resources = new List<ShaderResource>();
@@ -82,7 +78,6 @@ sealed class SpirvModule
         return resources;
     }
 
-    /// <summary>Puts a resource where both stages of a pass find it.</summary>
     internal void SetBinding(ShaderResource resource, int binding) =>
         m_words[m_valueAt[(resource.Variable, Decoration.Binding)]] = (uint)binding;
 

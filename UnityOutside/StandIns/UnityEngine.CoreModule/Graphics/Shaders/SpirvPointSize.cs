@@ -23,7 +23,6 @@ static class SpirvPointSize
     const uint BuiltIn = 11;
     const uint PointSize = 1;
 
-    /// <param name="code">Of a vertex shader, compiled with the semantics' names in it; they are taken out.</param>
     internal static byte[] Given(byte[] code)
     {
         var words = new uint[code.Length / 4];

@@ -1,6 +1,5 @@
 namespace StandIns.Graphics;
 
-/// <summary>A value of the fixed state: a number, or a property's.</summary>
 readonly struct StateValue
 {
     readonly int m_number;
@@ -11,7 +10,6 @@ readonly struct StateValue
 
     internal static StateValue Of(int number) => new StateValue(number, 0);
 
-    /// <summary>One of the words, whose place among them is its number, or [_Property].</summary>
     internal static StateValue Read(ShaderLabTokens tokens, string[] words)
     {
         if (tokens.TryTake("["))

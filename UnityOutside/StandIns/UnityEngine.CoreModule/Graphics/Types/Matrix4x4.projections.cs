@@ -2,9 +2,8 @@ namespace UnityEngine;
 
 public unsafe partial struct Matrix4x4
 {
-    /// <summary>
-    /// OpenGL's: looks along -Z, depth from -1 to 1. GL.GetGPUProjectionMatrix makes of it what the device takes.
-    /// </summary>
+    /// <summary>OpenGL's: looks along -Z, depth from -1 to 1. GL.GetGPUProjectionMatrix makes of it what the device
+    /// takes.</summary>
     /// <param name="fov">Vertical, in degrees.</param>
     public static Matrix4x4 Perspective(float fov, float aspect, float zNear, float zFar)
     {

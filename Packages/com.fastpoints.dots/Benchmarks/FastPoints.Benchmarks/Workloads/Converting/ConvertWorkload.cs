@@ -7,7 +7,6 @@ using FastPoints.Nodes;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The whole conversion, position and colour, with one sampler.</summary>
     sealed class ConvertWorkload : IWorkload
     {
         readonly Sampler m_sampler;

@@ -37,7 +37,6 @@ namespace FastPoints.Benchmarks
         long m_points;
 
         /// <param name="find">The input's path; null where there is none.</param>
-        /// <param name="begin">Makes the work once more, for so many ms ahead.</param>
         BesideFramesWorkload(string name, Func<WorkloadContext, string> find,
             Func<BesideFramesWorkload, StageProgress, double, IEnumerator<JobStep>> begin)
         {
@@ -142,7 +141,6 @@ namespace FastPoints.Benchmarks
                 throw new InvalidOperationException(result.Problems[0]);
         }
 
-        /// <summary>As a scene takes it, and drawn.</summary>
         static IEnumerator<JobStep> Preview(BesideFramesWorkload workload, StageProgress progress, double inFlightMs)
         {
             using (var reader = PointReaders.Open(workload.m_path))

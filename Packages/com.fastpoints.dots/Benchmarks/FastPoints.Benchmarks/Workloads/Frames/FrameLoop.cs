@@ -11,8 +11,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Frames beside work that a coroutine steps, as an editor or a game has them: a tick a frame, and a few small jobs
-    /// in each, which it awaits before it ends.</summary>
     public sealed class FrameLoop : IDisposable
     {
         const int JobsPerFrame = 4;
@@ -23,7 +21,6 @@ namespace FastPoints.Benchmarks
         readonly SliceTimes m_ticks = new SliceTimes(Allocator.Persistent);
         NativeArray<uint> m_values = new NativeArray<uint>(JobsPerFrame, Allocator.Persistent);
 
-        /// <param name="workers">Workers until it is disposed.</param>
         public FrameLoop(double tickMs, int workers)
         {
             m_tickMs = tickMs;
@@ -35,12 +32,10 @@ namespace FastPoints.Benchmarks
         /// <summary>What 99 of 100 frames did not wait longer for their own jobs than.</summary>
         public double WaitMs => m_waits.QuantileMs(0.99);
 
-        /// <summary>Waits and ticks of all frames.</summary>
         public string Times => string.Format(CultureInfo.InvariantCulture, "{6} frames waited for their own jobs {0:0.0}, "
             + "{1:0.0}, {2:0.0} ms (p50, p99, max), and for the pump {3:0.00}, {4:0.0}, {5:0.0}", m_waits.QuantileMs(0.5), WaitMs,
             m_waits.QuantileMs(1), m_ticks.QuantileMs(0.5), m_ticks.QuantileMs(0.99), m_ticks.QuantileMs(1), Frames);
 
-        /// <summary>Runs work to its end.</summary>
         /// <param name="frameMs">0 for a main thread that does nothing else than step the work; less than that for one that
         /// waits for jobs as well, and so runs some.</param>
         /// <returns>Its time in milliseconds.</returns>
@@ -92,7 +87,6 @@ namespace FastPoints.Benchmarks
                 Rest(frame, frameMs);
         }
 
-        /// <summary>Waits until a frame has taken its time.</summary>
         internal static void Rest(Stopwatch frame, double frameMs)
         {
             int left = (int)(frameMs - frame.Elapsed.TotalMilliseconds);

@@ -30,7 +30,6 @@ namespace FastPoints.Benchmarks
             return null;
         }
 
-        /// <summary>A COPC file: five million points, where it was made; else half a million.</summary>
         public static string FindCopc(WorkloadContext context) =>
             Find(context, "ca13_d.copc.laz") ?? Find(context, "samples/copc/lone-star.copc.laz");
     }

@@ -23,7 +23,6 @@ namespace FastPoints.Benchmarks
 
         static readonly int[] s_bits = { PositionBits, PositionBits, PositionBits, 8, 8, 8, 12, 1 };
 
-        /// <summary>Content cut into pages with their checksums, as it comes; the first page last.</summary>
         sealed class Pages : IDisposable
         {
             readonly FileStream m_stream;
@@ -76,8 +75,6 @@ namespace FastPoints.Benchmarks
             }
         }
 
-        /// <summary>Writes the file where it is not there yet.</summary>
-        /// <returns>Its path.</returns>
         public static string Make(WorkloadContext context)
         {
             string path = context.PathOf("hills", ".e57");
@@ -159,7 +156,6 @@ namespace FastPoints.Benchmarks
             }
         }
 
-        /// <returns>Bytes of the packet.</returns>
         static int Pack(uint[] records, int count, byte[] packet)
         {
             Array.Clear(packet, 0, packet.Length);

@@ -11,9 +11,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>EPT octrees that the workloads make of <see cref="TerrainBenchmarkFile"/>: its strips as nodes of one level,
-    /// under a root without points. Shaped unlike a real one, which a decoder does not see; as large nodes as real ones
-    /// have.</summary>
     static class EptBenchmarkFolder
     {
         const int NodePoints = 1 << 16;
@@ -26,7 +23,6 @@ namespace FastPoints.Benchmarks
             ("PointSourceId", "unsigned", 2), ("Red", "unsigned", 2), ("Green", "unsigned", 2), ("Blue", "unsigned", 2),
         };
 
-        /// <summary>The folder, written where it is not there yet.</summary>
         /// <param name="isLaz">LAZ nodes, otherwise plain records.</param>
         public static string Make(WorkloadContext context, bool isLaz)
         {

@@ -11,11 +11,7 @@ namespace FastPoints.Benchmarks
     {
         public const int PointFormat = 2;
         public const int RecordBytes = 26;
-
-        /// <summary>Points of one slice of work, as the reader cuts them.</summary>
         public const int BlockPoints = 32768;
-
-        /// <summary>Byte of the red value in a record.</summary>
         public const int ColorByte = 20;
 
         static readonly string[] s_wanted =
@@ -23,10 +19,8 @@ namespace FastPoints.Benchmarks
             AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
         };
 
-        /// <summary>Position and colour.</summary>
         public static PointSchema Wanted(PointSchema schema) => schema.Select(s_wanted);
 
-        /// <summary>The file, written where it is not there yet.</summary>
         public static string Make(WorkloadContext context)
         {
             string path = context.PathOf("las", ".las");

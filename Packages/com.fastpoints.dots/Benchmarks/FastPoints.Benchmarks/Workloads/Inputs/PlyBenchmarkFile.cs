@@ -5,14 +5,10 @@ using FastPoints.Core;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The seeded PLY files that the workloads read: float x, y, z and uchar red, green, blue.</summary>
     static class PlyBenchmarkFile
     {
-        /// <summary>Bytes of a point in the binary file.</summary>
         public const int RecordBytes = 15;
 
-        /// <summary>Writes the file where it is not there yet.</summary>
-        /// <returns>Its path.</returns>
         public static string Make(WorkloadContext context, bool isAscii)
         {
             string path = context.PathOf(isAscii ? "ply-ascii" : "ply-binary", ".ply");
@@ -54,7 +50,6 @@ namespace FastPoints.Benchmarks
             return path;
         }
 
-        /// <summary>Records to columns by pointers: <see cref="PlainPassWorkload.DecodeSegment"/>.</summary>
         public static unsafe void Decode(byte* source, byte* target, int points)
         {
             const int Segment = PlainPassWorkload.SegmentPoints;

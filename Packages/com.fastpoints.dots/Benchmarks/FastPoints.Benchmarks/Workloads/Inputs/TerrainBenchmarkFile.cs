@@ -14,12 +14,9 @@ namespace FastPoints.Benchmarks
     public static unsafe class TerrainBenchmarkFile
     {
         public const int RecordBytes = 26;
-
-        /// <summary>Mean distance of points on the ground, in grid steps.</summary>
         const double Spacing = 8;
         const int PointsPerPiece = 16384;
 
-        /// <summary>Of its square.</summary>
         public static double SideMetres(WorkloadContext context) => Math.Sqrt(context.Points) * Spacing * 1e-3;
 
         public static string Make(WorkloadContext context)
@@ -47,8 +44,6 @@ namespace FastPoints.Benchmarks
             return path;
         }
 
-        /// <summary>The same, converted: positions and colours.</summary>
-        /// <returns>The folder.</returns>
         public static string MakeConverted(WorkloadContext context)
         {
             string las = Make(context), path = Path.ChangeExtension(las, StoreFormat.FolderExtension);

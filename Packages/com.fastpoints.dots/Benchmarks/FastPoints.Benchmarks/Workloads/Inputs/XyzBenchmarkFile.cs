@@ -5,7 +5,6 @@ using System.Text;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A seeded text file: x, y, z in millimetres, intensity, colour.</summary>
     static class XyzBenchmarkFile
     {
         public static string Make(WorkloadContext context)

@@ -6,7 +6,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A plain loop over two arrays: a multiply, an add and a shift an element.</summary>
     abstract class LoopWorkload : IWorkload
     {
         NativeArray<int> m_from, m_to;
@@ -39,7 +38,6 @@ namespace FastPoints.Benchmarks
         }
     }
 
-    /// <summary>What indexing native arrays costs beside raw pointers.</summary>
     sealed class NativeArrayLoopWorkload : LoopWorkload
     {
         public override string Name => "loop over native arrays";

@@ -44,7 +44,6 @@ namespace FastPoints.Benchmarks
             [ReadOnly] public NativeArray<uint> Coordinates;
             public NativeArray<ulong> Codes;
 
-            /// <summary>Bits that do not come back: none.</summary>
             public NativeReference<ulong> Differences;
 
             public void Execute()

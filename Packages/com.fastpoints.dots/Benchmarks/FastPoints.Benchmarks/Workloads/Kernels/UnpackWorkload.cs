@@ -4,7 +4,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>X, Y and Z of packed blocks, on one core: widths as a scan of a surface has them.</summary>
     public unsafe struct UnpackWorkload : IWorkload
     {
         const int Blocks = 8192;

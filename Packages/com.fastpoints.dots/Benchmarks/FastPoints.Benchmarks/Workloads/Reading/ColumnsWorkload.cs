@@ -7,8 +7,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A file or a folder to columns, through its reader and all workers, from opening it on; finding the points is part
-    /// of it. Without a file it does nothing, and reports no points.</summary>
     sealed class ColumnsWorkload : IWorkload
     {
         sealed class Counter : IBlockConsumer

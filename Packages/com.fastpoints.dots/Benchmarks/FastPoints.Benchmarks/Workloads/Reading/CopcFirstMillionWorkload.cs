@@ -7,8 +7,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The first million points of a COPC file, level by level, all attributes: opened, as many pages of the hierarchy
-    /// read as that takes, nodes decoded, as many at once as a scan takes.</summary>
     public struct CopcFirstMillionWorkload : IWorkload
     {
         const int WantedPoints = 1_000_000;

@@ -6,7 +6,6 @@ using FastPoints.Import;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A file written again, all attributes, beside reading it alone. Without a file it does nothing.</summary>
     sealed class ExportWorkload : IWorkload
     {
         readonly Func<WorkloadContext, string> m_find;
@@ -14,7 +13,6 @@ namespace FastPoints.Benchmarks
         string m_path;
         string m_output;
 
-        /// <param name="ending">Says what is written.</param>
         public ExportWorkload(string name, string limitName, Func<WorkloadContext, string> find, string ending)
         {
             (Name, LimitName) = (name, limitName);

@@ -8,7 +8,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Records in memory to position and colour columns by <see cref="DecodeRecordsJob"/>, block by block.</summary>
     public struct LasDecodeWorkload : IWorkload
     {
         const int Blocks = 128;
@@ -62,7 +61,6 @@ namespace FastPoints.Benchmarks
         }
     }
 
-    /// <summary>What <see cref="LasDecodeWorkload"/> does, as one loop over raw pointers without any of the package.</summary>
     public unsafe struct LasDecodePointersWorkload : IWorkload
     {
         const int Blocks = 128;

@@ -11,8 +11,6 @@ namespace FastPoints.Benchmarks
     sealed unsafe class PlainPassWorkload : IWorkload
     {
         public const int SegmentPoints = 32768;
-
-        /// <summary>A stretch's records to columns, one point after the other.</summary>
         public delegate void DecodeSegment(byte* source, byte* target, int points);
 
         readonly Func<WorkloadContext, string> m_find;
@@ -54,7 +52,6 @@ namespace FastPoints.Benchmarks
 
         public void Dispose() { }
 
-        /// <summary>Takes one stretch after the other until none is left.</summary>
         void TakeSegments(long bytes, ref long next)
         {
             int segment = SegmentPoints * m_recordBytes;

@@ -50,7 +50,6 @@ namespace FastPoints.Benchmarks
 
         public void Dispose() { }
 
-        /// <param name="path">A file, or a folder of files.</param>
         public static long BytesOf(string path)
         {
             long bytes = 0;

@@ -4,7 +4,6 @@ using FastPoints.Core;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Files of all formats to columns, all their attributes unless said otherwise, each beside its limit.</summary>
     static class ReadingWorkloads
     {
         public static IEnumerable<IWorkload> All()

@@ -15,14 +15,12 @@ namespace FastPoints.Benchmarks
     /// scene cost the main thread, frame by frame. Frames follow one another without a pause.</summary>
     sealed class SceneBenchmark : IDisposable
     {
-        /// <summary>Of a bank: as graphics cards have them, or smaller ones in a small pool.</summary>
         public const int MinBankBytes = 1 << 20, MaxBankBytes = 8 << 20;
 
         readonly World m_world = new World("scene benchmark");
         readonly PointCloudSystemGroup m_group;
         Entity m_cloud;
 
-        /// <param name="poolBytes">In place of graphics memory.</param>
         public SceneBenchmark(long poolBytes)
         {
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
@@ -43,22 +41,16 @@ namespace FastPoints.Benchmarks
         public long Garbage { get; private set; }
 
         public StreamSettings Settings => m_group.Stream.Settings;
-
-        /// <summary>Whether all of the cloud that the camera needs is drawn, and nothing newer is expected.</summary>
         public bool IsIdle => m_group.Stats.IsSettled && !m_group.IsOpening && IsOpen;
-
         public bool IsOpen => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
 
-        /// <summary>The pool's limit.</summary>
         public long PoolBytes
         {
             set => m_group.Stream.Pool.LimitBytes = value;
         }
 
-        /// <summary>Asks for entities of nodes.</summary>
         public void WantNodes() => m_world.EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
 
-        /// <summary>Puts a cloud into the scene.</summary>
         public void Show(string path)
         {
             var entities = m_world.EntityManager;

@@ -13,8 +13,6 @@ namespace FastPoints.Benchmarks
     {
         const int Frames = 300, WidthPx = 1920, HeightPx = 1080;
         const double EyeMetres = 3;
-
-        /// <summary>In the pool.</summary>
         const int MaxBytesPerPoint = 10;
 
         double m_radiusMetres;

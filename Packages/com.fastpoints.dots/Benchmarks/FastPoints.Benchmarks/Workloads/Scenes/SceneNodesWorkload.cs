@@ -15,8 +15,6 @@ namespace FastPoints.Benchmarks
     {
         const int Frames = 300, FramesPerRound = 30;
         const double FovRadians = math.PI_DBL / 2;
-
-        /// <summary>In the pool, of all of the cloud's bytes: what the camera sees, and what it is about to see.</summary>
         const double ShareKept = 0.4;
         const double FrameMs = 1000.0 / 60;
 
@@ -80,7 +78,6 @@ namespace FastPoints.Benchmarks
 
         public void Dispose() => m_scene?.Dispose();
 
-        /// <summary>Large enough on its screen for all points.</summary>
         static StreamView ViewAt(int frame)
         {
             double angle = 2 * math.PI_DBL * frame / FramesPerRound;

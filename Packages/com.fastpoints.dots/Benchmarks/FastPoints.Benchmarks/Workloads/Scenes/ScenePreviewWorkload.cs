@@ -6,8 +6,6 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A file that is not converted comes into a scene: until all that its preview brings is shown. The error is the
-    /// time to the first frame that draws points.</summary>
     sealed class ScenePreviewWorkload : IWorkload
     {
         readonly Func<WorkloadContext, string> m_find;

@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>What is chosen of a billion points for a camera that goes along a circle, on one core.</summary>
     sealed class SelectWorkload : IWorkload
     {
         /// <summary>Of a camera that flies half a metre a frame, in radians.</summary>
@@ -18,7 +17,6 @@ namespace FastPoints.Benchmarks
         double m_way;
 
         /// <param name="levels">Of the cloud: 9 for 100,000 nodes.</param>
-        /// <param name="step">Radians between two choices.</param>
         SelectWorkload(string name, int levels, long budget, double step)
         {
             Name = name;
@@ -52,7 +50,6 @@ namespace FastPoints.Benchmarks
         public void Dispose() => m_benchmark.Dispose();
     }
 
-    /// <summary>A camera over a billion points that nobody stored, and what is chosen for it.</summary>
     public sealed unsafe class SelectionBenchmark : System.IDisposable
     {
         readonly LodSelector m_selector = new LodSelector();
@@ -74,7 +71,6 @@ namespace FastPoints.Benchmarks
 
         public string Note { get; }
 
-        /// <summary>Points that were chosen.</summary>
         public long Choose(in StreamView view, bool withPrefetch)
         {
             m_views[0] = view;

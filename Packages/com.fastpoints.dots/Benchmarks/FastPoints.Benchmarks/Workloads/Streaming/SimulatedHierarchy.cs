@@ -19,8 +19,6 @@ namespace FastPoints.Benchmarks
 
         NativeArray<HierarchyPage> m_pages;
 
-        /// <param name="levels">More than <see cref="UpperLevels"/>.</param>
-        /// <param name="stretch">Of all boxes, along each axis.</param>
         public SimulatedHierarchy(int levels, double3 stretch)
         {
             int across = 1 << UpperLevels;

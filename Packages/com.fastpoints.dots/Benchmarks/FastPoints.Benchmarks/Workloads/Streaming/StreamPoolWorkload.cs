@@ -6,12 +6,8 @@ using Unity.Collections;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Memory that a resident point takes in the pool, with all that is lost to pages and banks that are not full: of a
-    /// whole coloured cloud, which is the error, and of a quarter of its points. Banks are those of the graphics card. The time
-    /// is that of filling a fresh pool, memory that is touched for the first time included.</summary>
     public sealed unsafe class StreamPoolWorkload : IWorkload
     {
-        /// <summary>As of the pool on the graphics card.</summary>
         const int BankBytes = 8 << 20;
         const long PoolBytes = 1L << 30;
 
@@ -50,7 +46,6 @@ namespace FastPoints.Benchmarks
                 m_views.Dispose();
         }
 
-        /// <returns>Bytes of all banks, and the points of all nodes in them.</returns>
         (long Bytes, long Points) Fill(long budget)
         {
             using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));

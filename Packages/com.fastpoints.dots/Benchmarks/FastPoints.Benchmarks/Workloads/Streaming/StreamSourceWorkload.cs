@@ -54,7 +54,6 @@ namespace FastPoints.Benchmarks
             Run();
         }
 
-        /// <summary>A fresh stream each time: what was made once is kept by no one.</summary>
         public WorkloadResult Run()
         {
             if (m_path == null)

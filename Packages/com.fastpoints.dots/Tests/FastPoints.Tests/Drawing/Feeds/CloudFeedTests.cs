@@ -17,7 +17,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Drawing
 {
-    /// <summary>What comes of a path, one state after the other.</summary>
     [Category("Smoke")]
     public sealed class CloudFeedTests
     {
@@ -26,7 +25,6 @@ namespace FastPoints.Tests.Drawing
         [TearDown]
         public void ForgetReaders() => CloudFeeds.Register(null);
 
-        /// <summary>Updates until something has come about.</summary>
         static void Updates(CloudFeed feed, Func<bool> isDone, Action more = null)
         {
             for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && !isDone();)

@@ -33,16 +33,9 @@ namespace FastPoints.Tests.Drawing
             CloudFeeds.Register(paths => new SourceFeed(Open(), PreviewPoints));
         }
 
-        /// <summary>The converted cloud's.</summary>
         public string Folder { get; }
-
-        /// <summary>A file that is there when something of the build can be seen.</summary>
         public string Manifest => Path.Combine(Folder + StoreFormat.PartSuffix, StoreFormat.ManifestName);
-
-        /// <summary>What the readers know.</summary>
         public string Source { get; }
-
-        /// <summary>Whether the build is at its end.</summary>
         public bool IsBuilt { get; private set; }
 
         MemoryReader Open()
@@ -51,7 +44,6 @@ namespace FastPoints.Tests.Drawing
             return MemoryReader.Of(m_places, centimetres, 5000);
         }
 
-        /// <summary>Goes on with the build for a step; begins it.</summary>
         public void Build()
         {
             m_build ??= new CoroutineStack(ConvertCloud.Run(new[] { Open() }, Folder, new ConvertSettings
@@ -67,7 +59,6 @@ namespace FastPoints.Tests.Drawing
                 m_build.Current.Complete();
         }
 
-        /// <summary>Breaks the build off: nothing is left of it.</summary>
         public void Cancel()
         {
             m_build.Dispose();

@@ -11,8 +11,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Five million airborne points as a COPC of the tests' own writer. $FASTPOINTS_COPC names a path where it is left,
-    /// as the input of the workload <c>copc first million</c>.</summary>
     public class CopcLargeTests
     {
         const string KeepVariable = "FASTPOINTS_COPC";

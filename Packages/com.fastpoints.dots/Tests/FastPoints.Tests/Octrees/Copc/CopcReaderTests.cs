@@ -15,7 +15,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Files by the tests' own writer: each node's points, pages as they are wanted, hierarchies that lie.</summary>
     [Category("Smoke")]
     public class CopcReaderTests
     {
@@ -187,7 +186,6 @@ namespace FastPoints.Tests.Octrees
         static TestCaseData Lie(string name, int field, int value, string detail) =>
             new TestCaseData(field, value, detail).SetName("Hierarchy_" + name + "_IsToldAndNoPointIsLost");
 
-        /// <summary>A node that the hierarchy lies about is read by the chunk table, or cut; nothing is read twice.</summary>
         [TestCaseSource(nameof(Lies))]
         public void Hierarchy(int field, int value, string detail)
         {

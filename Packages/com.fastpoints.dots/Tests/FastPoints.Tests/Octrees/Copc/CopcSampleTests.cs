@@ -9,7 +9,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Files by other writers: counts, nodes and boxes, and the same points as in their twins.</summary>
     public class CopcSampleTests
     {
         [TestCase("1.2-with-color", 1065, 65, 4, 1)]
@@ -50,7 +49,6 @@ namespace FastPoints.Tests.Octrees
             PointMultiset.CheckTwins(reader, other, names, math.abs(reader.Info.Transform.Scale), points);
         }
 
-        /// <summary>Every point lies in the cube of its node, and in the header's box.</summary>
         static void CheckPlaces(PointReader reader)
         {
             var wanted = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);

@@ -10,8 +10,6 @@ using static FastPoints.Tests.Octrees.EptTestClouds;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Nodes that are LAZ files of their own: on other grids than the root's, of another kind, longer than
-    /// claimed.</summary>
     public class EptLazNodeTests
     {
         [TestCase(0, 3, 100), TestCase(1, 0, 100), TestCase(4, 7, 100), TestCase(2, 7, 3000)]

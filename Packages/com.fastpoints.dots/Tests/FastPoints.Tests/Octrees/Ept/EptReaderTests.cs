@@ -15,7 +15,6 @@ using Random = System.Random;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Octrees of the tests' own writer, in each data type: every node's points, holes, and indexes that lie.</summary>
     public class EptReaderTests
     {
         [SetUp]
@@ -24,7 +23,6 @@ namespace FastPoints.Tests.Octrees
         [TearDown]
         public void Forget() => Decompressors.Zstandard = null;
 
-        /// <summary>Tests are public, and the type is not.</summary>
         static EptDataType Named(string type) => (EptDataType)Enum.Parse(typeof(EptDataType), type);
 
         [TestCase(nameof(EptDataType.Binary), 99, 0)]
@@ -256,8 +254,6 @@ namespace FastPoints.Tests.Octrees
                 }
         }
 
-        /// <summary>Flipped and cut bytes in ept.json, pages and nodes: a failure of one line, or no more points than
-        /// before.</summary>
         [TestCase(nameof(EptDataType.Binary)), TestCase(nameof(EptDataType.Zstandard))]
         [TestCase(nameof(EptDataType.Laszip))]
         public void Mutation_OfAnyFile_EndsInALineOrAResult(string typeName)

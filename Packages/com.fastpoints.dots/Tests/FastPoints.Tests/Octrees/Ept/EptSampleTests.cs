@@ -8,8 +8,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Octrees by Entwine: counts, trees, and the same points as in their twins. The zstandard one is read in the
-    /// host's tests, which have a decompressor.</summary>
     public class EptSampleTests
     {
         [TestCase("1.2-with-color", 1065, 1, 1, 1)]

@@ -14,7 +14,6 @@ using Random = System.Random;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Octrees of the tests' own writer, and what was read of them held against what was written.</summary>
     static class EptTestClouds
     {
         static readonly (string, string, int)[] s_dimensions =
@@ -47,7 +46,6 @@ namespace FastPoints.Tests.Octrees
         public static void CheckWarned(PointReader reader, string detail) =>
             Assert.That(reader.Info.Warnings.Select(warning => warning.Text), Has.Some.Contains(detail));
 
-        /// <summary>Each node's columns against its records.</summary>
         public static unsafe void CheckNodes(PointReader reader, EptFolder folder, int slots, bool isReversed)
         {
             var nodes = folder.Nodes.ToDictionary(node => new int4(node.Cell, node.Level));

@@ -64,8 +64,6 @@ namespace FastPoints.Tests.Octrees
         static List<int> ReadAll(PointReader reader) =>
             PotreeCheck.Read(reader, reader.Info.Schema, ReadPoints.WholeBlocks(reader), 3, "INDICES", Value);
 
-        /// <summary>Corners of the cells lie between steps, and yet all positions come back: see
-        /// <see cref="Potree1Reader"/>.</summary>
         [TestCase("1.4"), TestCase("1.5"), TestCase("1.7"), TestCase("1.8")]
         public void Read_AllPoints_HaveTheirValues(string version)
         {
@@ -92,8 +90,6 @@ namespace FastPoints.Tests.Octrees
             PotreeCheck.CheckSubsets(reader, "INDICES", Value);
         }
 
-        /// <summary>A scale that is no sum of powers of two: the converter's truncation takes a step off here and
-        /// there.</summary>
         [Test]
         public void Read_DecimalScale_IsWithinAStep()
         {
@@ -315,7 +311,6 @@ namespace FastPoints.Tests.Octrees
             }
         }
 
-        /// <param name="between">How far the node's offset lies beside the cloud's grid, in steps.</param>
         void WriteLas(string node, List<int> points, Potree1Writer tree, double between)
         {
             var corner = math.floor(PotreeTestCloud.Corner(node));

@@ -27,7 +27,6 @@ namespace FastPoints.Tests.Octrees
             return PointReaders.Open(Folder.Path);
         }
 
-        /// <summary>What a column has for a point.</summary>
         static ulong? Value(int point, string column) => column switch
         {
             "X" or "Y" or "Z" => PotreeCheck.Position(s_cloud, point, column),
@@ -200,7 +199,6 @@ namespace FastPoints.Tests.Octrees
 
         static void Put(byte[] hierarchy, int node, int at, byte[] value) => value.CopyTo(hierarchy, node * 22 + at);
 
-        /// <summary>Each record is read once: a page that points at itself, or at the first, ends there.</summary>
         [TestCase(0L), TestCase(22L), TestCase(-22L), TestCase(long.MaxValue), TestCase(long.MinValue)]
         public void Open_PagesInALoopOrOutOfTheFile_End(long page)
         {

@@ -10,13 +10,9 @@ using Unity.Collections;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Holds what a reader gives against the cloud that a test wrote.</summary>
     static class PotreeCheck
     {
-        /// <summary>Reads ranges in the order given, several at once, and checks all values of all wanted columns.</summary>
-        /// <param name="number">The column that has the points' numbers.</param>
         /// <param name="value">Bits that a column must have for a point; null for a column that is not checked so.</param>
-        /// <returns>Numbers of the points that came.</returns>
         public static List<int> Read(PointReader reader, PointSchema wanted,
             IReadOnlyList<BlockRange> ranges, int slots, string number, Func<int, string, ulong?> value)
         {
@@ -25,7 +21,6 @@ namespace FastPoints.Tests.Octrees
             return numbers;
         }
 
-        /// <summary>A few of the columns, any part of each block, in any order of blocks.</summary>
         public static void CheckSubsets(PointReader reader, string number, Func<int, string, ulong?> value)
         {
             var random = new Random(3);
@@ -71,7 +66,6 @@ namespace FastPoints.Tests.Octrees
         static NativeArray<byte> Column<T>(this PointBatch points, int column, int size) where T : unmanaged =>
             points.Bytes.GetSubArray(points.Column(column).OffsetBytes, points.Capacity * size);
 
-        /// <summary>Bits of hashed bytes of an attribute.</summary>
         public static ulong Bits(int point, string attribute, int first, int count)
         {
             ulong bits = 0;
@@ -86,10 +80,8 @@ namespace FastPoints.Tests.Octrees
             : column == "Z" ? (ulong?)(uint)cloud.Position(point).z : null;
     }
 
-    /// <summary>Clouds of the same points in another order: what is compared of them.</summary>
     static class PotreeTwins
     {
-        /// <summary>One column's bits, as the file has them.</summary>
         public static ulong[] Bits(PointReader reader, string name) =>
             reader.Info.Schema[reader.Info.Schema.IndexOf(name)].Type.SizeOf() switch
             {

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Octrees;
 using FastPoints.Reading;
 using FastPoints.Tests.Reading;
 using FastPoints.Tests.Support;
@@ -12,16 +11,11 @@ using Unity.Collections;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Seeded damage to small trees: flipped bits, cuts, insertions, fields at their extremes, in any of their files.
-    /// Whatever comes of it is a cloud (of no more points than the bytes can hold) or a
-    /// <see cref="PointCloudException"/>.</summary>
     /// <remarks>The long ones take their number of cases from $FASTPOINTS_MUTATIONS.</remarks>
     public class PotreeMutationTests
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
         const int DefaultCases = 150, LongCases = 5000;
-
-        /// <summary>Points of a byte: see <see cref="Potree2Reader"/>.</summary>
         const int MaxPointsPerByte = 1000;
 
         [TestCase("1.4", 1), TestCase("1.7", 2), TestCase("1.8", 3), TestCase("DEFAULT", 4), TestCase("BROTLI", 5)]

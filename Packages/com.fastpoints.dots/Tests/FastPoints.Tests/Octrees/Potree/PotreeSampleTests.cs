@@ -7,7 +7,6 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Trees by PotreeConverter itself, beside the files that they were made from.</summary>
     public class PotreeSampleTests
     {
         static string Sample(string index) => Path.GetDirectoryName(TestData.SampleOrIgnore("potree/" + index));

@@ -19,7 +19,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>Previews streamed like clouds, until there is a cloud.</summary>
     public class SampleStreamingTests
     {
         const int MaxFrames = 20_000_000;
@@ -68,8 +67,6 @@ namespace FastPoints.Tests.Octrees
             Assert.That(StreamedTestCloud.Settle(stream, Camera(default)).DrawnPoints, Is.Zero);
         }
 
-        /// <summary>What is shown at one place, looked at in every frame: once there is something to see there always
-        /// is.</summary>
         sealed class Watched : IDisposable
         {
             public readonly StreamContext Stream = StreamedTestCloud.Stream();
@@ -119,7 +116,6 @@ namespace FastPoints.Tests.Octrees
             }
         }
 
-        /// <summary>One after the other at one place, and from the first picture on there is always something to see.</summary>
         [Test]
         public void Update_WavesThenABuildThenItsResult_ShowMoreAndMoreAndAreNeverGone()
         {

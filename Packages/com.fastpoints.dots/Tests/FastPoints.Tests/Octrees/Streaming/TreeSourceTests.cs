@@ -19,7 +19,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>COPC, EPT and Potree streamed as they are.</summary>
     [Category("Smoke")]
     public unsafe class TreeSourceTests
     {
@@ -40,7 +39,6 @@ namespace FastPoints.Tests.Octrees
             return FrameStep.Run(stream, views);
         }
 
-        /// <summary>All there is, as long as the budget has room.</summary>
         static FrameStats Settle(StreamContext stream, double scalePx = 1e12)
         {
             for (int frame = 0; frame < MaxFrames; frame++)
@@ -91,7 +89,6 @@ namespace FastPoints.Tests.Octrees
             Assert.That(Failures(stream), Is.Empty);
         }
 
-        /// <summary>A hierarchy in one page a level and node: what is not looked at is not read.</summary>
         [Test]
         public void Run_FewLevelsInView_ReadsNoMoreOfTheHierarchyThanTheirs()
         {
@@ -109,7 +106,6 @@ namespace FastPoints.Tests.Octrees
             Assert.That(source.Reader.Tree.LevelCount, Is.GreaterThan(7));
         }
 
-        /// <summary>Down to the leaves in one place: pages of the hierarchy that are elsewhere stay unread.</summary>
         [TestCase(TreeTestCloud.EptBinary), TestCase(TreeTestCloud.Potree1), TestCase(TreeTestCloud.Potree2)]
         public void Run_DeepInOneCorner_ReadsThePagesThatLieThere(string kind)
         {
@@ -117,7 +113,6 @@ namespace FastPoints.Tests.Octrees
             LookIntoACorner(cloud.Path, 20_000, 4);
         }
 
-        /// <summary>A page for each node.</summary>
         [Test]
         public void Run_DeepInOneCornerOfACopc_ReadsThePagesThatLieThere()
         {
@@ -131,7 +126,6 @@ namespace FastPoints.Tests.Octrees
             LookIntoACorner(file.Path, 5000, 40);
         }
 
-        /// <param name="share">Of the pages below those that are always read, less than one in so many is read.</param>
         static void LookIntoACorner(string path, int points, int share)
         {
             using var stream = Stream();
@@ -168,7 +162,6 @@ namespace FastPoints.Tests.Octrees
             return (reader.Tree.Cube.Min + edge * (double3)deepest.Cell, edge);
         }
 
-        /// <summary>At any moment of a load: everything is freed, whatever is under way.</summary>
         [Test]
         public void Dispose_WhileItStreams_FreesAll([ValueSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))] string kind)
         {
@@ -210,7 +203,6 @@ namespace FastPoints.Tests.Octrees
             Assert.That(stream.Pool.UsedBytes, Is.Zero);
         }
 
-        /// <summary>Each node is longer than it turns out to be while it is on its way.</summary>
         [Test]
         public void Run_PoolTooSmall_KeepsTheMostNeededAndRests([Values(TreeTestCloud.Copc, TreeTestCloud.EptBinary)] string kind)
         {
@@ -254,7 +246,6 @@ namespace FastPoints.Tests.Octrees
             }
         }
 
-        /// <summary>Where the chunk of a node lies, by the hierarchy of a file of one page.</summary>
         static long ChunkOf(byte[] file, CopcFileWriter writer, int node)
         {
             var of = writer.Nodes[node];
@@ -291,7 +282,6 @@ namespace FastPoints.Tests.Octrees
             Assert.That(stats.DrawnPoints, Is.EqualTo(left).And.LessThan(3000));
         }
 
-        /// <summary>The hierarchy stays, most chunks are gone: told of page by page, not node by node.</summary>
         [Test]
         public void Run_FileCutWhileItIsStreamed_EndsInHolesThatAreReported()
         {
@@ -326,8 +316,6 @@ namespace FastPoints.Tests.Octrees
             Assert.That(stats.DrawnNodes, Is.EqualTo(writer.Nodes.Count(n => n.Records.Count > 0) - failures.Count));
         }
 
-        /// <summary>A cube that the file's points do not lie in makes bounds of lengths that do not hold: nodes are asked for
-        /// again as what they are.</summary>
         [Test]
         public void Run_PointsOutOfTheirCubes_AreAllDrawn()
         {

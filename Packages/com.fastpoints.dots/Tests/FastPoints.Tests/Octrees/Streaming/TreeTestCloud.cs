@@ -7,7 +7,6 @@ using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Octrees
 {
-    /// <summary>A small cloud of a foreign format that brings a deep octree along, by the tests' own writers.</summary>
     sealed class TreeTestCloud : IDisposable
     {
         public const string Copc = "COPC", EptBinary = "EPT bin", EptLaz = "EPT laz", EptZstandard = "EPT zst",

@@ -11,7 +11,6 @@ using FastPoints.Export;
 using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Tests.Octrees;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
@@ -117,7 +116,6 @@ namespace FastPoints.Tests.Reading
             }
         }
 
-        /// <summary>The decimal number that a double was written as.</summary>
         static decimal Decimal(double value) =>
             decimal.Parse(value.ToString("G12", System.Globalization.CultureInfo.InvariantCulture),
                 System.Globalization.NumberStyles.Float, System.Globalization.CultureInfo.InvariantCulture);

@@ -12,7 +12,6 @@ namespace FastPoints.Tests.Support
     /// of the points of its cell and its children the others; nodes as chunks, the hierarchy in an EVLR.</summary>
     public sealed class CopcFileWriter
     {
-        /// <summary>A node and its points, in the order of its chunk.</summary>
         public sealed class Node
         {
             public int Level;
@@ -27,21 +26,11 @@ namespace FastPoints.Tests.Support
         public int ItemVersion = 3;
         public int ExtraBytes;
         public double3 Scale = new double3(0.01, 0.01, 0.01);
-
-        /// <summary>A cell with no more points is a leaf.</summary>
         public int MaxNodePoints = 100;
-
         public int MaxLevel = 20;
-
-        /// <summary>A page holds so many levels of its subtree; deeper nodes are in pages of their own.</summary>
         public int LevelsPerPage = 99;
-
-        /// <summary>Of the file that was written last; parents before children, level by level.</summary>
         public List<Node> Nodes { get; } = new List<Node>();
-
-        /// <summary>Where each page lies in the file that was written last; the root's is the last.</summary>
         public List<(long Offset, int Bytes)> Pages { get; } = new List<(long, int)>();
-
         public int RecordBytes => LasPointFormat.Of(PointFormat).RecordBytes + ExtraBytes;
 
         public byte[] Write(IReadOnlyList<byte[]> records)

@@ -14,11 +14,8 @@ namespace FastPoints.Tests.Support
         const int PageBytes = 1024, DataBytes = 1020, MaxStreamBytes = 65000;
 
         public readonly List<E57TestScan> Scans = new List<E57TestScan>();
-
-        /// <summary>Elements of the root besides those that must be.</summary>
         public string RootXml = "";
 
-        /// <summary>The whole XML section, where it is not to be made of the rest.</summary>
         public Func<string, string> EditXml = xml => xml;
 
         public E57FileWriter(params E57TestScan[] scans) => Scans.AddRange(scans);
@@ -41,7 +38,6 @@ namespace FastPoints.Tests.Support
             return Paged(content.ToArray());
         }
 
-        /// <summary>Sets right the checksums of pages that a test has changed.</summary>
         public static void Seal(byte[] file)
         {
             for (int page = 0; page + PageBytes <= file.Length; page += PageBytes)
@@ -52,7 +48,6 @@ namespace FastPoints.Tests.Support
             }
         }
 
-        /// <summary>A bit at a time.</summary>
         public static uint Crc32C(byte[] bytes, int first, int count)
         {
             uint crc = uint.MaxValue;

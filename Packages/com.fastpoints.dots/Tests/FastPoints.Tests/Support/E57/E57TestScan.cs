@@ -4,21 +4,13 @@ using System.Globalization;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>A scan to write: fields with their values, and how they are cut into packets.</summary>
     sealed class E57TestScan
     {
         public readonly List<E57TestField> Fields = new List<E57TestField>();
-
-        /// <summary>Elements of the scan besides guid and points: name, pose, limits.</summary>
         public string Xml = "";
-
-        /// <summary>Attributes of the points element in place of the right ones.</summary>
         public string RecordCount;
         public string FileOffset;
-
-        /// <summary>How packets are filled.</summary>
         public E57Packing Packing = E57Packing.Even;
-
         public int RecordsPerPacket = 1000;
         public bool HasIndex = true;
         public bool HasIgnored;
@@ -36,12 +28,9 @@ namespace FastPoints.Tests.Support
                 w, x, y, z, tx, ty, tz);
     }
 
-    /// <summary>A field of a prototype and its values.</summary>
     sealed class E57TestField
     {
         public string Name;
-
-        /// <summary>"Integer", "ScaledInteger", "Float" or "String".</summary>
         public string Type;
         public bool IsSingle;
 
@@ -123,16 +112,13 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>How a scan's bytestreams are cut into packets.</summary>
     public enum E57Packing
     {
-        /// <summary>The same records of every stream, as far as bytes allow: as most writers do.</summary>
         Even,
 
         /// <summary>Pieces of any length, some of them empty, so that streams run ahead of each other.</summary>
         Ragged,
 
-        /// <summary>One stream to its end, then the next.</summary>
         OneByOne,
     }
 }

@@ -16,8 +16,6 @@ namespace FastPoints.Tests.Support
         readonly int m_pointFormat;
         readonly TemporaryFolder m_folder = new TemporaryFolder();
 
-        /// <param name="extraDimensions">Behind X, Y, Z: name, type, size. Not for laszip.</param>
-        /// <param name="pointFormat">Of laszip nodes.</param>
         public EptFolder(EptDataType dataType, List<byte[]> records, (string Name, string Type, int Size)[] extraDimensions,
             int pointFormat = 3, int maxNodePoints = 100, int levelsPerPage = 99)
         {
@@ -38,13 +36,8 @@ namespace FastPoints.Tests.Support
         public int RecordBytes { get; }
 
         public IReadOnlyList<CopcFileWriter.Node> Nodes => m_tree.Nodes;
-
-        /// <summary>ept.json as it was written.</summary>
         public string Index { get; }
-
         public string IndexPath => m_folder.File("ept.json");
-
-        /// <summary>Names of the nodes that pages of the hierarchy begin with.</summary>
         public List<string> Pages { get; } = new List<string>();
 
         public static string NameOf(CopcFileWriter.Node node) => EptEntry.NameOf(node.Level, node.Cell);
@@ -75,7 +68,6 @@ namespace FastPoints.Tests.Support
             WriteNode(node, stored, 0.01 * factor, 0.01 * shift);
         }
 
-        /// <summary>Writes a laszip node anew with a scale and offset for all three axes.</summary>
         public void WriteNode(CopcFileWriter.Node node, List<byte[]> records, double scale, double offset)
         {
             var bytes = NodeFile(records);

@@ -16,7 +16,6 @@ namespace FastPoints.Tests.Support
     /// <summary>Reads LAS and LAZ back into records, through columns: every bit of a record is in one.</summary>
     public static unsafe class LazFileReading
     {
-        /// <summary>Opens a file whose blocks are known, or looks for them.</summary>
         public static PointReader Open(string path, int longChunkPoints = LazReader.MaxBlockPoints)
         {
             using var source = FileSource.Open(path);
@@ -26,7 +25,6 @@ namespace FastPoints.Tests.Support
             return reader;
         }
 
-        /// <summary>All records of a file, in its order: block after block, several at once.</summary>
         internal static byte[] Records(PointReader reader, LasRecordLayout layout, int slots = 3)
         {
             var records = new byte[reader.PointCount * layout.RecordBytes];
@@ -36,8 +34,6 @@ namespace FastPoints.Tests.Support
             return records;
         }
 
-        /// <summary>Reads ranges in the order given, each to its place among the records.</summary>
-        /// <returns>Points read.</returns>
         internal static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges,
             PointSchema wanted, int slots, byte[] records)
         {
@@ -50,7 +46,6 @@ namespace FastPoints.Tests.Support
             return points;
         }
 
-        /// <summary>The records that can be had, block after block, without gaps for those that cannot.</summary>
         internal static byte[] Present(PointReader reader, LasRecordLayout layout)
         {
             var records = new byte[reader.PointCount * layout.RecordBytes];

@@ -7,20 +7,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Where a file says that its chunk table is.</summary>
     public enum LazTablePlace
     {
-        /// <summary>At its offset, as a writer that can go back leaves it.</summary>
         AtOffset,
 
         /// <summary>The offset is -1, and the true one the last 8 bytes of the file.</summary>
         AtFileEnd,
 
-        /// <summary>The writer was interrupted: no table, and the offset points at itself.</summary>
         Missing,
     }
 
-    /// <summary>A whole LAZ file from records.</summary>
     public sealed class LazFileWriter
     {
         public int PointFormat;
@@ -34,12 +30,8 @@ namespace FastPoints.Tests.Support
         /// 1).</summary>
         public int[] ChunkPoints = { 50000 };
 
-        /// <summary>Whether the VLR names the size of all chunks, or the table that of each.</summary>
         public bool HasVariableChunks;
-
         public LazTablePlace TablePlace = LazTablePlace.AtOffset;
-
-        /// <summary>Whether the records are not compressed at all, though the file says LAZ.</summary>
         public bool IsPlain;
 
         /// <summary>Points that the header claims; -1 for the truth.</summary>
@@ -49,15 +41,11 @@ namespace FastPoints.Tests.Support
         public byte[] FirstVlr;
 
         public double3 Scale = new double3(0.01, 0.01, 0.01);
-
-        /// <summary>Where each chunk starts in the file that was written last, and its bytes.</summary>
         public List<(long Offset, int Bytes)> Chunks { get; } = new List<(long, int)>();
-
         public int RecordBytes => LasPointFormat.Of(PointFormat).RecordBytes + ExtraBytes;
 
         internal LazItem[] Items() => LazItems.Of(PointFormat, ItemVersion, ExtraBytes);
 
-        /// <summary>The file's bytes.</summary>
         public byte[] Write(IReadOnlyList<byte[]> records)
         {
             var items = Items();

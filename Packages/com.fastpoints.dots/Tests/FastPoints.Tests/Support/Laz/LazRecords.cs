@@ -4,8 +4,6 @@ using FastPoints.Las;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Seeded records that take every path of the coders: scan lines with returns, channels and flags that come and go,
-    /// times that repeat, step, jump and interleave, colours grey and not, extremes of all integers.</summary>
     static class LazRecords
     {
         public static List<byte[]> Make(int pointFormat, int extraBytes, int count, int seed)

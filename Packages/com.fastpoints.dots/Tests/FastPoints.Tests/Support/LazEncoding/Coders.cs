@@ -11,8 +11,6 @@ namespace FastPoints.Tests.Support
         readonly List<byte> m_bytes = new List<byte>();
         uint m_base, m_length = uint.MaxValue;
 
-        /// <summary>Takes part <paramref name="index"/> of the interval, in which it goes from <paramref name="low"/> for
-        /// <paramref name="size"/>.</summary>
         public void Narrow(uint low, uint size)
         {
             uint before = m_base;
@@ -44,7 +42,6 @@ namespace FastPoints.Tests.Support
             Bits(16, value >> 16);
         }
 
-        /// <summary>Ends the stream: as many bytes as a decoder takes, its first four among them.</summary>
         public byte[] Finish()
         {
             uint before = m_base;
@@ -78,7 +75,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>The encoder's side of <see cref="FastPoints.Laz.SymbolModel"/>.</summary>
     public sealed class SymbolEncoder
     {
         const int LengthBits = 15;
@@ -129,7 +125,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>The encoder's side of <see cref="FastPoints.Laz.BitModel"/>.</summary>
     public sealed class BitEncoder
     {
         const int LengthBits = 13;
@@ -170,7 +165,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>The encoder's side of <see cref="FastPoints.Laz.IntegerModel"/>.</summary>
     public sealed class IntegerEncoder
     {
         const int ModelledBits = 8;

@@ -74,7 +74,6 @@ namespace FastPoints.Tests.Support
             }
         }
 
-        /// <summary>A time that another sequence is near to, or none.</summary>
         void EncodeElsewhere(RangeEncoder encoder, long time, int last)
         {
             for (int i = 1; i < 4; i++)

@@ -7,7 +7,6 @@ namespace FastPoints.Tests.Support
     /// <summary>An item of layered chunks beside POINT14.</summary>
     interface ILayeredItemEncoder
     {
-        /// <param name="channel">The point's scanner channel.</param>
         /// <param name="channelChanged">Whether it differs from the last point's.</param>
         void Encode(byte[] record, int channel, bool channelChanged);
 
@@ -25,7 +24,6 @@ namespace FastPoints.Tests.Support
         readonly T[] m_contexts = new T[4];
         int m_current;
 
-        /// <param name="make">A context whose last bytes are those given.</param>
         public LayerContexts(byte[] first, int channel, bool isV4, Func<byte[], T> make, Func<T, byte[]> lastOf)
         {
             m_make = make;

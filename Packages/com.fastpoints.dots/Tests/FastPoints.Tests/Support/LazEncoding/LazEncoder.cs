@@ -6,10 +6,8 @@ using static FastPoints.Tests.Support.RecordFields;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Records to the bytes of LAZ chunks, and chunks to a chunk table.</summary>
     public static class LazEncoder
     {
-        /// <summary>One chunk of any compressor.</summary>
         internal static byte[] Chunk(LazItem[] items, IReadOnlyList<byte[]> records) =>
             items[0].Type == LazItemType.Point14 ? LayeredChunk(items, records) : PointwiseChunk(items, records);
 
@@ -101,7 +99,6 @@ namespace FastPoints.Tests.Support
             }
         }
 
-        /// <summary>The chunk table: version, count, and the entries.</summary>
         /// <param name="points">Of each chunk; null where all are of the size that the VLR names.</param>
         public static byte[] Table(IReadOnlyList<int> bytes, IReadOnlyList<int> points)
         {

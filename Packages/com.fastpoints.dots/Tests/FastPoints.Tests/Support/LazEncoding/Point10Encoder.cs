@@ -2,10 +2,8 @@ using static FastPoints.Tests.Support.RecordFields;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>An item of pointwise chunks, as an encoder: given the first record, then each further one.</summary>
     interface IItemEncoder
     {
-        /// <summary>Codes the item of <paramref name="record"/>.</summary>
         void Encode(RangeEncoder encoder, byte[] record);
     }
 

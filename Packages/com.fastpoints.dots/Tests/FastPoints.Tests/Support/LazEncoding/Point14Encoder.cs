@@ -165,7 +165,6 @@ namespace FastPoints.Tests.Support
             }
         }
 
-        /// <summary>The layers' bytes; none for one that nothing changes in.</summary>
         public void Finish(List<byte[]> layers)
         {
             for (int i = 0; i < Layers; i++)

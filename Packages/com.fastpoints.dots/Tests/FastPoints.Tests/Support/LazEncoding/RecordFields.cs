@@ -2,7 +2,6 @@ using System;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>Little-endian values within a record.</summary>
     public static class RecordFields
     {
         public static int Int32(byte[] record, int at) => BitConverter.ToInt32(record, at);

@@ -19,7 +19,6 @@ namespace FastPoints.Tests.Support
             Last = Slice(first, recordOffset, 6);
         }
 
-        /// <summary>Six bytes, changed in place.</summary>
         public byte[] Last { get; }
 
         public void Encode(RangeEncoder encoder, byte[] record) => Encode(encoder, record, Last);

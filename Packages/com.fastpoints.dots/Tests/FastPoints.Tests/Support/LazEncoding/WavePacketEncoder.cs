@@ -55,7 +55,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>Item BYTE in both versions.</summary>
     sealed class BytesEncoder : IItemEncoder
     {
         readonly int m_recordOffset;

@@ -35,8 +35,6 @@ namespace FastPoints.Tests.Support
         }
 
         public int Count => m_positions.Length;
-
-        /// <summary>Of each node its points' numbers; parents before children.</summary>
         public IReadOnlyDictionary<string, List<int>> PointsOfNode => m_pointsOfNode;
 
         public int3 Position(int point) => m_positions[point];
@@ -49,7 +47,6 @@ namespace FastPoints.Tests.Support
             return mask;
         }
 
-        /// <summary>A node's corner, in steps of the cube.</summary>
         public static double3 Corner(string node)
         {
             double3 corner = 0;
@@ -83,7 +80,6 @@ namespace FastPoints.Tests.Support
             return name;
         }
 
-        /// <summary>Value of an attribute's byte: any function of the point, the attribute and the byte.</summary>
         public static byte ByteOf(int point, string attribute, int at)
         {
             uint hash = (uint)point * 2654435761u ^ (uint)at * 40503u;
@@ -93,7 +89,6 @@ namespace FastPoints.Tests.Support
         }
     }
 
-    /// <summary>An attribute that a test writes, of hashed bytes but for the position and the point's number.</summary>
     public sealed class PotreeTestAttribute
     {
         public readonly string Name;

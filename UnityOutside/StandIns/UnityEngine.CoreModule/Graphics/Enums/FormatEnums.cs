@@ -14,3 +14,6 @@ public enum GraphicsFormat
     R32G32B32A32_SFloat = 52,
     D32_SFloat = 93,
 }
+
+[Flags]
+public enum GraphicsFormatUsage { Blend = 32 }

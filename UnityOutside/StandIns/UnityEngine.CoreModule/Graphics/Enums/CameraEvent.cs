@@ -1,3 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public enum CameraEvent { BeforeForwardOpaque = 10, AfterForwardOpaque = 11 }

@@ -1,3 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public enum GraphicsFenceType { AsyncQueueSynchronisation = 0, CPUSynchronisation = 1 }

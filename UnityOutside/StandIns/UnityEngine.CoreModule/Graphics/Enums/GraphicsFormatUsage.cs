@@ -1,4 +1,0 @@
-namespace UnityEngine.Experimental.Rendering;
-
-[Flags]
-public enum GraphicsFormatUsage { Blend = 32 }

@@ -1,3 +1,0 @@
-namespace UnityEngine;
-
-public enum KeyCode { None = 0, Escape = 27 }

@@ -1,3 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public enum RenderBufferStoreAction { Store = 0, Resolve = 1, StoreAndResolve = 2, DontCare = 3 }

@@ -1,3 +1,0 @@
-namespace UnityEngine;
-
-public enum RenderTextureReadWrite { Default = 0, Linear = 1, sRGB = 2 }

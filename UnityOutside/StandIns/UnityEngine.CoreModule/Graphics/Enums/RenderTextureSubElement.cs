@@ -1,3 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public enum RenderTextureSubElement { Color = 0, Depth = 1, Default = 3 }
