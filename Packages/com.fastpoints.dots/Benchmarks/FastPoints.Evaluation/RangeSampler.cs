@@ -113,8 +113,8 @@ namespace FastPoints.Evaluation
             m_filled = new NativeReference<int>(Allocator.Persistent);
             try
             {
-                yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, new InFlightLimit(slots, slots, () => 0), 0, 0,
-                    m_ranges.Count, n => m_ranges[n], m_longest, progress));
+                yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(m_reader, m_ranges, m_longest), m_schema, this,
+                    new InFlightLimit(slots, slots, () => 0), 0, progress));
                 Points.Count = m_filled.Value;
             }
             finally
