@@ -79,7 +79,7 @@ namespace FastPoints.Reading
             Longest = reader.MaxPointsPerBlock,
         };
 
-        public static ScanRanges Of(PointReader reader, List<BlockRange> ranges, int longest) =>
+        public static ScanRanges Of(PointReader reader, IReadOnlyList<BlockRange> ranges, int longest) =>
             new ScanRanges { Reader = reader, End = ranges.Count, RangeOf = n => ranges[n], Longest = longest };
     }
 
