@@ -62,10 +62,10 @@ namespace FastPoints.Build
             manifest.Checksum = 0;
             var results = new List<ChunkResult>(finished).ToArray();
             var tops = (NativeArray<byte>[])topRecords.Clone();
-            var provisional = new List<int>();
+            var placeholders = new List<int>();
             try
             {
-                yield return JobStep.Of(MakeTops(manifest, store, cubes, results, tops, provisional));
+                yield return JobStep.Of(MakeTops(manifest, store, cubes, results, tops, placeholders));
                 var chunks = new List<ChunkResult>();
                 foreach (var result in results)
                 {
@@ -80,7 +80,7 @@ namespace FastPoints.Build
             }
             finally
             {
-                foreach (int i in provisional)
+                foreach (int i in placeholders)
                     tops[i].Dispose();
             }
             yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
@@ -93,7 +93,7 @@ namespace FastPoints.Build
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
         IEnumerator<JobStep> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
-            ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
+            ChunkResult[] results, NativeArray<byte>[] tops, List<int> placeholders)
         {
             var all = new List<GridCube>(cubes).ToArray();
             var native = new NativeArray<GridCube>(all, Allocator.Persistent);
@@ -135,7 +135,7 @@ namespace FastPoints.Build
                     results[c] = ChunkResult.OfTop(indexer);
                     results[c].Checksum = indexer.Checksum;
                     tops[c] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
-                    provisional.Add(c);
+                    placeholders.Add(c);
                 }
             }
             finally
