@@ -127,10 +127,10 @@ namespace FastPoints.Streaming
 
         JobHandle Close(int at)
         {
-            var gone = m_kept[at];
+            var closed = m_kept[at];
             m_kept[at] = m_kept[m_kept.Count - 1];
             m_kept.RemoveAt(m_kept.Count - 1);
-            return gone.Handle.Close(gone.Reads);
+            return closed.Handle.Close(closed.Reads);
         }
     }
 }
