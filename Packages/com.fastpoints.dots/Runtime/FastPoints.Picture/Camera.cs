@@ -47,8 +47,7 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>Makes a camera. A direction without length becomes +Y; an up vector along the line of sight becomes the axis
-        /// farthest from it.</summary>
+        // A direction without length becomes +Y; an up vector along it the axis farthest from it.
         static Camera Looking(double3 eyeGeo, double3 direction, double3 up)
         {
             var forward = Unit(direction, new double3(0, 1, 0));
@@ -63,7 +62,7 @@ namespace FastPoints.Picture
             return new Camera { EyeGeo = eyeGeo, Right = right, Up = math.cross(right, forward), Forward = forward };
         }
 
-        /// <summary>Divides by the largest component first, so that lengths near the largest double do not overflow.</summary>
+        // Divides by the largest component first, so that lengths near the largest double do not overflow.
         static double3 Unit(double3 direction, double3 instead)
         {
             double largest = math.cmax(math.abs(direction));

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Chooses the point size in each tile from a picture drawn with points of one pixel.</summary>
+    // Chooses the point size in each tile from a picture drawn with points of one pixel.
     [BurstCompile]
     internal struct ChooseSizesJob : IJob
     {
@@ -15,13 +15,13 @@ namespace FastPoints.Picture
         public int WidthPx;
         public int HeightPx;
 
-        /// <summary>The final picture has this many times as many points.</summary>
+        // The final picture has this many times as many points.
         public double PointsPerPointDrawn;
 
-        /// <summary>Row by row from the top.</summary>
+        // Row by row from the top.
         public NativeArray<float> SizeOfTile;
 
-        /// <summary>The size of the median tile among those with points.</summary>
+        // Of the median tile among those with points.
         public NativeReference<float> Typical;
 
         public void Execute()
@@ -57,7 +57,7 @@ namespace FastPoints.Picture
             return count;
         }
 
-        /// <summary>Pixels drawn in the median tile among those with any; those of a full tile if there is none.</summary>
+        // Drawn in the median tile among those with any; those of a full tile if there is none.
         static int MedianOf(NativeArray<int> tilesByPixels)
         {
             int occupied = 0;
@@ -73,7 +73,7 @@ namespace FastPoints.Picture
             return PointSizing.PixelsPerTile;
         }
 
-        /// <summary>Mean over those of a tile and its eight neighbours that have points, so that sizes change gently.</summary>
+        // Over those of a tile and its eight neighbours that have points, so that sizes change gently.
         static double MeanDensity(NativeArray<int> drawn, int tileX, int tileY, int across, int down)
         {
             double sum = 0;

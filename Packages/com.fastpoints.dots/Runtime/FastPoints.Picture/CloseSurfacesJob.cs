@@ -5,24 +5,22 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Enlarges the points of a thin sample where they do not close the surface in front: points drawn through its gaps
-    /// make a tile's pixels look denser than that surface is.</summary>
+    // Enlarges the points of a thin sample where they do not close the surface in front: points drawn through its gaps make a
+    // tile's pixels look denser than that surface is.
     [BurstCompile]
     internal struct CloseSurfacesJob : IJob
     {
-        /// <summary>Share of the face of its cube that the points of a cell cover: a surface crosses few cells as a whole. Found
-        /// by trial on ca13_d and lion: larger values leave fewer pixels bare and blur more.</summary>
+        // Share of the face of its cube that the points of a cell cover: a surface crosses few cells as a whole. Found by trial
+        // on ca13_d and lion: larger values leave fewer pixels bare and blur more.
         const double ShareOfFace = 0.35;
 
         [ReadOnly] public NativeArray<SparseCell> Cells;
-
-        /// <summary>Projects georeferenced positions.</summary>
         public PointProjection Projection;
 
-        /// <summary>The size of the median tile.</summary>
+        // Of the median tile.
         public float TypicalPx;
 
-        /// <summary>Row by row from the top; sizes never become smaller.</summary>
+        // Row by row from the top; sizes never become smaller.
         public NativeArray<float> SizeOfTile;
 
         public void Execute()
@@ -62,14 +60,13 @@ namespace FastPoints.Picture
             sizes.Dispose();
         }
 
-        /// <summary>The tile of a pixel; the last tile for pixels beyond the picture's edge.</summary>
+        // The last tile for pixels beyond the picture's edge.
         static int TileAt(double px, int tiles) => (int)math.clamp(px / PointSizing.TileEdgePx, 0, tiles - 1);
     }
 
-    /// <summary>A cell of a cloud, and how many points of it are drawn.</summary>
+    // A cell of a cloud, and how many points of it are drawn.
     internal struct SparseCell
     {
-        /// <summary>Centre, georeferenced.</summary>
         public double3 Center;
 
         public double Edge;

@@ -32,8 +32,7 @@ namespace FastPoints.Picture
         public double FovDegrees = DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
 
-        /// <summary>Whether a preview of a format that does not say what is up sets <see cref="UpAxis"/>: see
-        /// <see cref="UpGuess"/>.</summary>
+        // A preview of a format that does not say what is up sets UpAxis: see UpGuess.
         internal bool GuessesUpAxis;
 
         public ColorMode Color = ColorMode.Auto;
@@ -88,8 +87,8 @@ namespace FastPoints.Picture
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
             "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
 
-        /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
-        /// <param name="error">What was wanted, or null.</param>
+        /// <summary>Sets one option from text, as the command line's <c>--style</c> has it; the error says what was
+        /// wanted.</summary>
         public bool TrySetStyle(string key, string value, out string error)
         {
             error = null;

@@ -3,13 +3,9 @@ using FastPoints.Drawing;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Computes the colours of some consecutive points.</summary>
     internal static unsafe class PointColoring
     {
-        /// <param name="bytes">The batch's memory.</param>
-        /// <param name="count">At most <see cref="ColumnValues.RunLength"/>.</param>
-        /// <param name="x">The points' stored coordinates, as are <paramref name="y"/> and <paramref name="z"/>.</param>
-        /// <param name="palettes">See <see cref="Palettes.CreateAll"/>.</param>
+        // At most ColumnValues.RunLength points, whose stored coordinates are given; see Palettes.CreateAll.
         public static void ColorRun(byte* bytes, in ColorMapping mapping, uint* palettes, int first, int count, double* x,
             double* y, double* z, uint* colors)
         {
@@ -53,7 +49,7 @@ namespace FastPoints.Picture
                 colors[i] |= (uint)ToIndex(values[i] * mapping.Scale + mapping.Bias) << shift;
         }
 
-        /// <summary>The palette index; NaN becomes 0.</summary>
+        // NaN becomes 0.
         static int ToIndex(double value) => !(value > 0) ? 0 : value < 255 ? (int)value : 255;
     }
 }

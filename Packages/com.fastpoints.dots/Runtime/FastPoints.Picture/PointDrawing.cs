@@ -18,7 +18,6 @@ namespace FastPoints.Picture
     /// </summary>
     internal struct PointDrawing
     {
-        /// <summary>A pixel without a point.</summary>
         public const ulong EmptyPixel = ulong.MaxValue;
 
         public const float MaxSizePx = 64;
@@ -27,28 +26,21 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public ColorMapping Colors;
 
-        /// <summary>The largest size of any point; a size of 1 is drawn faster.</summary>
+        // A size of 1 is drawn faster.
         public float LargestPx;
 
-        /// <summary>Whether the size of points is <see cref="Size"/>, whatever their tiles' size is.</summary>
+        // Whatever the tiles' sizes are.
         public bool HasOwnSize;
         public PointSize Size;
-
-        /// <summary>Draws discs instead of squares.</summary>
         public bool IsRound;
 
-        /// <summary>Draws discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the
-        /// middle, which has the point's own depth. Each pixel of overlapping points goes to the nearest centre.</summary>
+        // Discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle, which has
+        // the point's own depth. Each pixel of overlapping points goes to the nearest centre.
         public bool IsDomed;
 
-        /// <summary>Draws the points from <paramref name="first"/> on. Any number of threads may draw at once.</summary>
-        /// <param name="bytes">The batch's memory.</param>
-        /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of <see
-        /// cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
-        /// <param name="pixels">The picture's pixels, row by row from the top.</param>
-        /// <param name="gaps">The gap of each drawn point: see <see cref="PointSize.ToPx"/>. Null if no size is adaptive.</param>
-        /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see
-        /// cref="BlendedPixels"/>.</param>
+        // Any number of threads may draw at once. A tile's size, at least 1, is the edge of a point's square or the diameter of
+        // its disc: the pixels whose centres lie in it are drawn. Gaps of points are null if no size is adaptive. Sums are null
+        // to draw; once all is drawn, the points are added up there (BlendedPixels).
         public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
             ulong* pixels, float* gaps = null, ulong* sums = null)
         {
@@ -143,13 +135,12 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>The pixel value of a point.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
             (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
 
-        /// <summary>Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early
-        /// costs one more round; the plain read is atomic on 64-bit processors.</summary>
+        // Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early costs one
+        // more round; the plain read is atomic on 64-bit processors.
         static unsafe void Lower(ulong* pixel, ulong key)
         {
             ulong seen = *pixel;

@@ -13,8 +13,7 @@ namespace FastPoints.Picture
     /// it. Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
     public sealed class PreviewCloud : IDisposable
     {
-        /// <summary>From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they
-        /// gain.</summary>
+        // From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they gain.
         const float MinSparsePx = 2;
 
         readonly PointReader m_reader;
@@ -43,11 +42,9 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>The estimated density with its error, as of the sample at that time; null before
-        /// <see cref="EstimateDensity"/>, and for sources whose sample does not show it.</summary>
+        // With its error, as of the sample at that time; null before EstimateDensity, and for sources whose sample does not
+        // show it.
         internal DensityEstimate Density { get; private set; }
-
-        /// <summary>The chosen camera, colours and size, and what was assumed.</summary>
         internal PicturePlan Plan { get; private set; }
 
         /// <summary>Null until the work has ended.</summary>

@@ -8,14 +8,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Draws a sample in slices.</summary>
     static class SamplePicture
     {
-        /// <summary>Points of one slice: about 4 ms of managed code.</summary>
+        // About 4 ms of managed code.
         const int PointsPerSlice = 1 << 17;
 
-        /// <summary>Coroutine: draws the points on top of what the canvas has.</summary>
-        /// <param name="then">Schedules what comes behind it, if anything does.</param>
+        // On top of what the canvas has. Then schedules what comes behind it, if anything.
         public static IEnumerator<JobStep> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
             Func<JobHandle, JobHandle> then = null)
         {
@@ -35,9 +33,8 @@ namespace FastPoints.Picture
             progress?.Report(1, points.Count, 0);
         }
 
-        /// <summary>Coroutine: chooses the point size if the options leave it open, from the sample drawn with single
-        /// pixels. The canvas is empty before and after.</summary>
-        /// <param name="pointsToDraw">Points that the picture will have.</param>
+        // Coroutine: chooses the point size if the options leave it open, from the sample drawn with single pixels. The canvas
+        // is empty before and after.
         public static IEnumerator<JobStep> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             long pointsToDraw)
         {
@@ -50,9 +47,8 @@ namespace FastPoints.Picture
             canvas.Clear();
         }
 
-        /// <summary>Coroutine, after <see cref="ChooseSize"/>: enlarges points that leave a surface open.</summary>
-        /// <param name="density">The density of the cloud.</param>
-        /// <param name="share">The drawn share of the cloud's points.</param>
+        // Coroutine, after ChooseSize: enlarges points that leave a surface open. The share is that of the cloud's points that
+        // is drawn.
         public static IEnumerator<JobStep> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
             PicturePlan plan)
         {
@@ -84,12 +80,12 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>Coroutine: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>
+        // Coroutine: both in one chain.
         public static IEnumerator<JobStep> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             uint background, StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
                 canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, drawn, plan.FillsHoles));
 
-        /// <summary>Coroutine: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
+        // Coroutine: the colours for PictureCanvas.ToImage.
         public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
         {
             var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,

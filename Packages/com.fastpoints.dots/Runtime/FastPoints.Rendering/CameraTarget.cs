@@ -13,10 +13,10 @@ namespace FastPoints.Rendering
         /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
 
-        /// <summary>Whether it may be the screen in place of a texture: only the engine knows, when it draws.</summary>
+        // Only the engine knows, when it draws.
         internal bool MayBeScreen;
 
-        /// <summary>Whether the picture is the lower left part of a target that is larger.</summary>
+        // The lower left part of a target that is larger.
         internal bool IsPart;
 
         /// <summary>Width of the picture; a pipeline may make it larger or smaller than the camera's.</summary>

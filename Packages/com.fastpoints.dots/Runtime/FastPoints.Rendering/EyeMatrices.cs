@@ -37,7 +37,7 @@ namespace FastPoints.Rendering
             PositionWorld = PositionOf(view),
         };
 
-        /// <summary>The position for a matrix that translates, rotates and at most mirrors.</summary>
+        // For a matrix that translates, rotates and at most mirrors.
         static double3 PositionOf(in Matrix4x4 view)
         {
             double3 x = Row(view, 0), y = Row(view, 1), z = Row(view, 2);

@@ -12,7 +12,7 @@ namespace FastPoints.Rendering
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
 
-        /// <summary>A bank and <see cref="ListBuffer"/>.</summary>
+        // A bank and ListBuffer.
         const int VertexBuffers = 2;
 
         readonly StagingRing m_upload;
@@ -48,7 +48,6 @@ namespace FastPoints.Rendering
             m_isDrawn = false;
         }
 
-        /// <summary>A picture is about to be drawn, with whatever is in view.</summary>
         internal void BeginPicture() => m_isDrawn = true;
 
         public override bool TryBeginUpload() => m_upload.TryBegin(m_frame);

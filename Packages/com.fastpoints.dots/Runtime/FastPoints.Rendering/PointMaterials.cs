@@ -18,9 +18,6 @@ namespace FastPoints.Rendering
         Material m_composingSums;
         GraphicsBuffer m_squareIndices;
 
-        /// <param name="points">The package's Points.shader.</param>
-        /// <param name="compose">The package's Compose.shader.</param>
-        /// <param name="raster">The package's RasterPoints.compute; null for none.</param>
         public PointMaterials(Shader points, Shader compose, ComputeShader raster = null)
         {
             m_points = points;
@@ -32,8 +29,8 @@ namespace FastPoints.Rendering
 
         internal ComputeShader Raster { get; }
 
-        /// <summary>Two triangles of four vertices for each point of a block: by an index buffer the GPU computes a vertex that
-        /// both have once.</summary>
+        // Two triangles of four vertices for each point of a block: by an index buffer the GPU computes a vertex that both have
+        // once.
         internal GraphicsBuffer SquareIndices
         {
             get
@@ -49,10 +46,6 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Draws points of a style.</summary>
-        /// <param name="isClipped">Whether there are clip boxes.</param>
-        /// <param name="isFiltered">Whether classes are hidden.</param>
-        /// <param name="isStereo">Whether both eyes are drawn at once.</param>
         internal Material For(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             var variant = new PointVariant(style, isClipped, isFiltered, isStereo);
@@ -64,13 +57,10 @@ namespace FastPoints.Rendering
             return m_ofVariant[variant.Number] = material;
         }
 
-        /// <summary>Draws a layer of points into a camera's picture.</summary>
         internal Material ComposeLayer => m_composingLayer != null ? m_composingLayer : m_composingLayer = Make(m_compose);
 
-        /// <summary>Draws a compute shader's result into a camera's picture.</summary>
         internal Material ComposePixels => Composing(ref m_composingPixels, ShaderNames.FromPixelsKeyword);
 
-        /// <summary>Draws a layer of summed points into a camera's picture.</summary>
         internal Material ComposeSums => Composing(ref m_composingSums, ShaderNames.BlendedKeyword);
 
         Material Composing(ref Material material, string keyword)

@@ -14,7 +14,7 @@ namespace FastPoints.Rendering
     /// instance is a block. Main thread, no garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
-        /// <summary>A pass of Points.shader.</summary>
+        // Of Points.shader.
         const int BlendingPass = 1;
 
         readonly GraphicsNodePool m_pool;
@@ -27,10 +27,8 @@ namespace FastPoints.Rendering
         readonly ComputeRaster m_raster;
         NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
-        /// <param name="materials">All cameras' renderers may share them.</param>
-        /// <param name="pool">The pool of the streams' clouds; this renderer does not dispose it.</param>
-        /// <param name="sizes">Adaptive sizes, which all cameras' renderers may share; this renderer does not dispose
-        /// them.</param>
+        /// <summary>Materials and sizes may be shared by all cameras' renderers. Pool and sizes belong to others, who dispose
+        /// them.</summary>
         public PointRenderer(PointMaterials materials, GraphicsNodePool pool, SizeTree sizes)
         {
             List = new DrawList(sizes);
@@ -43,17 +41,15 @@ namespace FastPoints.Rendering
         /// <summary>What the last <see cref="Prepare"/> listed to draw, and how clouds look.</summary>
         public DrawList List { get; }
 
-        /// <summary>Lists what a camera sees of the stream's last frame.</summary>
-        /// <param name="view">A view in the world space of the stream's placements.</param>
-        /// <param name="style">The style to draw with.</param>
+        /// <summary>Lists what a camera sees of the stream's last frame, from the world space of the stream's
+        /// placements.</summary>
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style)
         {
             m_pool.BeginPicture();
             List.Build(stream, view, style.IsAdaptive);
         }
 
-        /// <summary>Lists what either eye sees.</summary>
-        /// <param name="left">Positions are relative to this eye.</param>
+        /// <summary>Lists what either eye sees, relative to the left one.</summary>
         public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style)
         {
             m_pool.BeginPicture();
@@ -70,8 +66,8 @@ namespace FastPoints.Rendering
             RecordInto(commands, view);
         }
 
-        /// <summary>Records what does not draw into the view's target: uploads, and points that a layer or a compute shader
-        /// collects. While the target is set, each of these makes a GPU that draws in tiles store and load all of it.</summary>
+        // Uploads, and points that a layer or a compute shader collects: each makes a GPU that draws in tiles store and load
+        // all of a target that is set.
         internal void RecordBefore(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
@@ -80,7 +76,7 @@ namespace FastPoints.Rendering
             RecordLayer(commands, view);
         }
 
-        /// <summary>Records the draws into whatever target is set, after <see cref="RecordBefore"/>.</summary>
+        // Into whatever target is set, after RecordBefore.
         internal void RecordInto(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
@@ -214,7 +210,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Vertices of a point, or indices: squares have four vertices, other shapes a triangle around them.</summary>
+        // Or indices: squares have four vertices, other shapes a triangle around them.
         static int VerticesOf(PointShape shape) =>
             shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3;
 

@@ -18,13 +18,13 @@ namespace FastPoints.Rendering
         /// layer.</summary>
         public bool FillsHoles;
 
-        /// <summary>Whether points are drawn into a layer of their own first.</summary>
+        // Into a layer of their own first.
         internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsBlended;
 
-        /// <summary>Whether points are drawn a second time to be summed.</summary>
+        // A second time to be summed.
         internal readonly bool IsBlended => Shape == PointShape.Splat;
 
-        /// <summary>Whether sizes are looked up in the size tree.</summary>
+        // In the size tree.
         internal readonly bool IsAdaptive => Shape != PointShape.Pixel && Size.Mode == PointSizeMode.Adaptive;
 
         public static PointStyle Default => new PointStyle { Shape = PointShape.Square, Size = PointSize.Pixels(2) };

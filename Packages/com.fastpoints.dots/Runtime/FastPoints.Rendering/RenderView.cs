@@ -31,27 +31,24 @@ namespace FastPoints.Rendering
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
 
-        /// <summary>Whether the picture is the lower left part of a target that is larger.</summary>
+        // The lower left part of a target that is larger.
         internal bool IsPart;
 
-        /// <summary>Whether the target may turn out to be the screen, whose rows run the other way from a texture's.</summary>
+        // Rows of the screen run the other way from a texture's.
         internal bool MayBeScreen;
         public PointStyle Style;
 
-        /// <summary>Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.</summary>
+        // Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.
         internal readonly Vector4 Flip => new Vector4(SystemInfo.graphicsUVStartsAtTop ? -1 : 1, MayBeScreen ? 1 : 0, 0, 0);
     }
 
-    /// <summary>The slice of a target to draw into.</summary>
     internal enum TargetEye
     {
-        /// <summary>The target as it is.</summary>
         Whole,
 
-        /// <summary>The first slice of two.</summary>
+        // Of two slices.
         Left,
 
-        /// <summary>The second one.</summary>
         Right,
     }
 }

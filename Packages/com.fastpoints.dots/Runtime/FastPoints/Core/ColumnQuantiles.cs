@@ -2,33 +2,28 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>The range of a column's finite values, and the values below which given shares of them lie.</summary>
-    /// <remarks>They come from at most 65,536 values taken at even distances: the share below each is right within 0.2 % of all
-    /// values (4 sigma of a binomial at a half), whatever the outliers.</remarks>
+    // The range of a column's finite values, and the values below which given shares of them lie. They come from at most 65,536
+    // values taken at even distances: the share below each is right within 0.2 % of all values (4 sigma of a binomial at a
+    // half), whatever the outliers.
     internal struct ColumnQuantiles
     {
         const int MaxSampledValues = 65536;
 
         public ColumnRange Range;
 
-        /// <summary>Values of the column itself (nearest rank); NaN if it has no finite value.</summary>
+        // Values of the column itself (nearest rank); NaN if it has no finite value.
         public double Low;
         public double High;
-
-        /// <summary>A quarter of the values lies below the first, a quarter above the second.</summary>
         public double LowerQuartile;
         public double UpperQuartile;
 
-        /// <summary>Number of values sorted for a column of this length, which is the length of the scratch memory.</summary>
+        // Of a column of this length: the length of the scratch memory.
         public static int SampledValues(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
         static int Step(int count) => (count - 1) / MaxSampledValues + 1;
 
-        /// <summary>The result before any value was examined.</summary>
         public static ColumnQuantiles Empty => new ColumnQuantiles { Range = ColumnRange.Empty };
 
-        /// <param name="stored">Range of the column.</param>
-        /// <param name="keys">Scratch memory for <see cref="SampledValues"/> values, as is <paramref name="keyScratch"/>.</param>
         public static unsafe ColumnQuantiles Measure(in ColumnRange stored, byte* column, AttributeType type, int count,
             double scale, double offset, double lowShare, double highShare, ulong* keys, ulong* keyScratch)
         {

@@ -2,8 +2,7 @@ using System;
 
 namespace FastPoints.Core
 {
-    /// <summary>Marks a struct that is written to disk as it lies in memory. Its byte table is in
-    /// <c>Documentation~/disk-format.md</c>, and a check keeps both equal.</summary>
+    // Marks a struct that lies on disk as in memory: a check keeps it equal to its table in Documentation~/disk-format.md.
     [AttributeUsage(AttributeTargets.Struct)]
     internal sealed class DiskFormatAttribute : Attribute { }
 }

@@ -2,8 +2,7 @@ using System;
 
 namespace FastPoints.Core
 {
-    /// <summary>Marks a struct that shaders read from a buffer as it lies in memory. Its HLSL twin is written to
-    /// <c>Shaders/Generated</c>, and a check keeps both equal.</summary>
+    // Marks a struct that shaders read as it lies in memory: a check keeps it equal to its twin in Shaders/Generated.
     [AttributeUsage(AttributeTargets.Struct)]
     internal sealed class GenerateHlslAttribute : Attribute { }
 }

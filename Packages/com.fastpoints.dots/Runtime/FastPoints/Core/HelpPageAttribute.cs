@@ -3,14 +3,13 @@ using UnityEngine;
 
 namespace FastPoints.Core
 {
-    /// <summary>The page of the manual that the question mark of an inspector opens.</summary>
+    // The page of the manual, by its file's name without the extension, that the question mark of an inspector opens.
     [AttributeUsage(AttributeTargets.Class)]
     internal sealed class HelpPageAttribute : HelpURLAttribute
     {
-        /// <param name="page">Its file's name, without the extension.</param>
         public HelpPageAttribute(string page) : base(page) { }
 
-        /// <summary>Where a page is, where there is an editor.</summary>
+        // Null where there is no editor.
         internal static Func<string, string> UrlOf { get; set; }
 
         public override string URL => UrlOf?.Invoke(base.URL) ?? "";

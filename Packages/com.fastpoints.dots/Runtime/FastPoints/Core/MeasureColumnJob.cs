@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Core
 {
-    /// <summary>Finds the quantiles of one column of any type, as value = stored * Scale + Offset, after its range.</summary>
+    // Finds the quantiles of value = stored * Scale + Offset, from 0 to 1, after MeasureRangeJob found the range.
     [BurstCompile]
     internal struct MeasureColumnJob : IJob
     {
@@ -14,13 +14,8 @@ namespace FastPoints.Core
         public int Count;
         public double Scale;
         public double Offset;
-
-        /// <summary>Shares of the values below <see cref="ColumnQuantiles.Low"/> and <see cref="ColumnQuantiles.High"/>, 0 to
-        /// 1.</summary>
         public double LowShare;
         public double HighShare;
-
-        /// <summary>Holds the range that <see cref="MeasureRangeJob"/> found.</summary>
         public NativeReference<ColumnQuantiles> Found;
 
         public unsafe void Execute()
@@ -36,7 +31,6 @@ namespace FastPoints.Core
         }
     }
 
-    /// <summary>Finds the range of some stored values of a column, for <see cref="MeasureColumnJob"/>.</summary>
     [BurstCompile]
     internal struct MeasureRangeJob : IJob
     {
@@ -44,8 +38,6 @@ namespace FastPoints.Core
         public PointColumn Column;
         public int First;
         public int Count;
-
-        /// <summary>Its range is extended by these values.</summary>
         public NativeReference<ColumnQuantiles> Found;
 
         public unsafe void Execute()

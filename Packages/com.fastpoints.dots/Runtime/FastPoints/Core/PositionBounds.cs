@@ -6,12 +6,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Georeferenced bounds of the finite positions among some points, and how many were not finite.</summary>
+    // Georeferenced bounds of the finite positions among some points, and how many had a coordinate that is not finite.
     internal struct PositionBounds
     {
         public BoundsGeo Bounds;
-
-        /// <summary>Number of points with a coordinate that is infinite or NaN, which lie outside <see cref="Bounds"/>.</summary>
         public long NonFinite;
 
         public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
@@ -22,7 +20,7 @@ namespace FastPoints.Core
             NonFinite += other.NonFinite;
         }
 
-        /// <summary>Includes at most <see cref="ColumnValues.RunLength"/> georeferenced positions.</summary>
+        // At most ColumnValues.RunLength positions.
         public unsafe void IncludeRun(double* x, double* y, double* z, int count)
         {
             double3 min = Bounds.Min, max = Bounds.Max;
@@ -44,10 +42,9 @@ namespace FastPoints.Core
             Bounds = new BoundsGeo(min, max);
         }
 
-        /// <summary>Whether all are finite: x - x is 0 for a finite x and NaN for any other.</summary>
+        // x - x is 0 for a finite x and NaN for any other.
         public static bool IsFinite(double x, double y, double z) => x - x + (y - y) + (z - z) == 0;
 
-        /// <summary>The bounds of the points from <paramref name="first"/> on in a batch's memory.</summary>
         public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
             int first, int count)
         {
@@ -64,12 +61,10 @@ namespace FastPoints.Core
             return found;
         }
 
-        /// <summary>Measures on the calling thread.</summary>
         public static unsafe PositionBounds RunImmediate(PointBatch points, PositionTransform transform) =>
             Measure((byte*)points.Bytes.GetUnsafeReadOnlyPtr(), PositionColumns.Of(points), transform, 0, points.Count);
     }
 
-    /// <summary>Adds the bounds of a range of points to those found before.</summary>
     [BurstCompile]
     internal struct MeasureBoundsJob : IJob
     {

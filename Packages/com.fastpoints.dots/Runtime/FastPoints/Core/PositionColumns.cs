@@ -3,14 +3,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Where a batch keeps its positions: blittable, for jobs.</summary>
     internal struct PositionColumns
     {
         public PointColumn X;
         public PointColumn Y;
         public PointColumn Z;
 
-        /// <exception cref="ArgumentException">The batch has no X, Y, Z.</exception>
         public static PositionColumns Of(PointBatch batch)
         {
             int x = batch.Schema.IndexOf(AttributeNames.X);
@@ -21,8 +19,6 @@ namespace FastPoints.Core
             return new PositionColumns { X = batch.Column(x), Y = batch.Column(y), Z = batch.Column(z) };
         }
 
-        /// <summary>Loads the stored coordinates of consecutive points.</summary>
-        /// <param name="bytes">The batch's memory.</param>
         public unsafe void Load(byte* bytes, int first, int count, double* x, double* y, double* z)
         {
             ColumnValues.ToDoubles(bytes + X.OffsetBytes, X.Type, first, count, x);
@@ -30,7 +26,6 @@ namespace FastPoints.Core
             ColumnValues.ToDoubles(bytes + Z.OffsetBytes, Z.Type, first, count, z);
         }
 
-        /// <summary>Loads the georeferenced positions of consecutive points.</summary>
         public unsafe void LoadGeo(byte* bytes, in PositionTransform transform, int first, int count, double* x, double* y,
             double* z)
         {

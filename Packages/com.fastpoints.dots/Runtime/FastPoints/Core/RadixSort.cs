@@ -2,17 +2,15 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Core
 {
-    /// <summary>Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a
-    /// digit, and only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the
-    /// input.</summary>
+    // Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a digit, and
+    // only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the input.
     internal static unsafe class RadixSort
     {
         const int DigitBits = 8;
         const int DigitValues = 1 << DigitBits;
         const int MaxDigits = 64 / DigitBits;
 
-        /// <summary>Sorts in place, ascending.</summary>
-        /// <param name="payload">Moves with its key; null for keys alone (then <paramref name="payloadScratch"/> is too).</param>
+        // In place, ascending. Null payloads for keys alone.
         public static void Sort(ulong* keys, uint* payload, ulong* keyScratch, uint* payloadScratch, int count)
         {
             if (count < 2)
@@ -55,7 +53,7 @@ namespace FastPoints.Core
                 UnsafeUtility.MemCpy(payload, payloadFrom, (long)count * sizeof(uint));
         }
 
-        /// <summary>Finds where each digit's values start in the sorted order.</summary>
+        // Finds where each digit's values start in the sorted order.
         static void CountDigits(ulong* keys, int count, int shift, int* start)
         {
             UnsafeUtility.MemClear(start, DigitValues * sizeof(int));

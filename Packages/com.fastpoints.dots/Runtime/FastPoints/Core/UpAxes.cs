@@ -2,19 +2,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Directions that follow from the axis that points up.</summary>
     internal static class UpAxes
     {
-        /// <summary>Of X, Y and Z, whichever way it points.</summary>
+        // Of X, Y and Z, whichever way it points.
         public static int Index(this UpAxis axis) => (int)axis % 3;
 
         public static bool IsNegative(this UpAxis axis) => axis >= UpAxis.NegativeX;
 
-        /// <summary>The height of a place, or of a direction's end.</summary>
         public static double Height(this UpAxis axis, double3 geo) => axis.IsNegative() ? -geo[axis.Index()] : geo[axis.Index()];
 
-        /// <summary>Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its
-        /// axes.</summary>
+        // Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its axes.
         public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
         {
             var x = new double3(1, 0, 0);

@@ -38,23 +38,22 @@ namespace FastPoints.Drawing
 
         public bool IsCreated => m_nodes.IsCreated;
 
-        /// <summary>Indexed by cloud number.</summary>
+        // Indexed by cloud number.
         internal NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
         internal NativeArray<GpuNode> Nodes => m_nodes.AsArray();
 
         /// <summary>Index in <see cref="Nodes"/> of each block's node.</summary>
         public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
 
-        /// <summary>One draw for each bank that has something to draw.</summary>
+        // One for each bank that has something to draw.
         internal NativeArray<BankDraw> Draws => m_draws.AsArray();
 
-        /// <summary>The boxes that points are clipped by.</summary>
         internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
 
         /// <summary>Whether any cloud hides points by their class.</summary>
         public bool HidesClasses { get; private set; }
 
-        /// <summary>The nodes in which adaptive sizes are looked up; empty if no size is adaptive.</summary>
+        // Adaptive sizes are looked up in these; empty if there are none.
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
 
         /// <summary>Points of the nodes that the camera sees.</summary>
@@ -69,11 +68,8 @@ namespace FastPoints.Drawing
             m_looks[cloud] = look;
         }
 
-        /// <summary>Fills the list from the stream's last frame.</summary>
-        /// <param name="view">Positions are relative to its eye.</param>
-        /// <param name="isAdaptive">Whether sizes are adaptive; if not, <see cref="SizeNodes"/> is empty.</param>
-        /// <param name="rightEye">A headset's right eye, where <paramref name="view"/> is the left one: everything that either
-        /// eye sees is listed.</param>
+        /// <summary>Fills the list from the stream's last frame, relative to the view's eye. With a headset's right eye beside
+        /// the left one, everything that either sees is listed.</summary>
         public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false, StreamView? rightEye = null)
         {
             if (isAdaptive)

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>A <see cref="ClipBox"/> as shaders see it for one view: the dot product of a row's x, y, z with the vector from
-    /// the camera, plus its w, is a coordinate in the box, from -0.5 to 0.5.</summary>
+    // A clip box for one view: the dot product of a row's x, y, z with the vector from the camera, plus its w, is a coordinate
+    // in the box, from -0.5 to 0.5.
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuClipBox
@@ -17,7 +17,7 @@ namespace FastPoints.Drawing
 
         public uint3 Reserved;
 
-        /// <summary>1 if the box removes what lies inside it.</summary>
+        // 1 if the box removes what lies inside it.
         public uint Cuts;
 
         public GpuClipBox(in ClipBox box, double3 eyeWorld)

@@ -37,9 +37,8 @@ namespace FastPoints.Drawing
         /// <summary>The smallest and largest size in pixels, with invalid limits corrected.</summary>
         public readonly float2 LimitsPx => new float2(math.max(1, MinPx), math.max(math.max(1, MinPx), MaxPx));
 
-        /// <summary>The size in pixels.</summary>
-        /// <param name="gap">Distance between points at that place in world units, used if the size is adaptive.</param>
-        /// <param name="pixelsPerUnit">Pixels of a world unit at the point's depth.</param>
+        /// <summary>The size in pixels, by the distance between points there in world units (if adaptive) and the pixels of a
+        /// world unit at their depth.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly float ToPx(float gap, float pixelsPerUnit)
         {

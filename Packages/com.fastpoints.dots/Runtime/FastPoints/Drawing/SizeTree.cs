@@ -77,9 +77,7 @@ namespace FastPoints.Drawing
             m_nodeOfDrawn.Clear();
         }
 
-        /// <summary>The distance between points at a place.</summary>
-        /// <param name="node">The node that the point is drawn with.</param>
-        /// <param name="place">Position of the point in the node's cube: from 0 to 1 along each axis.</param>
+        // The node is the one that the point is drawn with, the place that in its cube: from 0 to 1 along each axis.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
         {

@@ -2,32 +2,29 @@ using FastPoints.Core;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The point that a search has found, and its position in the cloud. Blittable.</summary>
     internal struct PickHit
     {
-        /// <summary>World units along the ray; infinity if nothing was found.</summary>
+        // World units along the ray; infinity if nothing was found.
         public double Distance;
-
-        /// <summary>Squared distance from the ray.</summary>
         public double RayDistanceSq;
 
-        /// <summary>On the cloud's grid.</summary>
+        // On the cloud's grid.
         public Grid3 Place;
         public int Page;
 
-        /// <summary>The node whose planes hold the point.</summary>
+        // Its planes hold the point.
         public int Node;
         public int Block;
 
-        /// <summary>Index in its block.</summary>
+        // In its block.
         public int Index;
 
         public static PickHit None => new PickHit { Distance = double.PositiveInfinity };
 
         public readonly bool IsFound => Distance < double.PositiveInfinity;
 
-        /// <summary>Whether it is nearer to the camera, or, at equal distance, nearer to the ray. Ties are decided by position,
-        /// so that no reading order matters; of several points at one position, the first one wins.</summary>
+        // Nearer to the camera, or, at equal distance, nearer to the ray. Ties are decided by position, so that no reading
+        // order matters; of several points at one position, the first one wins.
         public readonly bool IsBefore(in PickHit other)
         {
             if (Distance != other.Distance)

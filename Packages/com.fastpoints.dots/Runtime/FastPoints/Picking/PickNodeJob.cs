@@ -10,8 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Finds the first hit of a ray among the points of one node and its inlined leaves, at most a few times 50,000,
-    /// block by block. It checks what was read before unpacking it.</summary>
+    // Finds the first hit of a ray among the points of one node and its inlined leaves, at most a few times 50,000, block by
+    // block. It checks what was read before unpacking it.
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {
@@ -20,27 +20,27 @@ namespace FastPoints.Picking
         public PlaneShape PositionShape;
         public ulong PositionHash;
 
-        /// <summary>Shape of the plane of classes, if some are <see cref="Hidden"/>; otherwise anything.</summary>
+        // Of the plane of classes, if some are Hidden; otherwise anything.
         [ReadOnly] public NativeArray<byte> Classes;
         public PlaneShape ClassShape;
         public ulong ClassHash;
         public ClassMask Hidden;
         public int BlockCount;
 
-        /// <summary>Whether the planes were made in memory, so that there are no hashes.</summary>
+        // Made in memory, so that there are no hashes.
         public bool IsTranscoded;
 
         public PickSpace Space;
         [ReadOnly] public NativeArray<LocalClip> Clips;
 
-        /// <summary>CRS units of a grid step.</summary>
+        // CRS units.
         public double3 Step;
         public Grid3 RootCorner;
         public NodeAddress Place;
         public int Page;
         public int Node;
 
-        /// <summary>In: the limit that a hit must beat. Out: the first hit, or the unchanged limit.</summary>
+        // In: the limit that a hit must beat. Out: the first hit, or the unchanged limit.
         public NativeReference<PickHit> Best;
         public NativeReference<bool> IsDamaged;
 
@@ -69,8 +69,7 @@ namespace FastPoints.Picking
             return new PlaneView(start, shape, BlockCount);
         }
 
-        /// <returns>The centre of the box that the columns' minima and widths allow, in CRS units from the root's
-        /// corner.</returns>
+        // The centre of the box that the columns' minima and widths allow, in CRS units from the root's corner.
         double3 BoxOf(in PlaneView positions, int block, out double3 half)
         {
             var min = new double3(positions.MinimumOf(block, 0), positions.MinimumOf(block, 1), positions.MinimumOf(block, 2));

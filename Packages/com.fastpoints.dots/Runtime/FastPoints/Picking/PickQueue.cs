@@ -2,14 +2,13 @@ using System.Collections.Generic;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The candidates of a search, nearest first: a binary heap that keeps its memory.</summary>
+    // The candidates of a search, nearest first: a binary heap that keeps its memory.
     sealed class PickQueue
     {
         readonly List<PickCandidate> m_items = new List<PickCandidate>();
 
         public int Count => m_items.Count;
 
-        /// <summary>The nearest candidate.</summary>
         public PickCandidate Next => m_items[0];
 
         public void Clear() => m_items.Clear();
@@ -44,18 +43,17 @@ namespace FastPoints.Picking
         }
     }
 
-    /// <summary>A node, or a page that is not loaded, in which a ray might hit something.</summary>
+    // A node, or a page that is not loaded, in which a ray might hit something.
     struct PickCandidate
     {
-        /// <summary>Takes the place of a <see cref="Node"/>.</summary>
         public const int WholePage = -1;
 
-        /// <summary>Distance along the ray: no hit in it or below it is nearer.</summary>
+        // Along the ray: no hit in it or below it is nearer.
         public double Distance;
         public int Page;
         public int Node;
 
-        /// <summary>Spacing of the points above it in CRS units.</summary>
+        // Of the points above it, in CRS units.
         public double SpacingAbove;
 
         public readonly bool IsPage => Node == WholePage;

@@ -21,15 +21,10 @@ namespace FastPoints.Picking
         /// <summary>Hits lie between these distances along the ray in world units: a camera's clip planes, for example.</summary>
         public double From;
         public double To;
-
-        /// <summary>Of the view that the ray is through.</summary>
         internal ViewMask Mask;
 
-        /// <summary>Makes the ray of a perspective camera.</summary>
-        /// <param name="direction">A vector of any length.</param>
-        /// <param name="scalePx">Pixels of one unit at a distance of one unit (<see
-        /// cref="StreamView.ScalePx"/>).</param>
-        /// <param name="radiusPx">Must be above 0: a ray without width hits nothing.</param>
+        /// <summary>The ray of a perspective camera, with a width of more than 0. The scale is in pixels of one unit at a
+        /// distance of one unit (<see cref="StreamView.ScalePx"/>), the direction of any length.</summary>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = eyeWorld,
@@ -38,9 +33,7 @@ namespace FastPoints.Picking
             To = double.PositiveInfinity,
         };
 
-        /// <summary>Makes the ray of an orthographic camera.</summary>
-        /// <param name="originWorld">Where the pixel's line crosses the camera's plane.</param>
-        /// <param name="scalePx">Pixels of one unit.</param>
+        /// <summary>The ray of an orthographic camera from where the pixel's line crosses the camera's plane.</summary>
         public static PickRay Parallel(double3 originWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = originWorld,

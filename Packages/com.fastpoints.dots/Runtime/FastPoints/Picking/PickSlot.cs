@@ -8,8 +8,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made,
-    /// searches them in a job and takes the result. Its memory is reused.</summary>
+    // Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made, searches them
+    // in a job and takes the result. Its memory is reused.
     sealed class PickSlot : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -23,7 +23,7 @@ namespace FastPoints.Picking
         NodeTranscoder m_transcoder;
         bool m_isTranscoding;
 
-        /// <summary>The search of the node that is being made.</summary>
+        // Of the node that is being made.
         PickNodeJob m_job;
         int m_classPlane;
 
@@ -36,16 +36,15 @@ namespace FastPoints.Picking
             m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
         }
 
-        /// <summary>The handle to await before the next call.</summary>
+        // To await before the next call.
         public JobHandle Done { get; private set; }
 
         NodeSource Source => m_cloud.Source;
 
-        /// <summary>Bytes of what was begun last.</summary>
+        // Of what was begun last.
         public long Bytes { get; private set; }
 
-        /// <summary>Takes a candidate over.</summary>
-        /// <returns>False if the node would have to be made while enough are being made already; true if none is.</returns>
+        // False if the node would have to be made while enough are being made already.
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
@@ -55,7 +54,6 @@ namespace FastPoints.Picking
             return m_transcoder != null;
         }
 
-        /// <summary>Begins to read a page.</summary>
         public void BeginPage()
         {
             Bytes = 0;
@@ -67,9 +65,7 @@ namespace FastPoints.Picking
             Done = m_first.Done;
         }
 
-        /// <summary>Continues with what was read or made, if there is more to do. After <see cref="Done"/> it can then be
-        /// ended.</summary>
-        /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
+        // With what was read or made, if there is more to do. After Done it can then be ended.
         public void Continue()
         {
             if (m_candidate.IsPage)
@@ -78,7 +74,6 @@ namespace FastPoints.Picking
                 SearchTranscoded();
         }
 
-        /// <exception cref="PointCloudException">The table is damaged.</exception>
         public void EndPage()
         {
             Done.Complete();
@@ -89,8 +84,7 @@ namespace FastPoints.Picking
             m_built.Value = default;
         }
 
-        /// <summary>Begins to search a node.</summary>
-        /// <param name="classPlane">Index among the streamed planes; used if classes are hidden.</param>
+        // The plane of classes is an index among the streamed ones.
         public unsafe void BeginNode(in PickSpace space, NativeArray<LocalClip> clips, in ClassMask hidden, int classPlane,
             in PickHit best)
         {
@@ -120,8 +114,7 @@ namespace FastPoints.Picking
                 BeginReading();
         }
 
-        /// <summary>Returns the node's first hit, or the one that the search began with.</summary>
-        /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
+        // The node's first hit, or the one that the search began with.
         public PickHit EndNode()
         {
             Done.Complete();
@@ -135,7 +128,6 @@ namespace FastPoints.Picking
             return m_best.Value;
         }
 
-        /// <summary>Awaits unfinished work whose result is no longer wanted.</summary>
         public unsafe void Abandon()
         {
             Done.Complete();

@@ -37,14 +37,12 @@ namespace FastPoints.Picking
         public IReadOnlyList<PickedAttribute> Attributes { get; }
     }
 
-    /// <summary>The result of a search.</summary>
     internal sealed class PickResult
     {
-        /// <summary>Null if nothing was hit.</summary>
+        // Null if nothing was hit.
         public PickedPoint Point { get; internal set; }
 
-        /// <summary>Whether the search ended at <see cref="PickOptions.MaxBytes"/>, so that there may be a nearer
-        /// point.</summary>
+        // The search ended at PickOptions.MaxBytes, so that there may be a nearer point.
         public bool IsPartial { get; internal set; }
 
         public int NodesRead { get; internal set; }

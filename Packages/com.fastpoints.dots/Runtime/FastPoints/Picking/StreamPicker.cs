@@ -16,7 +16,7 @@ namespace FastPoints.Picking
         {
             public int Cloud;
 
-            /// <summary>The stream's source, which may have been disposed since.</summary>
+            // May have been disposed since.
             public NodeSource Source;
             public CloudPlacement Placement;
             public ClassMask HiddenClasses;
@@ -37,9 +37,9 @@ namespace FastPoints.Picking
 
         public bool IsSearching { get; private set; }
 
-        /// <summary>Begins a search of the clouds as they are now; a search in progress is broken off.</summary>
-        /// <param name="hiddenOf">Gives for a cloud's number the classes whose points are not shown; null for none.</param>
-        /// <param name="isSearched">Tells by a cloud's number whether it is one of those to search; null for all.</param>
+        /// <summary>Begins a search of the clouds as they are now, of all or of those that are to be searched; a search in
+        /// progress is broken off. Points of hidden classes are not hit. Both functions take a cloud's number and may be
+        /// null.</summary>
         public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
             Func<int, bool> isSearched = null)
         {
@@ -75,9 +75,8 @@ namespace FastPoints.Picking
             IsSearching = true;
         }
 
-        /// <summary>Continues the search; called once a frame.</summary>
-        /// <param name="budgetMs">Time on the main thread.</param>
-        /// <returns>Whether the search is done, and <see cref="Pick"/> its result.</returns>
+        /// <summary>Continues the search once a frame, for about so long on the main thread. Returns whether it is done, and
+        /// <see cref="Pick"/> its result.</summary>
         public bool Update(double budgetMs = 1)
         {
             while (IsSearching)
@@ -111,7 +110,7 @@ namespace FastPoints.Picking
             m_pickers.Clear();
         }
 
-        /// <returns>Whether the cloud is done.</returns>
+        // Whether the cloud is done.
         bool Step(in Target target, double budgetMs)
         {
             if (!m_pickers.TryGetValue(target.Source, out var picker))
@@ -141,7 +140,7 @@ namespace FastPoints.Picking
             return true;
         }
 
-        /// <returns>Whether <see cref="m_opened"/> is ready, or will never be.</returns>
+        // Whether m_opened is ready, or will never be.
         bool TryOpen(NodeSource streamed, double budgetMs)
         {
             m_opening ??= new JobCoroutine(streamed.OpenForPicking(opened => m_opened = opened));

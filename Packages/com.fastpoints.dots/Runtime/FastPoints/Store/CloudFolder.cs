@@ -29,7 +29,7 @@ namespace FastPoints.Store
         /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
         public NodeTable Upper { get; private set; }
 
-        /// <summary>Which planes were hashed before; null unless the folder was opened to be shown.</summary>
+        // Null unless the folder was opened to be shown.
         internal CheckedPlanes Checked { get; private set; }
 
         /// <summary>Chunk records, in the order of the upper nodes that they are attached to.</summary>
@@ -108,7 +108,7 @@ namespace FastPoints.Store
         /// <summary>The nodes of one chunk; the caller disposes the table.</summary>
         public NodeTable LoadTable(int chunk) => LoadTable(ChunkPath(chunk), Chunks[chunk]);
 
-        /// <summary>The same on any thread, even while the folder is disposed.</summary>
+        // On any thread, even while the folder is disposed.
         internal NodeTable LoadTable(string path, in ChunkRecord record)
         {
             var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);

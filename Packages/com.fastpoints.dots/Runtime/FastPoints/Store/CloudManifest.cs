@@ -59,8 +59,7 @@ namespace FastPoints.Store
         /// <summary>By attribute.</summary>
         public Range[] Ranges;
 
-        /// <summary>Null where nobody has looked: of clouds in the making, and of those that were converted before there were
-        /// such.</summary>
+        // Null for clouds in the making, and for those that were converted before there were such.
         internal ShownRanges? Shown;
 
         public int NodeCount;
@@ -258,20 +257,19 @@ namespace FastPoints.Store
         }
     }
 
-    /// <summary>Where nearly all points of a cloud and their values are, outliers apart: what displays frame and colour by. From
-    /// a sample of the octree's upper levels.</summary>
+    // Where nearly all points and their values are, outliers apart: what displays frame and colour by. From a sample of the
+    // octree's upper levels.
     internal struct ShownRanges
     {
-        /// <summary>Georeferenced.</summary>
         public BoundsGeo BoundsGeo;
 
-        /// <summary>Along Z, in CRS units.</summary>
+        // Along Z, in CRS units.
         public CloudManifest.Range Elevation;
 
-        /// <summary>Stored values; both 0 where there is no intensity.</summary>
+        // Stored values; both 0 where there is no intensity.
         public CloudManifest.Range Intensity;
 
-        /// <summary>Whether there is colour, and more than outliers have it.</summary>
+        // More than outliers have it.
         public bool HasColor;
     }
 }

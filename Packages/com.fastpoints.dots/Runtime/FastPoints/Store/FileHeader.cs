@@ -3,7 +3,6 @@ using FastPoints.Core;
 
 namespace FastPoints.Store
 {
-    /// <summary>The first bytes of each binary file.</summary>
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
     internal struct FileHeader

@@ -53,7 +53,7 @@ namespace FastPoints.Store
             return problem.IsNone ? null : Describe(problem, check);
         }
 
-        /// <summary>Puts a problem into words; <paramref name="check"/> found it, and its memory must still exist.</summary>
+        // Of what check found; its memory must still exist.
         internal static unsafe string Describe(TableProblem problem, in TableCheck check)
         {
             switch (problem.Fault)

@@ -3,27 +3,24 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>Checks whether a table of nodes is consistent before anything in it is used. It reads memory alone, so that a job
-    /// can use it as well.</summary>
+    // Whether a table of nodes is consistent, before anything in it is used. Reads memory alone: for jobs as well.
     internal unsafe struct TableCheck
     {
         public NodeRecord* Nodes;
 
-        /// <summary>Indexed by node times <see cref="PlaneCount"/>, plus plane.</summary>
+        // By node times PlaneCount, plus plane.
         public PlaneRange* Planes;
         public int NodeCount;
         public int PlaneCount;
 
-        /// <summary>One for each plane; the position's is that of nodes that are not wide.</summary>
+        // The position's is that of nodes that are not wide.
         public PlaneShape* Shapes;
-
-        /// <summary>Contains all nodes.</summary>
         public GridCube Region;
 
-        /// <summary>Planes lie between the header and this offset.</summary>
+        // Planes lie between the header and this offset.
         public long DataBytes;
 
-        /// <summary>Whether several nodes may have no parent.</summary>
+        // Several nodes may have no parent.
         public bool IsChunk;
 
         public TableProblem Find()

@@ -8,21 +8,19 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The source of a cloud's folder, finished or in the making; in the latter case, of the opened
-    /// generation.</summary>
+    /// <summary>The source of a cloud's folder, finished or in the making; then of the generation that was opened.</summary>
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;
         readonly HierarchyGrid m_grid;
 
-        /// <summary>Made once: a new path for each read would be garbage.</summary>
+        // Made once: a new path for each read would be garbage.
         readonly string[] m_pathOfPage;
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 
-        /// <param name="folder">This source owns it.</param>
-        /// <param name="planes">Names of planes that are streamed besides the position (<see cref="StoreLayout"/>); those that
-        /// the cloud lacks are left out.</param>
+        /// <summary>Owns the folder. Streams the named planes besides the position; those that the cloud lacks are left
+        /// out.</summary>
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;

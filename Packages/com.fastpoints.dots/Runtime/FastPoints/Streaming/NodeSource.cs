@@ -50,7 +50,6 @@ namespace FastPoints.Streaming
         /// <summary>The file that holds the planes of a page's nodes.</summary>
         public abstract string PathOf(int page);
 
-        /// <summary>The bytes to read before a page can be built.</summary>
         internal abstract FilePiece TableOf(int page);
 
         /// <summary>Checks the bytes read and makes a page of them.</summary>
@@ -60,14 +59,11 @@ namespace FastPoints.Streaming
         /// <summary>Describes the problem that <see cref="ScheduleBuild"/> found.</summary>
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
 
-        /// <summary>Whether a plane of a node was found to be as written before, so that its hash need not be checked again.
-        /// Main thread.</summary>
-        /// <param name="plane">Index among the streamed planes.</param>
+        // Whether a plane was found to be as written before, so that its hash need not be checked again. Main thread.
         internal virtual bool IsChecked(int page, int node, int plane) => false;
 
         internal virtual void SetChecked(int page, int node, int plane) { }
 
-        /// <summary>Has all planes of a page's file checked again.</summary>
         internal virtual void ForgetChecked(int page) { }
 
         /// <summary>For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
@@ -84,7 +80,6 @@ namespace FastPoints.Streaming
         /// <returns>The failure, or null.</returns>
         public virtual PointCloudException Update() => null;
 
-        /// <summary>Whether <see cref="Update"/> has something to do.</summary>
         internal virtual bool IsReading => false;
 
         /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
@@ -110,7 +105,6 @@ namespace FastPoints.Streaming
         public abstract void Dispose();
     }
 
-    /// <summary>Consecutive bytes of a file.</summary>
     internal struct FilePiece
     {
         public string Path;

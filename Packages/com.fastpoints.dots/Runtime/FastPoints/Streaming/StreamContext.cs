@@ -10,7 +10,7 @@ namespace FastPoints.Streaming
     /// and awaits reads and frees all memory. Main thread.</summary>
     public sealed unsafe class StreamContext : IDisposable
     {
-        /// <summary>A hierarchy page must be out of view for this many frames before it is unloaded.</summary>
+        // A hierarchy page must be out of view for this many frames before it is unloaded.
         const uint FramesToUnload = 300;
 
         readonly StreamState m_state;
@@ -40,7 +40,7 @@ namespace FastPoints.Streaming
         internal NativeReference<DrawnTotals> DrawnTotals { get; }
         internal CameraMotion Motion { get; } = new CameraMotion();
 
-        /// <summary>Indexed by number; null for a removed cloud.</summary>
+        // Indexed by number; null for a removed cloud.
         internal IReadOnlyList<StreamedCloud> Clouds => m_state.Clouds;
 
         /// <summary>The boxes that all clouds are clipped by: nothing outside is selected, loaded or drawn. They may change from
@@ -65,7 +65,7 @@ namespace FastPoints.Streaming
         /// <summary>Whether a removed cloud still has reads or uploads in flight.</summary>
         public bool IsRemovingAny => m_state.Clouds.Exists(c => c != null && c.IsRemoving);
 
-        /// <summary>Whether a source reads what its pages are built of, which no read of the stream's is.</summary>
+        // Whether a source reads what its pages are built of, which no read of the stream's is.
         internal bool IsReadingHierarchy => m_state.Clouds.Exists(c => c != null && c.Source.IsReading);
 
         /// <summary>Replaces <see cref="ClipBoxes"/>.</summary>
@@ -186,7 +186,7 @@ namespace FastPoints.Streaming
             Pool.FreeEmptyBanks();
         }
 
-        /// <summary>Examines one page each frame while there are more than there should be.</summary>
+        // Examines one page each frame while there are more than there should be.
         void UnloadPage()
         {
             long bytes = 0;

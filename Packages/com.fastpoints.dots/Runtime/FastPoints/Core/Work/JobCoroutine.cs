@@ -27,7 +27,7 @@ namespace FastPoints.Core
         public static implicit operator JobStep(JobHandle jobs) => new JobStep(jobs, null);
     }
 
-    /// <summary>Iterates the steps of work and of all work nested in it; each is the handle to await.</summary>
+    // Iterates the steps of work and of all work nested in it, as handles to await. It disposes from the inside out.
     internal sealed class CoroutineStack : IEnumerator<JobHandle>
     {
         readonly Stack<IEnumerator<JobStep>> m_stack = new Stack<IEnumerator<JobStep>>();
@@ -38,7 +38,6 @@ namespace FastPoints.Core
 
         object IEnumerator.Current => Current;
 
-        /// <summary>Runs the next step. If it throws, everything is disposed from the inside out.</summary>
         public bool MoveNext()
         {
             bool isWhole = false;
@@ -55,7 +54,6 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>Disposes what has not ended, from the inside out.</summary>
         public void Dispose()
         {
             if (m_stack.Count == 0)
@@ -103,13 +101,13 @@ namespace FastPoints.Core
     /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
     public sealed class JobCoroutine
     {
-        /// <summary>How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after
-        /// another, the ticks between two of them no longer double.</summary>
+        // How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after another, the
+        // ticks between two of them no longer double.
         const double SpinMs = 1;
         const int MaxFailedSpins = 4;
 
-        /// <summary>A tick that gets more than this is no part of a smooth frame: an editor's without focus, of which there are
-        /// few. It waits for jobs as long as its budget.</summary>
+        // A tick with more is no part of a smooth frame, but an editor's without focus: it waits for jobs as long as its
+        // budget.
         const double MaxFrameMs = 16;
 
         static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
@@ -124,7 +122,6 @@ namespace FastPoints.Core
         {
         }
 
-        /// <param name="nowMs">The clock that budgets go by, in milliseconds.</param>
         internal JobCoroutine(IEnumerator<JobStep> work, Func<double> nowMs)
         {
             m_work = new CoroutineStack(work);
@@ -132,12 +129,9 @@ namespace FastPoints.Core
         }
 
         public bool IsDone { get; private set; }
-
-        /// <summary>Ticks that waited for a job that did not end.</summary>
         internal int FailedSpins { get; private set; }
 
-        /// <summary>Whether a job has ended. Without worker threads only who waits runs jobs: it is run here and now. Main
-        /// thread.</summary>
+        // Without worker threads only who waits runs jobs: it is run here and now. Main thread.
         internal static bool HasEnded(JobHandle job)
         {
             if (JobsUtility.JobWorkerCount == 0)

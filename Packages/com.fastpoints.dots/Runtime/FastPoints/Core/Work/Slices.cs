@@ -5,23 +5,19 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Core
 {
-    /// <summary>Work on a range that is cut into short jobs. All of them are scheduled ahead: if each were awaited before the
-    /// next one, a tick of the coroutine would bring it on by one slice.</summary>
+    // Work on a range that is cut into short jobs. All are scheduled ahead: if each were awaited before the next one, a tick of
+    // the coroutine would bring it on by one slice.
     internal static class Slices
     {
-        /// <summary>Jobs to schedule in one step: a fraction of a millisecond of the main thread.</summary>
+        // A fraction of a millisecond of the main thread.
         const int JobsPerStep = 16;
 
-        /// <summary>Steps whose jobs are in flight at most: about a second's work.</summary>
+        // About a second's work.
         const int MaxStepsInFlight = 32;
 
-        /// <summary>Chains that all workers, and a thread that waits, can run side by side.</summary>
+        // As all workers, and a thread that waits, can run side by side.
         public static int MaxChains => Math.Max(1, JobsUtility.JobWorkerCount) + 1;
 
-        /// <summary>Coroutine: the range in slices, each after the one before in its lane.</summary>
-        /// <param name="schedule">Schedules the slice from its first to before its second argument, after the third.</param>
-        /// <param name="chains">Chains side by side.</param>
-        /// <param name="inputDeps">What the first slices come behind; it is complete in the end.</param>
         public static IEnumerator<JobStep> Run(int begin, int end, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,
             int chains = 1, JobHandle inputDeps = default)
         {
@@ -38,8 +34,6 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>The same without awaiting the last slices.</summary>
-        /// <param name="scheduled">Receives the handle of all slices.</param>
         public static IEnumerator<JobStep> Schedule(int begin, int end, int perSlice,
             Func<int, int, JobHandle, JobHandle> schedule, int chains, JobHandle inputDeps, Action<JobHandle> scheduled)
         {

@@ -3,33 +3,31 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Maps a point's stored values to its colour, for one batch layout. Blittable, for jobs.</summary>
+    // Maps a point's stored values to its colour, for one batch layout.
     internal struct ColorMapping
     {
-        /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
+        // Never Auto.
         public ColorMode Mode;
 
-        /// <summary>The three columns for RGB; for modes of one attribute, the first one is its column.</summary>
+        // Three columns for RGB; modes of one attribute have the first alone.
         public PointColumn First;
         public PointColumn Second;
         public PointColumn Third;
 
-        /// <summary>The first entry of its table among all (<see cref="Palettes.CreateAll"/>); meaningless for RGB.</summary>
+        // Of its table in Palettes.CreateAll; meaningless for RGB.
         public int FirstEntry;
 
-        /// <summary>Whether the palette repeats: entries beyond 255 count from 0 again.</summary>
+        // Entries beyond 255 count from 0 again.
         public bool Wraps;
 
-        /// <summary>Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.</summary>
+        // Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.
         public double Scale;
         public double Bias;
 
-        /// <summary>For elevation: weights of the stored x, y and z in the value; otherwise 0.</summary>
+        // For elevation: weights of the stored x, y and z in the value; otherwise 0.
         public double3 PositionWeights;
 
-        /// <summary>The mapping for a mode that the batch has the columns for (see
-        /// <see cref="DisplayRanges.Resolve"/>).</summary>
-        /// <param name="gradient">The gradient for amounts.</param>
+        // For a mode that the batch has the columns for (DisplayRanges.Resolve).
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)
         {
@@ -50,8 +48,7 @@ namespace FastPoints.Drawing
             return mapping;
         }
 
-        /// <summary>The mapping for a mode, without columns.</summary>
-        /// <param name="gradient">The gradient for amounts.</param>
+        // Without columns.
         public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)
         {
@@ -86,7 +83,7 @@ namespace FastPoints.Drawing
             return mapping;
         }
 
-        /// <summary>Maps low to entry 0 and high to entry 255; a single value maps to the middle.</summary>
+        // A single value maps to the middle.
         void SetRange(double low, double high)
         {
             double extent = high - low;

@@ -12,39 +12,38 @@ namespace FastPoints.Drawing
     /// <summary>What a display needs to know of a cloud, found from all points of a sample.</summary>
     public sealed class DisplayRanges
     {
-        /// <summary>Of the values, this share at either end is taken for outliers.</summary>
+        // Of the values, this share at either end is taken for outliers.
         const double OutlierShare = 0.005;
         const double IntensityOutlierShare = 0.01;
 
-        /// <summary>Outliers apart, the bounds are widened by this share of their size on either side.</summary>
+        // Outliers apart, the bounds are widened by this share of their size on either side.
         const double Widening = 0.1;
 
-        /// <summary>What lies farther from the middle half than so many times its longest edge is not framed, however many points
-        /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one
-        /// pixel.</summary>
+        // What lies farther from the middle half than so many times its longest edge is not framed, however many points that
+        // are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.
         const double FarInInterquartileRanges = 50;
 
-        /// <summary>Bounds so many times as large as those that are framed are told of.</summary>
+        // Bounds so many times as large as those that are framed are told of.
         const double FarBoundsFactor = 10;
 
-        /// <summary>Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and
-        /// metres is a thousand times.</summary>
+        // Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and metres
+        // is a thousand times.
         const double MaxHeightPerDegree = 200;
 
         const double MetresPerDegree = 111_320;
 
-        /// <summary>Of 255: colours that are darker but for outliers cannot be told from the background.</summary>
+        // Of 255: colours that are darker but for outliers cannot be told from the background.
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
 
-        /// <summary>A millisecond each.</summary>
+        // A millisecond each.
         const int SignalParts = 4;
 
-        /// <summary>Of one slice of measuring: less than a millisecond of managed code.</summary>
+        // Less than a millisecond of managed code.
         const int PointsPerSlice = 1 << 17;
 
-        /// <summary>What is measured: the position first.</summary>
+        // The position first.
         static readonly string[] s_columns =
         {
             AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Red,
@@ -54,8 +53,7 @@ namespace FastPoints.Drawing
 
         bool m_hasFar;
 
-        /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is
-        /// framed.</summary>
+        // Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.
         double m_shareFramed = 1;
 
         /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>
@@ -110,7 +108,7 @@ namespace FastPoints.Drawing
         /// <summary>What was assumed, and from what: a line for people each.</summary>
         public readonly List<string> Assumptions = new List<string>();
 
-        /// <summary>For a cloud's manifest; null where nothing was measured. The up axis is Z.</summary>
+        // For a manifest; null where nothing was measured. The up axis is Z.
         internal ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
         {
             BoundsGeo = Robust,
@@ -300,7 +298,7 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        /// <summary>Chooses what is looked at, of the outline of all.</summary>
+        // Of the outline of all.
         void Frame()
         {
             var part = LargestPart.Of(Outline);
@@ -361,7 +359,7 @@ namespace FastPoints.Drawing
             Frame(low, high);
         }
 
-        /// <param name="low">What nearly all points lie between, and <paramref name="high"/>.</param>
+        // Nearly all points lie between these.
         void Frame(double3 low, double3 high)
         {
             SetElevation(low, high);
@@ -375,7 +373,6 @@ namespace FastPoints.Drawing
             ElevationHigh = UpAxis.Height(UpAxis.IsNegative() ? low : high);
         }
 
-        /// <summary>What is left where far points are left out, by the outline.</summary>
         void FrameOutline()
         {
             var low = new double3();
@@ -403,8 +400,8 @@ namespace FastPoints.Drawing
                 + ": these are framed");
         }
 
-        /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of
-        /// the cloud gives the same.</summary>
+        // A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of the cloud
+        // gives the same.
         void SetLengths()
         {
             LengthsPerUnit = new double3(1, 1, 1);
@@ -513,7 +510,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        /// <param name="max">Of all channels, more than 0.</param>
+        // The maximum is that of all channels, more than 0.
         static ColorDepth DepthOf(AttributeType type, double max) => type == AttributeType.UInt8 ? ColorDepth.Bits8
             : type.IsFloat() && max <= 1 ? ColorDepth.Unit : max <= byte.MaxValue ? ColorDepth.Bits8 : ColorDepth.Bits16;
     }

@@ -15,8 +15,8 @@ namespace FastPoints.Drawing
         /// <summary>Whether nothing newer is expected.</summary>
         public abstract bool IsEnded { get; }
 
-        /// <summary>Whether nothing is under way and nothing waits to be taken: until the clock says that it is time to look at a
-        /// folder again, updates change nothing.</summary>
+        // Nothing is in flight and nothing waits to be taken: until it is time to look at a folder again, updates change
+        // nothing.
         internal virtual bool IsIdle => IsEnded;
 
         /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>

@@ -48,7 +48,7 @@ namespace FastPoints.Drawing
                 "is no converted cloud, and no readers for other files are there: wanted a " + StoreFormat.FolderExtension +
                 " folder, or the assembly FastPoints.Import in the player");
 
-        /// <summary>Opens the sources, or returns null: a build in progress can be shown without them.</summary>
+        // Null where they cannot be opened: a build in progress can be shown without them.
         static CloudFeed TryOpenSource(IReadOnlyList<string> paths)
         {
             if (paths.Count == 0 || s_openSource == null)

@@ -5,22 +5,18 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    /// <summary>Builds a page of the hierarchy from the bytes of a chunk's table, after checking everything.</summary>
+    // Checks everything of a chunk's table before it builds a page.
     [BurstCompile]
     internal unsafe struct BuildHierarchyPageJob : IJob
     {
-        /// <summary>Node records, then each node's plane ranges.</summary>
+        // Node records, then each node's plane ranges.
         [ReadOnly] public NativeArray<byte> Table;
         public ChunkRecord Chunk;
         public HierarchyGrid Grid;
-
-        /// <summary>Indexed by plane of the cloud.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
-
-        /// <summary>The planes that are streamed.</summary>
         [ReadOnly] public NativeArray<int> Wanted;
 
-        /// <summary>The page, if <see cref="Problem"/> is none; the code that takes it owns its memory.</summary>
+        // The page, if Problem is none; the code that takes it owns its memory.
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
 

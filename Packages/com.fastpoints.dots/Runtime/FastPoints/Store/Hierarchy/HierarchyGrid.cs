@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>Maps grid positions to a cloud's own space: CRS units from the corner of the root cube. Blittable.</summary>
+    // Maps grid positions to a cloud's own space: CRS units from the corner of the root cube.
     internal struct HierarchyGrid
     {
         public Grid3 Corner;
@@ -27,7 +27,7 @@ namespace FastPoints.Store
             return new double3(from.X, from.Y, from.Z) * Step;
         }
 
-        /// <summary>The box from one position to another, both included. It is rounded outwards.</summary>
+        // Both ends are included; rounded outwards.
         public void Box(Grid3 min, Grid3 max, out double3 center, out float3 half) =>
             Box(ToLocal(min), ToLocal(max), out center, out half);
 

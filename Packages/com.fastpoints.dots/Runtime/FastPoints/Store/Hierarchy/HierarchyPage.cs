@@ -77,7 +77,7 @@ namespace FastPoints.Store
             Status = HierarchyPageStatus.Absent;
         }
 
-        /// <summary>Makes the page of a chunk, whose box is cut to the cloud's bounds.</summary>
+        // The chunk's box is cut to the cloud's bounds.
         internal static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
         {
             var page = new HierarchyPage();
@@ -99,7 +99,6 @@ namespace FastPoints.Store
         Failed,
     }
 
-    /// <summary>A page that a selection reached and found not loaded.</summary>
     internal struct MissingHierarchyPage
     {
         public int Cloud;

@@ -4,13 +4,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>Builds a page of the hierarchy from the records of a checked table. For jobs and for the main thread.</summary>
     internal static unsafe class HierarchyPageBuilding
     {
-        /// <param name="records">Records of a table without problems, as are <paramref name="ranges"/>.</param>
-        /// <param name="planesInTable">Number of planes of each node in the table.</param>
-        /// <param name="wanted">The streamed planes.</param>
-        /// <param name="chunks">The pages of all chunks, whose boxes are read. Null if no chunk is attached to the page.</param>
+        // From a table without problems. The pages of all chunks, whose boxes are read, are null if no chunk is attached to the
+        // page.
         public static void Build(NodeRecord* records, PlaneRange* ranges, int nodeCount, int planesInTable, int* wanted,
             int wantedCount, in HierarchyGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
         {

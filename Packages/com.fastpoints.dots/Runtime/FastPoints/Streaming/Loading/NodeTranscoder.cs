@@ -23,8 +23,6 @@ namespace FastPoints.Streaming
         /// <summary>Begins a node; the one before must have ended.</summary>
         public abstract void Begin(in HierarchyPage page, int node);
 
-        /// <summary>Ends a node whose work is done.</summary>
-        /// <param name="failure">The failure, if the outcome is not <see cref="TranscodeResult.Done"/>.</param>
         internal abstract TranscodeResult End(out StreamFailure failure);
 
         /// <summary>Ends a node whose work is done, for a caller that needs it.</summary>
@@ -55,13 +53,12 @@ namespace FastPoints.Streaming
         public abstract void Dispose();
     }
 
-    /// <summary>The outcome of making a node.</summary>
     internal enum TranscodeResult : byte
     {
         Done,
-        /// <summary>The node's bytes are wrong or missing.</summary>
+        // The node's bytes are wrong or missing.
         Damaged,
-        /// <summary>The file, which also holds other nodes, cannot be read.</summary>
+        // The file, which also holds other nodes, cannot be read.
         Unreadable,
     }
 

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Moves nodes from reads into the pool: one job at a time, with as much as a frame may copy.</summary>
+    // Moves nodes from reads into the pool: one job at a time, with as much as a frame may copy.
     internal sealed unsafe class NodeUploads : IDisposable
     {
         readonly StreamState m_state;
@@ -26,14 +26,13 @@ namespace FastPoints.Streaming
 
         public bool IsInFlight { get; private set; }
 
-        /// <summary>Completes what the last frames' job copied, if the job is done.</summary>
         public void TryEnd(ref FrameStats stats)
         {
             if (IsInFlight && JobCoroutine.HasEnded(m_job))
                 End(ref stats);
         }
 
-        /// <summary>Begins to copy what has arrived, the oldest reads first, within the frame's budget.</summary>
+        // The oldest reads first, within the frame's budget.
         public void Begin(List<NodeFetch> fetches)
         {
             if (IsInFlight)
@@ -76,7 +75,6 @@ namespace FastPoints.Streaming
             IsInFlight = true;
         }
 
-        /// <summary>Waits for the job.</summary>
         public void Await()
         {
             var stats = new FrameStats();

@@ -7,26 +7,23 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The files of finished clouds that a stream keeps open between reads: opening one costs as much as reading a node.
-    /// Only a few are open, and none that was not read for a while, so that folders can be replaced. Main thread.</summary>
+    // The files of finished clouds that a stream keeps open between reads: opening one costs as much as reading a node. Only a
+    // few are open, and none that was not read for a while, so that folders can be replaced. Main thread.
     internal sealed unsafe class StreamFiles : IDisposable
     {
-        /// <summary>The most files of one stream.</summary>
         internal int MaxOpenFiles = 64;
-
-        /// <summary>A file that was not read for this many frames is closed.</summary>
         internal const uint FramesToClose = 30;
 
         static readonly List<StreamFiles> s_all = new List<StreamFiles>();
 
-        /// <summary>Folders that are not to be read now: another array with each change, which any thread may make.</summary>
+        // Folders that are not to be read now: another array with each change, which any thread may make.
         static string[] s_left = Array.Empty<string>();
 
         static JobHandle s_closing;
 
         readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
 
-        /// <summary>Reads of files that are not kept open.</summary>
+        // Reads of files that are not kept open.
         JobHandle m_loose;
 
         struct OpenedFile
@@ -35,18 +32,17 @@ namespace FastPoints.Streaming
             public string Path;
             public FileHandle Handle;
 
-            /// <summary>All reads that were begun: the file is closed after them.</summary>
+            // The file is closed after them.
             public JobHandle Reads;
             public uint UsedFrame;
         }
 
         public StreamFiles() => s_all.Add(this);
 
-        /// <summary>For tests.</summary>
+        // For tests.
         public List<string> OpenPaths => m_kept.ConvertAll(k => k.Path);
 
-        /// <summary>Begins a read, of a file that stays open if the source allows it.</summary>
-        /// <param name="commands">They stay where they are until the read has ended, as does the memory that they name.</param>
+        // The file stays open if the source allows it. Commands and their memory stay where they are until the read has ended.
         public ReadHandle Read(StreamedCloud cloud, string path, uint frame, ReadCommand* commands, int count)
         {
             // A build renames and deletes its files while they are shown.
@@ -68,7 +64,6 @@ namespace FastPoints.Streaming
             return read;
         }
 
-        /// <summary>Closes what was not read for a while.</summary>
         public void CloseIdle(uint frame)
         {
             for (int i = m_kept.Count - 1; i >= 0; i--)
@@ -76,8 +71,7 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        /// <summary>Closes a file whose bytes were wrong or missing: it is opened again, in case another lies there
-        /// now.</summary>
+        // Its bytes were wrong or missing: it is opened again, in case another lies there now.
         public void Close(StreamedCloud cloud, string path)
         {
             int at = IndexOf(cloud, path);
@@ -85,7 +79,6 @@ namespace FastPoints.Streaming
                 Close(at);
         }
 
-        /// <summary>Closes the files of a cloud.</summary>
         public void Close(StreamedCloud cloud)
         {
             for (int i = m_kept.Count - 1; i >= 0; i--)
@@ -93,8 +86,8 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        /// <summary>Lets go of a folder that is about to be renamed or deleted, in all streams: its files are closed, and none is
-        /// read until <see cref="Reacquire"/>.</summary>
+        // Lets go of a folder that is about to be renamed or deleted, in all streams: its files are closed, and none is read
+        // until Reacquire.
         public static void Release(string folder)
         {
             string below = Below(folder);
@@ -106,7 +99,7 @@ namespace FastPoints.Streaming
                         s_closing = Combine(s_closing, files.Close(i));
         }
 
-        /// <summary>Whether reads that were under way in folders that were left have ended, and their files are closed.</summary>
+        // Whether reads that were in flight in released folders have ended, and their files are closed.
         public static bool HasReleased
         {
             get
@@ -118,7 +111,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>The folder may be read again. On any thread.</summary>
+        // On any thread.
         public static void Reacquire(string folder)
         {
             lock (s_all)
@@ -129,7 +122,6 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Whether the source's files are not to be read now.</summary>
         public static bool IsReleased(NodeSource source)
         {
             // This is asked often, and only while a folder is renamed does it cost anything.

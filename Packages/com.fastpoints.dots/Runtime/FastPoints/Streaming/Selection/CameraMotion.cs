@@ -4,10 +4,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Predicts where cameras will be if they continue to move as they do.</summary>
     internal sealed class CameraMotion : IDisposable
     {
-        /// <summary>A step this many times as long as the one before is a cut, not a motion.</summary>
+        // A step this many times as long as the one before is a cut, not a motion.
         const double MaxSpeedUp = 4;
 
         NativeList<StreamView> m_last;
@@ -20,11 +19,9 @@ namespace FastPoints.Streaming
             m_predicted = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        /// <summary>The views that <see cref="TryPredictView"/> predicted.</summary>
         public NativeArray<StreamView> Predicted => m_predicted.AsArray();
 
-        /// <summary>Takes this frame's views.</summary>
-        /// <returns>Whether they move other than by a cut.</returns>
+        // Whether the views move other than by a cut.
         public bool TryPredictView(NativeArray<StreamView> views, int frames)
         {
             double step = 0;

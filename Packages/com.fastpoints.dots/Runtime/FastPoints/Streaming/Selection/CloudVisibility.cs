@@ -1,27 +1,24 @@
 namespace FastPoints.Streaming
 {
-    /// <summary>Which views see a cloud. The default is seen by all.</summary>
+    // Which views see a cloud; by default all.
     internal struct CloudVisibility
     {
-        /// <summary>The bit of its layer; 0 for one that no culling mask hides.</summary>
+        // A bit; 0 for one that no culling mask hides.
         public uint Layer;
 
-        /// <summary>The editor's scene culling mask; 0 for any scene.</summary>
+        // The editor's scene culling mask; 0 for any scene.
         public ulong Scenes;
 
-        /// <summary>Whether the eye in the hierarchy hides it from scene views.</summary>
+        // By the eye in the editor's hierarchy.
         public bool IsHiddenInSceneViews;
 
         public bool IsHidden;
     }
 
-    /// <summary>Which clouds a view sees. The default sees all.</summary>
     internal struct ViewMask
     {
-        /// <summary>A bit for each layer that the camera's culling mask has not.</summary>
+        // A bit for each layer that the camera's culling mask has not.
         public uint HiddenLayers;
-
-        /// <summary>The editor's scene culling mask; 0 for any scene.</summary>
         public ulong Scenes;
 
         public bool IsSceneView;

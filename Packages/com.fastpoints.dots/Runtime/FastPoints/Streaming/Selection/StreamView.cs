@@ -27,8 +27,7 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
-        /// <summary>A view without a position that sees everything: a length of one unit has <paramref name="scalePx"/>
-        /// pixels.</summary>
+        /// <summary>A view without a position that sees everything; a length of one unit has so many pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
         /// <param name="right">Unit vector, as are <paramref name="up"/> and <paramref name="forward"/> (into the

@@ -33,8 +33,7 @@ namespace FastPoints.Streaming
             };
         }
 
-        /// <summary>The cloud's placement under a transform.</summary>
-        /// <param name="localToWorld">The transform from this space to the world.</param>
+        /// <summary>The cloud's placement under a transform from this space to the world.</summary>
         public CloudPlacement Place(CloudGrid grid, GridCube root, double4x4 localToWorld)
         {
             Up.Directions(out var east, out var north, out var up);
