@@ -91,9 +91,10 @@ namespace FastPoints.Picture
                 1 / ShareOf(options.HeightPx, pointPx));
             var target = bounds.Center;
             int outliers = (int)(outline.Length * OutlierShare);
-            double max = Fit(ref camera, ref target, bounds, outline, outliers, perTan, Iterations);
+            double minDistance = math.cmax(bounds.Size) * 1e-6;
+            double max = Fit(ref camera, ref target, outline, outliers, perTan, (minDistance, Iterations));
             var near = Near(camera, target, outline, rim, perTan, max * MaxWidening);
-            Fit(ref camera, ref target, bounds, near, 0, perTan, IterationsOfAll);
+            Fit(ref camera, ref target, near, 0, perTan, (minDistance, IterationsOfAll));
             if (isFlat)
                 camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
             return camera;
@@ -126,8 +127,8 @@ namespace FastPoints.Picture
         // Moves a camera to the closest place on its line of sight from which the positions, except some outliers, are in the
         // picture, and shifts the line until their extent is centred. Returns the distance, or the height of an orthographic
         // picture.
-        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int outliers,
-            double2 perTan, int rounds)
+        static double Fit(ref Camera camera, ref double3 target, double3[] positions, int outliers, double2 perTan,
+            (double MinDistance, int Rounds) limits)
         {
             var needed = new double[positions.Length];
             for (int round = 0; ; round++)
@@ -135,12 +136,12 @@ namespace FastPoints.Picture
                 camera.EyeGeo = target;
                 for (int i = 0; i < positions.Length; i++)
                     needed[i] = NeededFor(camera, positions[i], perTan);
-                double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestExcept(outliers, needed, 1));
+                double distance = math.max(limits.MinDistance, LargestExcept(outliers, needed, 1));
                 if (camera.IsOrthographic)
                     camera.HeightGeo = distance;
                 else
                     camera.EyeGeo = target - camera.Forward * distance;
-                if (round == rounds)
+                if (round == limits.Rounds)
                     return distance;
                 Extent(camera, positions, outliers, out var min, out var max);
                 var shift = (min + max) / 2 * (camera.IsOrthographic ? 1 : distance);

@@ -178,9 +178,8 @@ namespace FastPoints.Picture
         public unsafe void Execute(int index)
         {
             int start = index * PointsPerPiece;
-            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palettes.GetUnsafeReadOnlyPtr(),
-                (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
-                (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
+            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
+                new PictureMemory(Palettes, SizeOfTile, Pixels));
         }
     }
 }

@@ -2,6 +2,8 @@ using System.Runtime.CompilerServices;
 using System.Threading;
 using FastPoints.Core;
 using FastPoints.Drawing;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -38,30 +40,31 @@ namespace FastPoints.Picture
         // the point's own depth. Each pixel of overlapping points goes to the nearest centre.
         public bool IsDomed;
 
-        // Any number of threads may draw at once. A tile's size, at least 1, is the edge of a point's square or the diameter of
-        // its disc: the pixels whose centres lie in it are drawn. Gaps of points are null if no size is adaptive. Sums are null
-        // to draw; once all is drawn, the points are added up there (BlendedPixels).
-        public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
-            ulong* pixels, float* gaps = null, ulong* sums = null)
+        // Any number of threads may draw at once.
+        public readonly unsafe void Draw(byte* bytes, int first, int count, in PictureMemory picture)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
             double* y = stackalloc double[ColumnValues.RunLength];
             double* z = stackalloc double[ColumnValues.RunLength];
             uint* colors = stackalloc uint[ColumnValues.RunLength];
+            var run = new PointRun { X = x, Y = y, Z = z, Colors = colors };
             for (int done = 0; done < count; done += ColumnValues.RunLength)
             {
-                int run = math.min(ColumnValues.RunLength, count - done);
-                Positions.Load(bytes, first + done, run, x, y, z);
-                PointColoring.ColorRun(bytes, Colors, palettes, first + done, run, x, y, z, colors);
-                if (LargestPx <= 1 && sums == null)
-                    DrawPixels(x, y, z, colors, run, pixels);
+                run.Count = math.min(ColumnValues.RunLength, count - done);
+                Positions.Load(bytes, first + done, run.Count, x, y, z);
+                PointColoring.ColorRun(bytes, first + done, Colors, picture.Palettes, run);
+                if (LargestPx <= 1 && picture.Sums == null)
+                    DrawPixels(run, picture.Pixels);
                 else
-                    DrawSplats(x, y, z, colors, run, sizeOfTile, gaps == null ? null : gaps + done, pixels, sums);
+                    DrawSplats(run, picture, picture.Gaps == null ? null : picture.Gaps + done);
             }
         }
 
-        readonly unsafe void DrawPixels(double* x, double* y, double* z, uint* colors, int count, ulong* pixels)
+        readonly unsafe void DrawPixels(in PointRun run, ulong* pixels)
         {
+            double* x = run.X, y = run.Y, z = run.Z;
+            uint* colors = run.Colors;
+            int count = run.Count;
             int width = Projection.WidthPx;
             double widthPx = width, heightPx = Projection.HeightPx;
             for (int i = 0; i < count; i++)
@@ -74,9 +77,12 @@ namespace FastPoints.Picture
             }
         }
 
-        readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, float* sizeOfTile,
-            float* gaps, ulong* pixels, ulong* sums)
+        readonly unsafe void DrawSplats(in PointRun run, in PictureMemory picture, float* gaps)
         {
+            double* x = run.X, y = run.Y, z = run.Z;
+            uint* colors = run.Colors;
+            ulong* pixels = picture.Pixels, sums = picture.Sums;
+            int count = run.Count;
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
             double maxHalf = LargestPx * 0.5;
@@ -95,7 +101,7 @@ namespace FastPoints.Picture
                 {
                     int tileX = math.clamp((int)xPx, 0, width - 1) / PointSizing.TileEdgePx;
                     int tileY = math.clamp((int)yPx, 0, height - 1) / PointSizing.TileEdgePx;
-                    size = sizeOfTile[tileY * tilesAcross + tileX];
+                    size = picture.SizeOfTile[tileY * tilesAcross + tileX];
                 }
                 double half = size * 0.5;
                 uint radiusPx = PointSizing.RadiusOf(size);
@@ -151,6 +157,31 @@ namespace FastPoints.Picture
                     return;
                 seen = was;
             }
+        }
+    }
+    // What points are drawn with and into.
+    internal unsafe struct PictureMemory
+    {
+        public uint* Palettes;
+
+        // At least 1: the edge of a point's square or the diameter of its disc. Pixels whose centres lie in it are drawn.
+        public float* SizeOfTile;
+        public ulong* Pixels;
+
+        // Of the points from the first on; null if no size is adaptive.
+        public float* Gaps;
+
+        // Null to draw; once all is drawn, the points are added up here (BlendedPixels).
+        public ulong* Sums;
+
+        public PictureMemory(NativeArray<uint> palettes, NativeArray<float> sizeOfTile, NativeArray<ulong> pixels)
+        {
+            Palettes = (uint*)palettes.GetUnsafeReadOnlyPtr();
+            SizeOfTile = (float*)sizeOfTile.GetUnsafeReadOnlyPtr();
+            // Other jobs may write to it.
+            Pixels = (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(pixels);
+            Gaps = null;
+            Sums = null;
         }
     }
 }

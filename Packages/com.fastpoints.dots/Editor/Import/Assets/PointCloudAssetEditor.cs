@@ -1,9 +1,10 @@
+using System;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Picture;
+using FastPoints.Reading;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace FastPoints.Editor
 {
@@ -25,16 +26,23 @@ namespace FastPoints.Editor
             string picture = CloudThumbnails.PathOf(Paths.Absolute(path));
             if (!File.Exists(picture))
                 return null;
+            var stored = new Texture2D(1, 1, TextureFormat.RGBA32, false);
             try
             {
+                if (!stored.LoadImage(File.ReadAllBytes(picture)))
+                    return null;
                 var texture = new Texture2D(width, height, TextureFormat.RGBA32, false);
-                texture.SetPixelData(ThumbnailImage.Resized(Png.Read(picture), width, height), 0);
+                texture.SetPixelData(ThumbnailImage.Resized(stored, width, height), 0);
                 texture.Apply();
                 return texture;
             }
-            catch (PointCloudException)
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
                 return null;
+            }
+            finally
+            {
+                DestroyImmediate(stored);
             }
         }
     }

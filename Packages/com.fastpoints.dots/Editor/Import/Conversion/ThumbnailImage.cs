@@ -1,40 +1,41 @@
 using System;
-using FastPoints.Picture;
+using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Resizes a picture to the layout of a texture.</summary>
     internal static class ThumbnailImage
     {
-        /// <summary>Bytes of an RGBA texture from the bottom row up: each pixel is the mean of what it covers.</summary>
-        public static byte[] Resized(RgbaImage image, int width, int height)
+        /// <summary>Bytes of an RGBA texture of another size: each pixel is the mean of what it covers.</summary>
+        public static byte[] Resized(Texture2D image, int width, int height)
         {
+            var pixels = image.GetPixels32();
             var bytes = new byte[width * height * 4];
             for (int y = 0; y < height; y++)
             {
-                int top = (int)((long)y * image.Height / height);
-                int bottom = Math.Max(top + 1, (int)((y + 1L) * image.Height / height));
+                int low = (int)((long)y * image.height / height);
+                int high = Math.Max(low + 1, (int)((y + 1L) * image.height / height));
                 for (int x = 0; x < width; x++)
                 {
-                    int left = (int)((long)x * image.Width / width);
-                    int right = Math.Max(left + 1, (int)((x + 1L) * image.Width / width));
-                    Average(image, left, right, top, bottom, bytes, ((height - 1 - y) * width + x) * 4);
+                    int left = (int)((long)x * image.width / width);
+                    int right = Math.Max(left + 1, (int)((x + 1L) * image.width / width));
+                    int red = 0, green = 0, blue = 0, alpha = 0, count = (right - left) * (high - low);
+                    for (int at = low * image.width; at < high * image.width; at += image.width)
+                        for (int column = left; column < right; column++)
+                        {
+                            var pixel = pixels[at + column];
+                            red += pixel.r;
+                            green += pixel.g;
+                            blue += pixel.b;
+                            alpha += pixel.a;
+                        }
+                    int to = (y * width + x) * 4;
+                    bytes[to] = (byte)((red + count / 2) / count);
+                    bytes[to + 1] = (byte)((green + count / 2) / count);
+                    bytes[to + 2] = (byte)((blue + count / 2) / count);
+                    bytes[to + 3] = (byte)((alpha + count / 2) / count);
                 }
             }
             return bytes;
-        }
-
-        static void Average(RgbaImage image, int left, int right, int top, int bottom, byte[] to, int at)
-        {
-            int count = (right - left) * (bottom - top);
-            for (int channel = 0; channel < 4; channel++)
-            {
-                int sum = 0;
-                for (int y = top; y < bottom; y++)
-                    for (int x = left; x < right; x++)
-                        sum += image.Rgba[(y * image.Width + x) * 4 + channel];
-                to[at + channel] = (byte)((sum + count / 2) / count);
-            }
         }
     }
 }

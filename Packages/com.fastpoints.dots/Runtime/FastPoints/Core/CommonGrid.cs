@@ -47,19 +47,18 @@ namespace FastPoints.Core
 
         // grid = stored * factor + shift; false if the grid has no room. Loss is the farthest that 32-bit numbers move, in CRS
         // units.
-        public static bool TryPlace(double scale, double offset, double step, double origin, out long factor, out long shift,
-            out double loss)
+        public static bool TryPlace(double scale, double offset, double step, double origin,
+            out (long Factor, long Shift, double Loss) placed)
         {
             double exactFactor = scale / step, exactShift = (offset - origin) / step;
-            factor = 0;
-            shift = 0;
-            loss = 0;
+            placed = default;
             if (!(Math.Abs(exactFactor) < MaxFactor) || !(Math.Abs(exactShift) < MaxShift))
                 return false;
-            factor = (long)Math.Round(exactFactor);
-            shift = (long)Math.Round(exactShift);
+            placed.Factor = (long)Math.Round(exactFactor);
+            placed.Shift = (long)Math.Round(exactShift);
             if (!IsWhole(exactFactor, ScaleTolerance) || !IsWhole(exactShift, OffsetToleranceSteps))
-                loss = (Math.Abs(exactFactor - factor) * int.MaxValue + Math.Abs(exactShift - shift)) * step;
+                placed.Loss = step *
+                    (Math.Abs(exactFactor - placed.Factor) * int.MaxValue + Math.Abs(exactShift - placed.Shift));
             return true;
         }
 

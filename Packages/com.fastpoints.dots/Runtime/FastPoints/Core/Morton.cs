@@ -36,15 +36,19 @@ namespace FastPoints.Core
             return (int)(v | v >> 20 | v >> 40) & (1 << 3 * ShortBits) - 1;
         }
 
-        // Coordinates relative to a corner, shifted right. Burst makes vectors of it.
-        public static void Encode(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, ulong* codes)
+        // Burst makes vectors of it.
+        public static void Encode(uint* x, uint* y, uint* z, int count, MortonCells cells, ulong* codes)
         {
+            var corner = cells.Corner;
+            int shift = cells.SideLog2;
             for (int i = 0; i < count; i++)
                 codes[i] = Encode(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
         }
 
-        public static void EncodeShort(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, uint* codes)
+        public static void EncodeShort(uint* x, uint* y, uint* z, int count, MortonCells cells, uint* codes)
         {
+            var corner = cells.Corner;
+            int shift = cells.SideLog2;
             for (int i = 0; i < count; i++)
                 codes[i] = (uint)EncodeShort(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
         }
@@ -81,6 +85,18 @@ namespace FastPoints.Core
             v = (v | v >> 16) & 0x001F00000000FFFFUL;
             v = (v | v >> 32) & MaxCoordinate;
             return (uint)v;
+        }
+    }
+    // The cells that coordinates are counted in: relative to a corner, shifted right.
+    internal readonly struct MortonCells
+    {
+        public readonly uint3 Corner;
+        public readonly int SideLog2;
+
+        public MortonCells(uint3 corner, int sideLog2)
+        {
+            Corner = corner;
+            SideLog2 = sideLog2;
         }
     }
 }

@@ -1,4 +1,8 @@
 using System;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Core
@@ -50,5 +54,82 @@ namespace FastPoints.Core
         public static PositionTransform Identity => new PositionTransform { Scale = new double3(1, 1, 1) };
 
         public double3 ToGeo(double3 stored) => stored * Scale + Offset;
+    }
+
+    // Georeferenced bounds of the finite positions among some points, and how many had a coordinate that is not finite.
+    internal struct PositionBounds
+    {
+        public BoundsGeo Bounds;
+        public long NonFinite;
+
+        public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
+
+        public void Include(in PositionBounds other)
+        {
+            Bounds.Include(other.Bounds);
+            NonFinite += other.NonFinite;
+        }
+
+        // At most ColumnValues.RunLength positions.
+        public unsafe void IncludeRun(double* x, double* y, double* z, int count)
+        {
+            double3 min = Bounds.Min, max = Bounds.Max;
+            for (int i = 0; i < count; i++)
+            {
+                double px = x[i], py = y[i], pz = z[i];
+                if (!IsFinite(px, py, pz))
+                {
+                    NonFinite++;
+                    continue;
+                }
+                min.x = px < min.x ? px : min.x;
+                min.y = py < min.y ? py : min.y;
+                min.z = pz < min.z ? pz : min.z;
+                max.x = px > max.x ? px : max.x;
+                max.y = py > max.y ? py : max.y;
+                max.z = pz > max.z ? pz : max.z;
+            }
+            Bounds = new BoundsGeo(min, max);
+        }
+
+        // x - x is 0 for a finite x and NaN for any other.
+        public static bool IsFinite(double x, double y, double z) => x - x + (y - y) + (z - z) == 0;
+
+        public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
+            int first, int count)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            var found = Empty;
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                columns.LoadGeo(bytes, transform, first + done, run, x, y, z);
+                found.IncludeRun(x, y, z, run);
+            }
+            return found;
+        }
+
+        public static unsafe PositionBounds RunImmediate(PointBatch points, PositionTransform transform) =>
+            Measure((byte*)points.Bytes.GetUnsafeReadOnlyPtr(), PositionColumns.Of(points), transform, 0, points.Count);
+    }
+
+    [BurstCompile]
+    internal struct MeasureBoundsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Bytes;
+        public PositionColumns Columns;
+        public PositionTransform Transform;
+        public int First;
+        public int Count;
+        public NativeReference<PositionBounds> Found;
+
+        public unsafe void Execute()
+        {
+            var found = Found.Value;
+            found.Include(PositionBounds.Measure((byte*)Bytes.GetUnsafeReadOnlyPtr(), Columns, Transform, First, Count));
+            Found.Value = found;
+        }
     }
 }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Store;
 using Unity.Mathematics;
 
 namespace FastPoints.Picking
@@ -47,5 +48,50 @@ namespace FastPoints.Picking
 
         public int NodesRead { get; internal set; }
         public long BytesRead { get; internal set; }
+    }
+
+    /// <summary>One value of a picked point, exactly as the cloud keeps it.</summary>
+    public readonly struct PickedAttribute
+    {
+        readonly ulong m_bits;
+
+        /// <param name="packed">The value as it lies in a plane.</param>
+        /// <param name="column">What the plane's numbers mean.</param>
+        public unsafe PickedAttribute(PointAttribute attribute, ulong packed, in StoredColumn column)
+        {
+            Attribute = attribute;
+            ulong value = 0, bits;
+            OrderedBits.Store(packed * (ulong)column.Divisor, column.Type, (byte*)&value);
+            ColumnValues.ToBits((byte*)&value, column.Type, 0, 1, &bits);
+            m_bits = bits;
+        }
+
+        public PointAttribute Attribute { get; }
+
+        /// <summary>The meaning of the stored number: scaled and offset as the attribute says. It is rounded if a 64-bit whole
+        /// number has more than 53 bits.</summary>
+        public double Value => Stored * Attribute.Scale + Attribute.Offset;
+
+        unsafe double Stored
+        {
+            get
+            {
+                ulong bits = m_bits;
+                return ColumnValues.ToDouble((byte*)&bits, Attribute.Type, 0);
+            }
+        }
+
+        /// <summary>The value with all of its digits.</summary>
+        public override string ToString()
+        {
+            if (Attribute.Scale != 1 || Attribute.Offset != 0 || Attribute.Type == AttributeType.Float64)
+                return NumberText.Of(Value);
+            return Attribute.Type switch
+            {
+                AttributeType.Float32 => NumberText.Of(math.asfloat((uint)m_bits)),
+                AttributeType.UInt64 => NumberText.Of(m_bits),
+                _ => NumberText.Of((long)m_bits),
+            };
+        }
     }
 }

@@ -151,21 +151,20 @@ namespace FastPoints.Store
                 uint* found = stackalloc uint[2 * Lanes];
                 X86.Avx.mm256_storeu_si256(found, low);
                 X86.Avx.mm256_storeu_si256(found + Lanes, high);
-                FindRangePlain(found, 0, 2 * Lanes, found[0], found[0], out min, out max);
+                FindRangePlain(found, 2 * Lanes, found[0], found[0], out min, out max);
             }
             else
             {
                 min = max = values[0];
             }
-            FindRangePlain(values, first, count, min, max, out min, out max);
+            FindRangePlain(values + first, count - first, min, max, out min, out max);
         }
 
         /// <summary>The same for some of the values and a range that is known: Burst makes vectors of it.</summary>
-        internal static void FindRangePlain(uint* values, int first, int end, uint knownMin, uint knownMax, out uint min,
-            out uint max)
+        internal static void FindRangePlain(uint* values, int count, uint knownMin, uint knownMax, out uint min, out uint max)
         {
             uint low = knownMin, high = knownMax;
-            for (int i = first; i < end; i++)
+            for (int i = 0; i < count; i++)
             {
                 low = math.min(low, values[i]);
                 high = math.max(high, values[i]);

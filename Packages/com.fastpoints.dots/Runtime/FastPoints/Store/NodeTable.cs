@@ -25,6 +25,14 @@ namespace FastPoints.Store
         /// apply.</summary>
         public NativeArray<PlaneRange> Planes => m_planes;
 
+        internal unsafe TableCheck View => new TableCheck
+        {
+            Nodes = (NodeRecord*)m_nodes.GetUnsafeReadOnlyPtr(),
+            Planes = (PlaneRange*)m_planes.GetUnsafeReadOnlyPtr(),
+            NodeCount = m_nodes.Length,
+            PlaneCount = PlaneCount,
+        };
+
         public void Dispose()
         {
             if (!m_nodes.IsCreated)
@@ -38,17 +46,11 @@ namespace FastPoints.Store
         public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
         {
             using var shapes = layout.CreateShapes(Allocator.Persistent);
-            var check = new TableCheck
-            {
-                Nodes = (NodeRecord*)m_nodes.GetUnsafeReadOnlyPtr(),
-                Planes = (PlaneRange*)m_planes.GetUnsafeReadOnlyPtr(),
-                NodeCount = m_nodes.Length,
-                PlaneCount = PlaneCount,
-                Shapes = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(),
-                Region = region,
-                DataBytes = dataBytes,
-                IsChunk = isChunk,
-            };
+            var check = View;
+            check.Shapes = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr();
+            check.Region = region;
+            check.DataBytes = dataBytes;
+            check.IsChunk = isChunk;
             var problem = check.Find();
             return problem.IsNone ? null : Describe(problem, check);
         }

@@ -70,11 +70,8 @@ namespace FastPoints.Streaming
         {
             for (int chunk = 0; chunk < m_folder.Chunks.Length; chunk++)
                 pages[1 + chunk] = HierarchyPage.OfChunk(m_folder.Chunks[chunk], m_grid);
-            var upper = m_folder.Upper;
             pages[0] = default;
-            HierarchyPageBuilding.Build((NodeRecord*)upper.Nodes.GetUnsafeReadOnlyPtr(),
-                (PlaneRange*)upper.Planes.GetUnsafeReadOnlyPtr(), upper.Nodes.Length, upper.PlaneCount,
-                (int*)m_planes.GetUnsafeReadOnlyPtr(), m_planes.Length, m_grid, pages + 1, ref pages[0]);
+            HierarchyPageBuilding.Build(m_folder.Upper.View, m_planes, m_grid, pages + 1, ref pages[0]);
         }
 
         internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;

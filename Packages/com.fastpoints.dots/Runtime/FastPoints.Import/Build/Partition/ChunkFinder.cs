@@ -40,8 +40,8 @@ namespace FastPoints.Build
         public unsafe void ChunksOf(int* chunkOfCell, uint* x, uint* y, uint* z, int count, Grid3 origin, int* chunks)
         {
             var corner = m_cells.Corner - origin;
-            Morton.EncodeShort(x, y, z, count, new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2,
-                (uint*)chunks);
+            Morton.EncodeShort(x, y, z, count,
+                new MortonCells(new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2), (uint*)chunks);
             for (int i = 0; i < count; i++)
             {
                 int chunk = chunkOfCell[chunks[i]];

@@ -116,14 +116,19 @@ namespace FastPoints.Drawing
         // R. Du), at most an eighth off, at the ends.
         public static uint Turbo(double share)
         {
-            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943, 0);
-            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604, 0);
-            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973, 0);
+            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943);
+            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604);
+            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973);
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
-        static double Polynomial(double x, double c0, double c1, double c2, double c3, double c4, double c5, double c6) =>
-            c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6)))));
+        static double Polynomial(double x, params double[] coefficients)
+        {
+            double sum = 0;
+            for (int i = coefficients.Length - 1; i >= 0; i--)
+                sum = coefficients[i] + x * sum;
+            return sum;
+        }
 
         static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
 
