@@ -4,15 +4,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Where a picture is taken from: a position and three axes in georeferenced space, perspective or orthographic.
-    /// There is no near or far plane: a perspective camera sees everything in front of it, an orthographic one everything along
-    /// its axis, behind it too.</summary>
+    /// <summary>Where a picture is taken from: a position and three axes in georeferenced space. There is no near or far plane:
+    /// a perspective camera sees everything in front of it, an orthographic one everything along its axis.</summary>
     public struct Camera
     {
         public double3 EyeGeo;
 
-        /// <summary>Right, up and forward of the picture (forward goes into it). They are unit vectors, or, if a CRS unit does
-        /// not have the same length along every axis, such vectors times these lengths.</summary>
+        /// <summary>Unit vectors, forward into the picture; times lengths of a CRS unit where these differ by axis.</summary>
         public double3 Right;
         public double3 Up;
         public double3 Forward;
@@ -25,8 +23,7 @@ namespace FastPoints.Picture
         /// <summary>Height in CRS units of what an orthographic camera sees.</summary>
         public double HeightGeo;
 
-        /// <param name="fovDegrees">Vertical field of view, more than 0 and less than 180 degrees.</param>
-        /// <param name="up">Any direction that is not the line of sight.</param>
+        /// <summary>The vertical field of view is more than 0 and less than 180 degrees; up is not the line of sight.</summary>
         public static Camera Perspective(double3 eyeGeo, double3 targetGeo, double3 up, double fovDegrees)
         {
             if (!(fovDegrees > 0 && fovDegrees < 180))

@@ -21,7 +21,7 @@ namespace FastPoints.Picture
             var all = default(JobHandle);
             try
             {
-                yield return JobStep.Of(Slices.Schedule(0, points.Count, PointsPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Schedule(points.Count, PointsPerSlice, (first, end, after) =>
                     canvas.ScheduleDraw(points, first, end - first, drawing, after), 1, default, drawn => all = drawn));
                 all = then == null ? all : then(all);
                 yield return all;

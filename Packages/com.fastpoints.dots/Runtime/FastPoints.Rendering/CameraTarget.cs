@@ -25,8 +25,7 @@ namespace FastPoints.Rendering
 
         public EyeMatrices Eye;
 
-        /// <summary>Whether both of a headset's eyes are drawn at once: <see cref="Eye"/> is the left one, in the target's first
-        /// slice; the right one is in the second.</summary>
+        /// <summary>Eye is the left one, in the target's first slice; the right one is in the second.</summary>
         public bool HasBothEyes;
         public EyeMatrices RightEye;
 

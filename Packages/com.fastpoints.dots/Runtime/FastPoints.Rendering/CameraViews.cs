@@ -6,8 +6,7 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>The engine's cameras as streaming and drawing see them: any projection, off-centre and oblique ones
-    /// included.</summary>
+    /// <summary>The engine's cameras as streaming and drawing see them, off-centre and oblique ones included.</summary>
     public static class CameraViews
     {
         // The editor's scene culling mask of a camera, where there is an editor.
@@ -51,7 +50,6 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>How an eye's picture is drawn, apart from the style.</summary>
-        /// <param name="eye">One of the target's eyes.</param>
         public static RenderView RenderViewOf(in CameraTarget target, in EyeMatrices eye)
         {
             var rotation = RotationOf(eye.View);

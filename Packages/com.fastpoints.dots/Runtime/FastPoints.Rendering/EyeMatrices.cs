@@ -11,8 +11,7 @@ namespace FastPoints.Rendering
         public Matrix4x4 Projection;
         public double3 PositionWorld;
 
-        /// <summary>The eye that is being drawn: the camera itself, or, if a headset's eyes are drawn one after the other, that
-        /// eye.</summary>
+        /// <summary>The eye that is being drawn: the camera, or one of a headset's drawn one after the other.</summary>
         public static EyeMatrices Of(Camera camera)
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)

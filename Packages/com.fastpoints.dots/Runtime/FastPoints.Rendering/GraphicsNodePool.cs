@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A pool in graphics memory: one buffer for each bank, which shaders read in place. Uploads go through mapped
-    /// staging buffers; a compute shader copies them into their pages.</summary>
+    /// <summary>A pool in graphics memory: a buffer for each bank, which shaders read in place. A compute shader copies from
+    /// staging buffers.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
@@ -20,10 +20,7 @@ namespace FastPoints.Rendering
         long m_frame;
         bool m_isDrawn;
 
-        /// <param name="copyPages">The package's CopyPages.compute.</param>
-        /// <param name="limitBytes">Limit of the banks; upload buffers come on top.</param>
-        /// <param name="bankBytes">No node may be larger.</param>
-        /// <param name="bytesPerUpload">The usual upload of one frame.</param>
+        /// <summary>The limit is that of the banks; upload buffers come on top. No node may be larger than a bank.</summary>
         public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes,
             int bytesPerUpload = 4 << 20)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
@@ -40,8 +37,7 @@ namespace FastPoints.Rendering
         /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];
 
-        /// <summary>Counts a frame where a picture was drawn since the last one: until then the GPU may have been given nothing
-        /// to do.</summary>
+        /// <summary>Counts frames where a picture was drawn: until then the GPU may have had nothing to do.</summary>
         public override void BeginFrame()
         {
             m_frame += m_isDrawn ? 1 : 0;

@@ -13,11 +13,8 @@ namespace FastPoints.Rendering
         readonly GraphicsBuffer.Target m_target;
         readonly int m_strideBytes;
 
-        public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes)
-        {
-            m_target = target;
-            m_strideBytes = strideBytes;
-        }
+        public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes) =>
+            (m_target, m_strideBytes) = (target, strideBytes);
 
         // Null until room was made.
         public GraphicsBuffer Buffer { get; private set; }

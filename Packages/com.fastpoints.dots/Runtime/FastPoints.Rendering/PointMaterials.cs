@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Keeps one material for each variant in use. Unity reads keywords when it executes commands, not when they are
-    /// recorded, so one material could not draw two looks in a frame. Materials are made on first use.</summary>
+    /// <summary>A material for each variant in use: Unity reads keywords when it executes commands, not when they are recorded,
+    /// so one material could not draw two looks in a frame.</summary>
     public sealed class PointMaterials : IDisposable
     {
         static readonly int[] s_corners = { 0, 1, 2, 2, 1, 3 };
@@ -18,12 +18,8 @@ namespace FastPoints.Rendering
         Material m_composingSums;
         GraphicsBuffer m_squareIndices;
 
-        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null)
-        {
-            m_points = points;
-            m_compose = compose;
-            Raster = raster;
-        }
+        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null) =>
+            (m_points, m_compose, Raster) = (points, compose, raster);
 
         internal const int IndicesOfSquare = 6;
 

@@ -9,9 +9,9 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Draws the resident nodes for one camera: call <see cref="Prepare"/> after the stream's frame, then
-    /// <see cref="Record"/> into any pipeline's command buffer. It records one indirect draw for each bank of the pool; an
-    /// instance is a block. Main thread, no garbage.</summary>
+    /// <summary>Draws the resident nodes for one camera: Prepare after the stream's frame, then Record into any pipeline's
+    /// command buffer. It records one indirect draw for each bank of the pool; an instance is a block. Main thread, no
+    /// garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
         // Of Points.shader.
@@ -27,8 +27,7 @@ namespace FastPoints.Rendering
         readonly ComputeRaster m_raster;
         NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
-        /// <summary>Materials and sizes may be shared by all cameras' renderers. Pool and sizes belong to others, who dispose
-        /// them.</summary>
+        /// <summary>Cameras' renderers may share all of these, which others dispose.</summary>
         public PointRenderer(PointMaterials materials, GraphicsNodePool pool, SizeTree sizes)
         {
             List = new DrawList(sizes);
@@ -41,8 +40,7 @@ namespace FastPoints.Rendering
         /// <summary>What the last <see cref="Prepare"/> listed to draw, and how clouds look.</summary>
         public DrawList List { get; }
 
-        /// <summary>Lists what a camera sees of the stream's last frame, from the world space of the stream's
-        /// placements.</summary>
+        /// <summary>Lists what a camera in the world of the stream's placements sees of the last frame.</summary>
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style)
         {
             m_pool.BeginPicture();
@@ -92,12 +90,10 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Records the draws for both eyes of a headset into the two slices of the target. Both are drawn at once
-        /// (single-pass instanced: each block is two instances), or one eye after the other if the style draws
-        /// through a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.</summary>
-        /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
-        /// <param name="pipelineMultiplies">Whether the pipeline has a multiplier of instances of its own, which plain draws then
-        /// do without. The Built-in pipeline has none: 2 would stay and double all that comes later.</param>
+        /// <summary>Records the draws for both eyes of a headset into the two slices of the target: at once (each block is two
+        /// instances), or one after the other if the style draws through a layer or a compute shader, or vertex shaders cannot
+        /// choose a slice. A pipeline that multiplies instances itself multiplies plain draws; the Built-in one has none: 2
+        /// would stay and double all that comes later.</summary>
         public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right, bool pipelineMultiplies)
         {
             if (List.Draws.Length == 0)

@@ -35,11 +35,7 @@ namespace FastPoints.Rendering
                 (isStereo && !style.IsLayered ? 16 : 0);
         }
 
-        PointVariant(int shape, int options)
-        {
-            m_shape = shape;
-            m_options = options;
-        }
+        PointVariant(int shape, int options) => (m_shape, m_options) = (shape, options);
 
         internal int Number => m_shape + Shapes * m_options;
 

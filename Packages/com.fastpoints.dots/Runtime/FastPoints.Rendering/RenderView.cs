@@ -10,7 +10,7 @@ namespace FastPoints.Rendering
         /// (<see cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>). It does not contain the eye's own position.</summary>
         public Matrix4x4 ViewProjection;
 
-        /// <summary>Offset from the eye that the draws were listed for, along the world's axes: from the left eye to the right
+        /// <summary>From the eye that the draws were listed for, along the world's axes: from the left to the right
         /// one.</summary>
         public Vector3 EyeOffset;
         public int WidthPx;

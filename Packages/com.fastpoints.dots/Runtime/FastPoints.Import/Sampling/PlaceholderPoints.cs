@@ -118,7 +118,7 @@ namespace FastPoints.Sampling
         {
             int count = m_count.Value, places = own.Places;
             var marked = default(JobHandle);
-            yield return JobStep.Of(Slices.Schedule(0, places, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+            yield return JobStep.Of(Slices.Schedule(places, SampleBuffer.PlacesPerSlice, (first, end, after) =>
                 new MarkCellsJob
             {
                 Sample = own.Points.Bytes,

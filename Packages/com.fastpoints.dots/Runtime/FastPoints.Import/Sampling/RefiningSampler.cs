@@ -217,7 +217,7 @@ namespace FastPoints.Sampling
                     }.Schedule(after)));
                 others.Value = new DecodeResult { Points = Math.Min(m_placeholders.Count, drawn.Places - gathered.Value) };
                 int ownPoints = gathered.Value, otherPoints = others.Value.Points;
-                yield return JobStep.Of(Slices.Schedule(0, otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Schedule(otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
                     new CopyPrefixJob
                     {
                         Decoded = m_placeholders.Points.Bytes,

@@ -138,15 +138,15 @@ namespace FastPoints.Sampling
             runs.Clear();
             m_plannedEnd = endRank;
             var planned = default(JobHandle);
-            yield return JobStep.Of(Slices.Schedule(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
+            yield return JobStep.Of(Slices.Schedule(endRank - firstRank, RunsPerSlice, (first, end, after) => new RankStrataJob
             {
                 Order = m_plan.Order,
                 NextPlace = m_nextPlace,
-                FirstRank = first,
-                EndRank = end,
+                FirstRank = firstRank + first,
+                EndRank = firstRank + end,
                 Ranks = m_ranks,
             }.Schedule(after), 1, default, ranked => planned = ranked));
-            yield return JobStep.Of(Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
+            yield return JobStep.Of(Slices.Schedule(m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
             {
                 Plan = m_plan,
                 FirstRank = firstRank,
@@ -212,7 +212,7 @@ namespace FastPoints.Sampling
             Action<JobHandle> scheduled)
         {
             runs.Capacity = Math.Max(runs.Capacity, m_endRank);
-            return Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, before) => new ListRunsJob
+            return Slices.Schedule(m_ranks.Length, RunsPerSlice, (first, end, before) => new ListRunsJob
             {
                 Plan = m_plan,
                 Ranks = m_ranks,

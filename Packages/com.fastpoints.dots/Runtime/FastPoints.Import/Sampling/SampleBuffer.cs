@@ -87,7 +87,7 @@ namespace FastPoints.Sampling
         /// <param name="after">What its jobs come behind.</param>
         /// <param name="scheduled">Receives the handle of all; when it has ended, call <see cref="EndClose"/>.</param>
         public IEnumerator<JobStep> ScheduleClose(PositionTransform transform, int begin, int end, JobHandle after,
-            Action<JobHandle> scheduled) => Slices.Schedule(begin, end, PlacesPerSlice, (first, stop, before) =>
+            Action<JobHandle> scheduled) => Slices.Schedule(end - begin, PlacesPerSlice, (first, stop, before) =>
                 new CompactSampleJob
                 {
                     Filled = m_filled,
@@ -95,7 +95,7 @@ namespace FastPoints.Sampling
                     Sample = Points.Bytes,
                     Positions = PositionColumns.Of(Points),
                     Transform = transform,
-                    First = first,
+                    First = begin + first,
                     Count = stop - first,
                     State = m_state,
                 }.Schedule(before), 1, after, scheduled);
@@ -114,7 +114,7 @@ namespace FastPoints.Sampling
             pointOfPlace[0] = 0;
             try
             {
-                yield return JobStep.Of(Slices.Schedule(0, end, PlacesPerSlice, (first, stop, before) => new NumberPlacesJob
+                yield return JobStep.Of(Slices.Schedule(end, PlacesPerSlice, (first, stop, before) => new NumberPlacesJob
                 {
                     Filled = m_filled,
                     First = first,

@@ -3,8 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>The one grid that all points of a cloud lie on: geo = <see cref="Origin"/> + <see cref="Step"/> * grid, in
-    /// double, in CRS units.</summary>
+    /// <summary>The one grid that all points of a cloud lie on: geo = Origin + Step * grid, in double, in CRS units.</summary>
     public struct CloudGrid
     {
         public double3 Origin;
@@ -14,8 +13,7 @@ namespace FastPoints.Core
 
         public double3 ToGeo(Grid3 place) => new double3(place.X, place.Y, place.Z) * Step + Origin;
 
-        /// <summary>The same, for numbers that are stored as offsets from a corner of the grid.</summary>
-        /// <remarks>Rounds once more than <see cref="ToGeo"/>: for pictures, not for proofs.</remarks>
+        /// <summary>For offsets from a corner of the grid. Rounds once more than ToGeo: for pictures, not for proofs.</summary>
         public PositionTransform FromCorner(Grid3 corner) => new PositionTransform { Scale = Step, Offset = ToGeo(corner) };
     }
 
@@ -26,12 +24,7 @@ namespace FastPoints.Core
         public long Y;
         public long Z;
 
-        public Grid3(long x, long y, long z)
-        {
-            X = x;
-            Y = y;
-            Z = z;
-        }
+        public Grid3(long x, long y, long z) => (X, Y, Z) = (x, y, z);
 
         public static Grid3 operator +(Grid3 a, Grid3 b) => new Grid3(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
@@ -54,9 +47,8 @@ namespace FastPoints.Core
         public override string ToString() => NumberText.Of(X) + ", " + NumberText.Of(Y) + ", " + NumberText.Of(Z);
     }
 
-    /// <summary>A cube of a power-of-two side on a cloud's grid: it contains all positions from its corner to less than a side
-    /// beyond it.</summary>
-    /// <remarks>Sides end at 2^62, so that sums of corners and sides stay within a long.</remarks>
+    /// <summary>A cube on a cloud's grid: all positions from its corner to less than a power-of-two side beyond it. Sides end
+    /// at 2^62, so that sums of corners and sides stay within a long.</summary>
     public struct GridCube
     {
         /// <summary>Larger sides are refused.</summary>
@@ -65,11 +57,7 @@ namespace FastPoints.Core
         public Grid3 Corner;
         public int SideLog2;
 
-        public GridCube(Grid3 corner, int sideLog2)
-        {
-            Corner = corner;
-            SideLog2 = sideLog2;
-        }
+        public GridCube(Grid3 corner, int sideLog2) => (Corner, SideLog2) = (corner, sideLog2);
 
         /// <summary>Grid steps along an edge.</summary>
         public long Side => 1L << SideLog2;

@@ -108,8 +108,7 @@ namespace FastPoints.Core
         }
     }
 
-    /// <summary>The smallest and largest finite value of a column, as doubles, and how many values were finite and how many were
-    /// not.</summary>
+    /// <summary>The smallest and largest finite value of a column, and how many values were finite and not.</summary>
     public struct ColumnRange
     {
         public double Min;

@@ -140,8 +140,6 @@ namespace FastPoints.Core
             return failure == null;
         }
 
-        public static void BeginTryDelete(string folder) => BeginDeleting(() => TryDelete(folder));
-
         static void BeginDeleting(Action delete)
         {
             lock (s_deletes)

@@ -93,10 +93,6 @@ namespace FastPoints.Core
         public readonly uint3 Corner;
         public readonly int SideLog2;
 
-        public MortonCells(uint3 corner, int sideLog2)
-        {
-            Corner = corner;
-            SideLog2 = sideLog2;
-        }
+        public MortonCells(uint3 corner, int sideLog2) => (Corner, SideLog2) = (corner, sideLog2);
     }
 }

@@ -30,22 +30,15 @@ namespace FastPoints.Core
             ColumnValues.ToDoubles(bytes + Z.OffsetBytes, Z.Type, first, count, z);
         }
 
-        public unsafe void LoadGeo(byte* bytes, in PositionTransform transform, int first, int count, double* x, double* y,
-            double* z)
+        public unsafe double3 GeoAt(byte* bytes, in PositionTransform transform, int index)
         {
-            Load(bytes, first, count, x, y, z);
-            double3 scale = transform.Scale, offset = transform.Offset;
-            for (int i = 0; i < count; i++)
-            {
-                x[i] = x[i] * scale.x + offset.x;
-                y[i] = y[i] * scale.y + offset.y;
-                z[i] = z[i] * scale.z + offset.z;
-            }
+            double3 stored;
+            Load(bytes, index, 1, &stored.x, &stored.y, &stored.z);
+            return transform.ToGeo(stored);
         }
     }
 
-    /// <summary>Maps the numbers that a file stores to georeferenced positions: geo = stored * <see cref="Scale"/> +
-    /// <see cref="Offset"/>, in double, in CRS units. It is the identity for files that store coordinates directly.</summary>
+    /// <summary>Maps a file's numbers to georeferenced positions: geo = stored * Scale + Offset, in CRS units.</summary>
     public struct PositionTransform
     {
         public double3 Scale;
@@ -53,7 +46,18 @@ namespace FastPoints.Core
 
         public static PositionTransform Identity => new PositionTransform { Scale = new double3(1, 1, 1) };
 
-        public double3 ToGeo(double3 stored) => stored * Scale + Offset;
+        public readonly double3 ToGeo(double3 stored) => stored * Scale + Offset;
+
+        internal readonly unsafe void ToGeo(int count, double* x, double* y, double* z)
+        {
+            double3 scale = Scale, offset = Offset;
+            for (int i = 0; i < count; i++)
+            {
+                x[i] = x[i] * scale.x + offset.x;
+                y[i] = y[i] * scale.y + offset.y;
+                z[i] = z[i] * scale.z + offset.z;
+            }
+        }
     }
 
     // Georeferenced bounds of the finite positions among some points, and how many had a coordinate that is not finite.
@@ -105,7 +109,8 @@ namespace FastPoints.Core
             for (int done = 0; done < count; done += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, count - done);
-                columns.LoadGeo(bytes, transform, first + done, run, x, y, z);
+                columns.Load(bytes, first + done, run, x, y, z);
+                transform.ToGeo(run, x, y, z);
                 found.IncludeRun(x, y, z, run);
             }
             return found;

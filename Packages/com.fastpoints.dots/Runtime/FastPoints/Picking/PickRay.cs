@@ -3,8 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The ray of a pointer on a screen, in world space and in double, with a width. It hits the points that are no
-    /// farther from it than <see cref="RadiusAt"/> at their nearest place on the ray. Blittable.</summary>
+    /// <summary>The ray of a pointer on a screen, in world space, with a width: it hits points no farther than RadiusAt from
+    /// it.</summary>
     public struct PickRay
     {
         public double3 OriginWorld;
@@ -23,8 +23,8 @@ namespace FastPoints.Picking
         public double To;
         internal ViewMask Mask;
 
-        /// <summary>The ray of a perspective camera, with a width of more than 0. The scale is in pixels of one unit at a
-        /// distance of one unit (<see cref="StreamView.ScalePx"/>), the direction of any length.</summary>
+        /// <summary>Of a perspective camera. The radius is more than 0; the scale is pixels of one unit at a distance of
+        /// one.</summary>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = eyeWorld,

@@ -24,8 +24,7 @@ namespace FastPoints.Picking
         /// <summary>The grid of the point's cloud.</summary>
         public CloudGrid Grid { get; }
 
-        /// <summary>Georeferenced position in CRS units: the exact one, rounded as every use of the file's own numbers rounds
-        /// it.</summary>
+        /// <summary>In CRS units: the exact position, rounded as the file's own numbers are.</summary>
         public double3 PositionGeo => Grid.ToGeo(Position);
 
         /// <summary>Position in the world as the cloud stood when it was picked.</summary>
@@ -55,8 +54,7 @@ namespace FastPoints.Picking
     {
         readonly ulong m_bits;
 
-        /// <param name="packed">The value as it lies in a plane.</param>
-        /// <param name="column">What the plane's numbers mean.</param>
+        /// <summary>Takes the value as it lies in a plane, and what the plane's numbers mean.</summary>
         public unsafe PickedAttribute(PointAttribute attribute, ulong packed, in StoredColumn column)
         {
             Attribute = attribute;
@@ -68,8 +66,7 @@ namespace FastPoints.Picking
 
         public PointAttribute Attribute { get; }
 
-        /// <summary>The meaning of the stored number: scaled and offset as the attribute says. It is rounded if a 64-bit whole
-        /// number has more than 53 bits.</summary>
+        /// <summary>The stored number, scaled and offset; rounded if a whole number has more than 53 bits.</summary>
         public double Value => Stored * Attribute.Scale + Attribute.Offset;
 
         unsafe double Stored

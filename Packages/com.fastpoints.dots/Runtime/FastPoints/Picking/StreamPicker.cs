@@ -7,7 +7,7 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: call <see cref="Begin"/>,
+    /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: <see cref="Begin"/>,
     /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken
     /// off.</summary>
     public sealed class StreamPicker : IDisposable
@@ -37,9 +37,8 @@ namespace FastPoints.Picking
 
         public bool IsSearching { get; private set; }
 
-        /// <summary>Begins a search of the clouds as they are now, of all or of those that are to be searched; a search in
-        /// progress is broken off. Points of hidden classes are not hit. Both functions take a cloud's number and may be
-        /// null.</summary>
+        /// <summary>Begins a search of all clouds, or of those that are to be searched; a search in progress is broken off.
+        /// Points of hidden classes are not hit. Both functions take a cloud's number.</summary>
         public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
             Func<int, bool> isSearched = null)
         {
@@ -75,8 +74,7 @@ namespace FastPoints.Picking
             IsSearching = true;
         }
 
-        /// <summary>Continues the search once a frame, for about so long on the main thread. Returns whether it is done, and
-        /// <see cref="Pick"/> its result.</summary>
+        /// <summary>Continues the search once a frame. Returns whether it is done, and <see cref="Pick"/> its result.</summary>
         public bool Update(double budgetMs = 1)
         {
             while (IsSearching)
@@ -181,22 +179,19 @@ namespace FastPoints.Picking
         /// <summary>Number of the point's cloud in the stream, as it was when the search began.</summary>
         public int Cloud { get; internal set; }
 
-        /// <summary>Path of the point's cloud: a converted folder, finished or not, without the suffix of one in the making; or a
-        /// file.</summary>
+        /// <summary>A converted folder, finished or not, without the suffix of one in the making; or a file.</summary>
         public string Path { get; internal set; }
 
         /// <summary>Units and coordinate system of the point's cloud.</summary>
         public CloudCrs Crs { get; internal set; }
 
-        /// <summary>Metres of a horizontal unit, 0 if unknown, NaN if it is an angle: as the cloud says, unless it is
-        /// overridden.</summary>
+        /// <summary>Metres of a horizontal unit, 0 if unknown, NaN if it is an angle, unless overridden.</summary>
         public double MetresPerUnit { get; set; }
 
         /// <summary>The axis of the cloud that points up: Z, unless it is overridden.</summary>
         public UpAxis Up { get; set; } = UpAxis.Z;
 
-        /// <summary>Whether the point's cloud is a preview or a build in progress, so that not all of its points could be
-        /// hit.</summary>
+        /// <summary>A preview or a build in progress: not all of the cloud's points could be hit.</summary>
         public bool IsPreview { get; internal set; }
 
         /// <summary>Whether a search ended before it had covered everything, so that there may be a nearer point.</summary>

@@ -94,8 +94,7 @@ namespace FastPoints.Store
         public ulong HierarchyHash;
         public long UpperBytes;
 
-        /// <summary>Names of the two files: a generation of a cloud in the making has its own, so that none changes under a
-        /// reader.</summary>
+        /// <summary>A generation of a cloud in the making has its own files, so that none changes under a reader.</summary>
         public string HierarchyName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
             : StoreFormat.HierarchyName;
         public string UpperName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.UpperName, Generation)
@@ -152,8 +151,7 @@ namespace FastPoints.Store
             return json.EndObject().ToString();
         }
 
-        /// <exception cref="PointCloudException">It is no cloud's JSON, or a member is missing or senseless: it names
-        /// it.</exception>
+        /// <summary>Throws a <see cref="PointCloudException"/> that names the member which is missing or senseless.</summary>
         public static CloudManifest FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);

@@ -64,8 +64,7 @@ namespace FastPoints.Store
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
 
-        /// <summary>Whether points keep a distance: leaves have all remaining points, and a chain has points at one
-        /// place.</summary>
+        /// <summary>Leaves have all remaining points, and a chain has points at one place: others keep a distance.</summary>
         public bool HasSpacing => (Flags & IsLeaf) == 0 && SideLog2 > 0;
 
         /// <summary>Whether offsets are stored as 64-bit columns, as in cubes with a side beyond 2^32.</summary>

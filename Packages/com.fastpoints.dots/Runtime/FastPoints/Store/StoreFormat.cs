@@ -5,8 +5,7 @@ using FastPoints.Core;
 
 namespace FastPoints.Store
 {
-    /// <summary>The on-disk format of a converted cloud: the folder's names, and the records of its binary files, little-endian.
-    /// It does no I/O. The byte tables are in <c>Documentation~/disk-format.md</c>.</summary>
+    /// <summary>The names of a converted cloud's files; their bytes are in <c>Documentation~/disk-format.md</c>.</summary>
     public static class StoreFormat
     {
         public const uint Version = 2;
@@ -50,30 +49,16 @@ namespace FastPoints.Store
 
         [FieldOffset(0)] public ulong Magic;
         [FieldOffset(8)] public uint Version;
-
-        /// <summary>Number of the chunk; 0 in the other files.</summary>
         [FieldOffset(12)] public int Number;
         [FieldOffset(16)] public int PlaneCount;
-
-        /// <summary>Number of node records in this file's table; 0 in upper.bin, whose table is in hierarchy.bin.</summary>
         [FieldOffset(20)] public int NodeCount;
-
-        /// <summary>Number of chunk records behind them, in hierarchy.bin only.</summary>
         [FieldOffset(24)] public int ChunkCount;
         [FieldOffset(28)] public int Reserved;
-
-        /// <summary>Points in this file; in hierarchy.bin, points of the whole cloud.</summary>
         [FieldOffset(32)] public long PointCount;
-
-        /// <summary>Where the table begins: the node records, each node's plane ranges, then the chunk records.</summary>
         [FieldOffset(40)] public long TableOffset;
         [FieldOffset(48)] public ulong TableHash;
         [FieldOffset(56)] public long FileBytes;
-
-        /// <summary>The same in all files of a cloud and in cloud.json.</summary>
         [FieldOffset(64)] public ulong CloudId;
-
-        /// <summary>Hash of the 72 bytes before it.</summary>
         [FieldOffset(72)] public ulong HeaderHash;
     }
 }

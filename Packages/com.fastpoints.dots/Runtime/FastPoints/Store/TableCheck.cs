@@ -136,13 +136,8 @@ namespace FastPoints.Store
         public long Wanted;
         public long Got;
 
-        public TableProblem(TableFault fault, int node = 0, long wanted = 0, long got = 0)
-        {
-            Fault = fault;
-            Node = node;
-            Wanted = wanted;
-            Got = got;
-        }
+        public TableProblem(TableFault fault, int node = 0, long wanted = 0, long got = 0) =>
+            (Fault, Node, Wanted, Got) = (fault, node, wanted, got);
 
         public bool IsNone => Fault == TableFault.None;
     }

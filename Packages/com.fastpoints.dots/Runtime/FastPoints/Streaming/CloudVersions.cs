@@ -32,8 +32,7 @@ namespace FastPoints.Streaming
         /// <summary>Whether the newest state is the shown one.</summary>
         public bool IsCurrent => Next == None;
 
-        /// <summary>Adds a newer state, which the stream owns, in the place of the shown one unless another is given. An
-        /// earlier one that is not shown yet is dropped.</summary>
+        /// <summary>Adds a newer state, which the stream owns. An earlier one that is not shown yet is dropped.</summary>
         public void Add(NodeSource source, CloudPlacement? placement = null, CloudStage stage = CloudStage.Whole)
         {
             int added = m_stream.Add(source, placement ?? PlacementFor(source));
@@ -92,8 +91,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Withdraws a build that was broken off: the preview beside its shown state, or the next one, replaces it.
-        /// Returns whether <see cref="Cloud"/> has changed.</summary>
+        /// <summary>Withdraws a build that was broken off. Returns whether <see cref="Cloud"/> has changed.</summary>
         public bool DropBuild()
         {
             if (Next != None && m_nextStage == CloudStage.Building)

@@ -19,8 +19,7 @@ namespace FastPoints.Streaming
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 
-        /// <summary>Owns the folder. Streams the named planes besides the position; those that the cloud lacks are left
-        /// out.</summary>
+        /// <summary>Owns the folder. Streams the position and the named planes, as far as the cloud has them.</summary>
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;
@@ -39,9 +38,7 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>Opens a folder, finished or in the making, with all planes except averages. Reads two small files, on any
-        /// thread.</summary>
-        /// <exception cref="PointCloudException">It is not a cloud, or is damaged.</exception>
+        /// <summary>Opens a folder with all planes except averages: two small files, on any thread.</summary>
         public static FolderSource OpenWhole(string path)
         {
             var folder = CloudFolder.Open(path);

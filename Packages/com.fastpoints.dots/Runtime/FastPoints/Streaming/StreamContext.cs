@@ -5,9 +5,9 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Everything that streaming keeps from frame to frame, and its lifetime: clouds come and go,
-    /// <see cref="FrameStep"/> runs each frame, and <see cref="Dispose"/> ends it (on a domain reload or on quitting): it cancels
-    /// and awaits reads and frees all memory. Main thread.</summary>
+    /// <summary>Everything that streaming keeps from frame to frame: clouds come and go, <see cref="FrameStep"/> runs each
+    /// frame, and Dispose ends it (on a domain reload or on quitting): it awaits reads and frees all memory. Main
+    /// thread.</summary>
     public sealed unsafe class StreamContext : IDisposable
     {
         // A hierarchy page must be out of view for this many frames before it is unloaded.
@@ -43,15 +43,13 @@ namespace FastPoints.Streaming
         // Indexed by number; null for a removed cloud.
         internal IReadOnlyList<StreamedCloud> Clouds => m_state.Clouds;
 
-        /// <summary>The boxes that all clouds are clipped by: nothing outside is selected, loaded or drawn. They may change from
-        /// frame to frame.</summary>
+        /// <summary>Nothing outside is selected, loaded or drawn. They may change from frame to frame.</summary>
         public NativeList<ClipBox> ClipBoxes { get; }
 
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; }
 
-        /// <summary>For each selected node, its index in <see cref="Drawn"/>, or <see cref="NotDrawn"/>, or
-        /// <see cref="NotShown"/>.</summary>
+        /// <summary>By selected node: its index in Drawn, or NotDrawn, or NotShown.</summary>
         public NativeList<int> DrawnOfSelected { get; }
 
         /// <summary>The node is a hole or hidden, but what is below it can be drawn.</summary>
@@ -76,8 +74,7 @@ namespace FastPoints.Streaming
                 ClipBoxes.Add(box);
         }
 
-        /// <param name="source">This context owns it.</param>
-        /// <returns>The cloud's number until it is removed.</returns>
+        /// <summary>Owns the source. Returns the cloud's number until it is removed.</summary>
         public int Add(NodeSource source, CloudPlacement placement)
         {
             var cloud = new StreamedCloud(source, placement);
@@ -89,8 +86,7 @@ namespace FastPoints.Streaming
             return free < 0 ? m_state.Clouds.Count - 1 : free;
         }
 
-        /// <summary>Removes a cloud from what is shown. Its reads and uploads are cancelled; its source is disposed when these
-        /// have ended.</summary>
+        /// <summary>The cloud's reads and uploads are cancelled; its source is disposed when these have ended.</summary>
         public void Remove(int cloud)
         {
             var removing = m_state.Clouds[cloud];

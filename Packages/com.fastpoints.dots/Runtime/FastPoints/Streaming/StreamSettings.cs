@@ -11,8 +11,7 @@ namespace FastPoints.Streaming
         /// <summary>Bytes of one read, unless a single node has more: neighbours in a file are read together.</summary>
         public int BytesPerRead = 1 << 20;
 
-        /// <summary>Gaps of up to this many bytes between two planes of one file are read along, because another read would take
-        /// longer.</summary>
+        /// <summary>Gaps between two planes of one file up to this are read along: another read would take longer.</summary>
         public int GapBytes = 32 << 10;
 
         /// <summary>The most bytes and nodes that are copied into the pool in one frame; one node always is.</summary>
@@ -44,15 +43,14 @@ namespace FastPoints.Streaming
         /// <summary>The point budget of all clouds together. The first root is chosen however many points it has.</summary>
         public long PointBudget;
 
-        /// <summary>A node is left out if the points above it lie closer than this on the screen: it would add nothing
-        /// visible.</summary>
+        /// <summary>A node is left out if the points above it lie closer on the screen: it would add nothing.</summary>
         public float MinScreenErrorPx;
 
         /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
         public float SmallestNodePx;
 
-        /// <summary>Nodes chosen last time count as this many times as coarse, so that nodes at the edge of the budget do not
-        /// flicker with every small movement. 1 turns this off.</summary>
+        /// <summary>Nodes chosen last time count as so many times as coarse, so that those at the edge of the budget do not
+        /// flicker.</summary>
         public float Hysteresis;
 
         public static LodSettings Default => new LodSettings

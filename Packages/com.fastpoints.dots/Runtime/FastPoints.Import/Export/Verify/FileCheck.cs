@@ -92,7 +92,7 @@ namespace FastPoints.Export
             foreach (bool isOfPlanes in new[] { true, false })
             {
                 var slices = isOfPlanes ? m_nodeSlices : m_partSlices;
-                yield return JobStep.Of(Slices.Schedule(0, slices.Count - 1, 1, (slice, _, after) =>
+                yield return JobStep.Of(Slices.Schedule(slices.Count - 1, 1, (slice, _, after) =>
                 {
                     job.ChecksPlanes = isOfPlanes;
                     job.First = slices[slice];
@@ -115,7 +115,7 @@ namespace FastPoints.Export
                 Scratch = m_scratch,
                 AtSides = m_atSides,
             };
-            yield return JobStep.Of(Slices.Schedule(0, MeasureSpacingJob.SlicesOf(m_groups), 1,
+            yield return JobStep.Of(Slices.Schedule(MeasureSpacingJob.SlicesOf(m_groups), 1,
                 (_, __, after) => measure.Schedule(after), 1, Done, scheduled => Done = scheduled));
             JobHandle.ScheduleBatchedJobs();
         }

@@ -53,7 +53,8 @@ namespace FastPoints.Sampling
             for (int first = First; first < end; first += RunLength)
             {
                 int run = end - first < RunLength ? end - first : RunLength;
-                Positions.LoadGeo(block, Transform, first, run, x, y, z);
+                Positions.Load(block, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 int chosen = 0;
                 for (int i = 0; i < run; i++)
                 {
@@ -83,7 +84,8 @@ namespace FastPoints.Sampling
                 long point = Strata.Chosen(stratum);
                 if (point < begin || point >= end)
                     continue;
-                Positions.LoadGeo(block, Transform, (int)(point - FirstPoint), 1, x, y, z);
+                Positions.Load(block, (int)(point - FirstPoint), 1, x, y, z);
+                Transform.ToGeo(1, x, y, z);
                 if (PositionBounds.IsFinite(*x, *y, *z))
                     Cells.Mark(table, *x, *y, *z);
             }

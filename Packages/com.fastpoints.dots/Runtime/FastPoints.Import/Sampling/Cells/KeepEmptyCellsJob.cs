@@ -41,7 +41,8 @@ namespace FastPoints.Sampling
             for (int first = First; first < End; first += RunLength)
             {
                 int run = End - first < RunLength ? End - first : RunLength;
-                Positions.LoadGeo(points, Transform, first, run, x, y, z);
+                Positions.Load(points, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 int kept = 0;
                 for (int i = 0; i < run; i++)
                 {

@@ -38,7 +38,8 @@ namespace FastPoints.Sampling
             for (int first = First; first < End; first += RunLength)
             {
                 int run = End - first < RunLength ? End - first : RunLength;
-                Positions.LoadGeo(sample, Transform, first, run, x, y, z);
+                Positions.Load(sample, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                     if (Filled[first + i] != 0 && PositionBounds.IsFinite(x[i], y[i], z[i]))
                         Cells.Mark(table, x[i], y[i], z[i]);

@@ -36,7 +36,8 @@ namespace FastPoints.Sampling
             for (int first = First; first < End; first += RunLength)
             {
                 int run = math.min(RunLength, End - first);
-                Positions.LoadGeo((byte*)Sample.GetUnsafeReadOnlyPtr(), Transform, first, run, x, y, z);
+                Positions.Load((byte*)Sample.GetUnsafeReadOnlyPtr(), first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                 {
                     var cell = math.floor((new double3(x[i], y[i], z[i]) - Corner) * CellsPerUnit);

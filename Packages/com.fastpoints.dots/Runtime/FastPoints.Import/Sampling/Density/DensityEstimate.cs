@@ -59,7 +59,7 @@ namespace FastPoints.Sampling
             var coded = default(JobHandle);
             try
             {
-                yield return JobStep.Of(Slices.Schedule(0, count, PointsPerSlice, (first, end, after) => new CodePositionsJob
+                yield return JobStep.Of(Slices.Schedule(count, PointsPerSlice, (first, end, after) => new CodePositionsJob
                 {
                     Sample = sample.Points.Bytes,
                     Positions = PositionColumns.Of(sample.Points),

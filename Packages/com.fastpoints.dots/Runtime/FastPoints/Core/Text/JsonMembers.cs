@@ -11,13 +11,8 @@ namespace FastPoints.Core
         readonly string m_prefix = "";
         readonly bool m_isForeign;
 
-        JsonMembers(Dictionary<string, object> members, string path, bool isForeign, long fileBytes)
-        {
-            m_members = members;
-            m_isForeign = isForeign;
-            Path = path;
-            FileBytes = fileBytes;
-        }
+        JsonMembers(Dictionary<string, object> members, string path, bool isForeign, long fileBytes) =>
+            (m_members, m_isForeign, Path, FileBytes) = (members, isForeign, path, fileBytes);
 
         JsonMembers(Dictionary<string, object> members, JsonMembers parent, string name)
             : this(members, parent.Path, parent.m_isForeign, parent.FileBytes)

@@ -21,11 +21,7 @@ namespace FastPoints.Core
         readonly bool m_allowsTrailingCommas;
         int m_at;
 
-        JsonReader(string text, bool allowsTrailingCommas)
-        {
-            m_text = text;
-            m_allowsTrailingCommas = allowsTrailingCommas;
-        }
+        JsonReader(string text, bool allowsTrailingCommas) => (m_text, m_allowsTrailingCommas) = (text, allowsTrailingCommas);
 
         // Dictionary, List, string, bool, null, or a number for ToLong and ToDouble. A FormatException says where it is no
         // JSON.

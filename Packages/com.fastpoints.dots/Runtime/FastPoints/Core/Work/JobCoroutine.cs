@@ -14,14 +14,9 @@ namespace FastPoints.Core
         internal readonly JobHandle Jobs;
         internal readonly IEnumerator<JobStep> Inner;
 
-        JobStep(JobHandle jobs, IEnumerator<JobStep> inner)
-        {
-            Jobs = jobs;
-            Inner = inner;
-        }
+        JobStep(JobHandle jobs, IEnumerator<JobStep> inner) => (Jobs, Inner) = (jobs, inner);
 
-        /// <summary>Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
-        /// disposed.</summary>
+        /// <summary>Runs all steps of another piece of work, which is disposed when it ends or its parent is.</summary>
         public static JobStep Of(IEnumerator<JobStep> inner) => new JobStep(default, inner);
 
         public static implicit operator JobStep(JobHandle jobs) => new JobStep(jobs, null);
@@ -95,10 +90,9 @@ namespace FastPoints.Core
     }
 
     /// <summary>Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete
-    /// before the next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the
-    /// converter calls <see cref="RunToEnd"/>, which waits.</summary>
-    /// <remarks>Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when
-    /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
+    /// before the next step, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; a
+    /// converter calls <see cref="RunToEnd"/>. Work owns what it allocates: its <c>finally</c> blocks, which also <see
+    /// cref="Cancel"/> runs, complete jobs in flight and free memory.</summary>
     public sealed class JobCoroutine
     {
         // How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after another, the
@@ -139,10 +133,9 @@ namespace FastPoints.Core
             return job.IsCompleted;
         }
 
-        /// <summary>Runs steps whose jobs are finished until <paramref name="budgetMs"/> is used up or a job is still running.
-        /// For a job that a step of this tick began it waits a moment, within the budget, as long as that has not been in
-        /// vain: many short jobs in a row would else take a tick each.</summary>
-        /// <returns>Whether the work is done.</returns>
+        /// <summary>Runs steps until the budget is used up or a job is still running. For a job that a step of this tick began
+        /// it waits a moment as long as that has not been in vain: many short jobs in a row would else take a tick each.
+        /// Returns whether the work is done.</summary>
         public bool Tick(double budgetMs)
         {
             double beginMs = m_nowMs();
@@ -187,8 +180,7 @@ namespace FastPoints.Core
             m_work.Dispose();
         }
 
-        /// <summary>Runs the work on the calling thread until it is done.</summary>
-        /// <exception cref="OperationCanceledException">The token was cancelled; everything is freed.</exception>
+        /// <summary>Runs the work on the calling thread until it is done, or is cancelled and all is freed.</summary>
         public static void RunToEnd(IEnumerator<JobStep> work, CancellationToken cancellation = default)
         {
             var coroutine = new JobCoroutine(work);

@@ -24,8 +24,8 @@ namespace FastPoints.Core
             var all = inputDeps;
             try
             {
-                yield return JobStep.Of(Schedule(begin, end, perSlice, schedule, chains, inputDeps, scheduled =>
-                    all = scheduled));
+                yield return JobStep.Of(Schedule(end - begin, perSlice, (first, stop, after) =>
+                    schedule(begin + first, begin + stop, after), chains, inputDeps, scheduled => all = scheduled));
                 yield return all;
             }
             finally
@@ -34,8 +34,8 @@ namespace FastPoints.Core
             }
         }
 
-        public static IEnumerator<JobStep> Schedule(int begin, int end, int perSlice,
-            Func<int, int, JobHandle, JobHandle> schedule, int chains, JobHandle inputDeps, Action<JobHandle> scheduled)
+        public static IEnumerator<JobStep> Schedule(int count, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,
+            int chains, JobHandle inputDeps, Action<JobHandle> scheduled)
         {
             var last = new JobHandle[chains];
             var steps = new Queue<JobHandle>();
@@ -44,10 +44,10 @@ namespace FastPoints.Core
             {
                 for (int chain = 0; chain < chains; chain++)
                     last[chain] = inputDeps;
-                for (int first = begin, n = 1; first < end; first += Math.Min(perSlice, end - first), n++)
+                for (int first = 0, n = 1; first < count; first += Math.Min(perSlice, count - first), n++)
                 {
                     int chain = n % chains;
-                    last[chain] = schedule(first, first + Math.Min(perSlice, end - first), last[chain]);
+                    last[chain] = schedule(first, first + Math.Min(perSlice, count - first), last[chain]);
                     if (n % JobsPerStep != 0)
                         continue;
                     JobHandle.ScheduleBatchedJobs();

@@ -33,18 +33,13 @@ namespace FastPoints.Drawing
         {
             var mapping = Of(mode, ranges, transform, gradient);
             var schema = batch.Schema;
-            switch (mode)
-            {
-                case ColorMode.Rgb:
-                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Red));
-                    mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
-                    mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
-                    break;
-                default:
-                    if (ColorModes.AttributeOf(mode) is string attribute)
-                        mapping.First = batch.Column(schema.IndexOf(attribute));
-                    break;
-            }
+            if (ColorModes.AttributeOf(mode) is string attribute)
+                mapping.First = batch.Column(schema.IndexOf(attribute));
+            if (mode != ColorMode.Rgb)
+                return mapping;
+            mapping.First = batch.Column(schema.IndexOf(AttributeNames.Red));
+            mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
+            mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
             return mapping;
         }
 

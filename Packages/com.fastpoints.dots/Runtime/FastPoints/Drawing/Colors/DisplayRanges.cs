@@ -73,15 +73,14 @@ namespace FastPoints.Drawing
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
         public double3[] Outline = new double3[0];
 
-        /// <summary>The farthest positions in many directions, as far as they are not far outside of <see cref="Robust"/>: a
-        /// camera that shows them cuts nothing off. See <see cref="MeasureRimJob"/>.</summary>
+        /// <summary>The farthest positions in many directions, except those far outside of Robust: a camera that shows them
+        /// cuts nothing off.</summary>
         public double3[] Rim = new double3[0];
 
         /// <summary>Points with a position that is not finite: in no range.</summary>
         public long NonFinite;
 
-        /// <summary>Heights along <see cref="UpAxis"/>, in CRS units: of a negative axis, coordinates with the other
-        /// sign.</summary>
+        /// <summary>Heights along UpAxis in CRS units: of a negative axis, coordinates with the other sign.</summary>
         public double ElevationLow;
         public double ElevationHigh;
 
@@ -92,8 +91,7 @@ namespace FastPoints.Drawing
 
         public bool HasIntensity;
 
-        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by
-        /// it shows something.</summary>
+        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same.</summary>
         public bool IsIntensityUseful;
 
         /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
@@ -117,8 +115,7 @@ namespace FastPoints.Drawing
             HasColor = Color != ColorDepth.None,
         };
 
-        /// <summary>What a converted cloud says of itself, without a look at its points: what is shown of it, or, where it does
-        /// not tell, bounds and ranges of its attributes, outliers included.</summary>
+        /// <summary>What a manifest says: what is shown of the cloud, or else bounds and ranges with outliers.</summary>
         public static DisplayRanges Of(CloudManifest manifest)
         {
             var bounds = manifest.BoundsGeo;
@@ -425,8 +422,7 @@ namespace FastPoints.Drawing
             int step = (points.Count + MaxOutlinePoints - 1) / MaxOutlinePoints;
             for (long i = 0; i < points.Count; i += step)
             {
-                double3 position;
-                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                var position = columns.GeoAt(bytes, transform, (int)i);
                 if (Robust.Contains(position))
                     outline.Add(position);
             }
@@ -472,9 +468,8 @@ namespace FastPoints.Drawing
             int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
             for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
             {
-                double3 position;
                 double value;
-                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                var position = columns.GeoAt(bytes, transform, (int)i);
                 ColumnValues.ToDoubles(bytes + intensity.OffsetBytes, intensity.Type, (int)i, 1, &value);
                 if (Robust.Contains(position) && value - value == 0)
                     signal.Add(position, math.clamp(value, IntensityLow, IntensityHigh));

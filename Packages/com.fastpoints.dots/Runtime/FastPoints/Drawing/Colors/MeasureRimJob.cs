@@ -44,7 +44,8 @@ namespace FastPoints.Drawing
             for (int done = 0; done < Count; done += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, Count - done);
-                Columns.LoadGeo((byte*)Bytes.GetUnsafeReadOnlyPtr(), Transform, First + done, run, x, y, z);
+                Columns.Load((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + done, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                 {
                     var from = new double3(x[i], y[i], z[i]) - middle;

@@ -21,23 +21,14 @@ namespace FastPoints.Drawing
             var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
             for (int i = 0; i < Length; i++)
             {
-                double share = i / (Length - 1.0);
-                switch (mode)
+                palette[i] = mode switch
                 {
-                    case ColorMode.Classification:
-                        palette[i] = s_classes[i < s_classes.Length ? i : s_classes.Length - 1];
-                        break;
-                    case ColorMode.ReturnNumber:
-                        palette[i] = Hue(0.1 + 0.13 * i, 0.75, 0.95);
-                        break;
-                    case ColorMode.PointSource:
-                        // Steps of the golden ratio make neighbours differ, and no hue comes twice.
-                        palette[i] = Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2));
-                        break;
-                    default:
-                        palette[i] = Ramp(gradient, share);
-                        break;
-                }
+                    ColorMode.Classification => s_classes[Math.Min(i, s_classes.Length - 1)],
+                    ColorMode.ReturnNumber => Hue(0.1 + 0.13 * i, 0.75, 0.95),
+                    // Steps of the golden ratio make neighbours differ, and no hue comes twice.
+                    ColorMode.PointSource => Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2)),
+                    _ => Ramp(gradient, i / (Length - 1.0)),
+                };
             }
             return palette;
         }

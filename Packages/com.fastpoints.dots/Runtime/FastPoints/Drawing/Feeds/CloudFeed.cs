@@ -7,9 +7,9 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>The states of one cloud, each better than the one before, from a first preview to the whole cloud. A feed offers
-    /// states as they come and makes a <see cref="NodeSource"/> of those that are taken. It can be made on any thread; everything
-    /// else belongs to the main thread, and only <see cref="Dispose"/> waits.</summary>
+    /// <summary>The states of one cloud, each better than the one before, from a first preview to the whole cloud; those that
+    /// are taken become sources. It can be made on any thread; the rest is for the main thread, and only Dispose
+    /// waits.</summary>
     public abstract class CloudFeed : IDisposable
     {
         /// <summary>The newest state that nobody has taken; null for none.</summary>
@@ -25,14 +25,12 @@ namespace FastPoints.Drawing
         /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
         public virtual bool IsBuildAborted => false;
 
-        /// <summary>Makes a source of <see cref="Newest"/>, which the caller owns from now on.</summary>
-        /// <param name="planes">Names of planes that are streamed besides the position; those that the cloud lacks are left
-        /// out.</param>
-        /// <exception cref="PointCloudException">The state cannot be streamed.</exception>
+        /// <summary>Makes a source of Newest, which the caller owns, with the named planes besides the position, as far as the
+        /// cloud has them. Throws a <see cref="PointCloudException"/> if the state cannot be streamed.</summary>
         public abstract NodeSource Take(params string[] planes);
 
-        /// <summary>Works for about this long; called once a frame.</summary>
-        /// <exception cref="PointCloudException">The cloud cannot be read; states already taken stay valid.</exception>
+        /// <summary>Works for about so long, once a frame. Throws if the cloud cannot be read; states already taken stay
+        /// valid.</summary>
         public abstract void Update(double budgetMs);
 
         /// <summary>Skips work that takes a pass over the whole source, because a build will offer better states.</summary>
@@ -57,29 +55,24 @@ namespace FastPoints.Drawing
 
         public DisplayRanges Ranges;
 
-        /// <summary>Whether the ranges include all values, outliers too: those of a manifest without better ones, not of a
-        /// sample.</summary>
+        /// <summary>Whether the ranges include outliers: those of a manifest without better ones.</summary>
         public bool RangesHaveOutliers;
     }
 
-    /// <summary>Opens any path that is a cloud. Converted clouds are handled here. Other files are left to a registered reader
-    /// (FastPoints.Import, if it is loaded), so that a player that only shows converted clouds carries no readers.</summary>
+    /// <summary>Opens any path that is a cloud: converted ones here, others by a registered reader (FastPoints.Import, if it is
+    /// loaded), so that a player that only shows converted clouds carries no readers.</summary>
     public static class CloudFeeds
     {
         static readonly string[] s_none = new string[0];
         static Func<IReadOnlyList<string>, CloudFeed> s_openSource;
 
-        /// <summary>Registers what opens files that are not converted clouds. The last registration wins.</summary>
-        /// <param name="openSource">Opens files and folders that make one cloud, on any thread; throws a <see
-        /// cref="PointCloudException"/>. Null for none.</param>
+        /// <summary>Registers what opens files, on any thread, that are not converted clouds. The last registration
+        /// wins.</summary>
         public static void Register(Func<IReadOnlyList<string>, CloudFeed> openSource) => s_openSource = openSource;
 
-        /// <summary>Opens a cloud and reads headers on the calling thread.</summary>
-        /// <param name="path">A converted folder, which may not exist yet if <paramref name="sources"/> do; without these, it
-        /// may also be any other point cloud.</param>
-        /// <param name="sources">The files that the folder is made of, which are shown until it exists. Null or empty if
-        /// unknown.</param>
-        /// <exception cref="PointCloudException">Neither exists, or what exists is damaged.</exception>
+        /// <summary>Opens a cloud and reads headers on the calling thread. The converted folder may not exist yet if the files
+        /// do that it is made of: they are shown until then. Without those the path may be any point cloud. Throws a <see
+        /// cref="PointCloudException"/> if neither exists, or what exists is damaged.</summary>
         public static CloudFeed Open(string path, IReadOnlyList<string> sources = null)
         {
             sources ??= s_none;
@@ -97,8 +90,8 @@ namespace FastPoints.Drawing
             return new FileFeed(path, sources, folder.IsUnfinished ? TryOpenSource(sources) : null, converted, OpenSource);
         }
 
-        /// <summary>Opens files that are not a converted cloud.</summary>
-        /// <exception cref="PointCloudException">They cannot be read, or no reader for such files is registered.</exception>
+        /// <summary>Opens files that are no converted cloud. Throws if they cannot be read, or no reader for such files is
+        /// registered.</summary>
         public static CloudFeed OpenSource(IReadOnlyList<string> paths) => s_openSource != null ? s_openSource(paths)
             : throw new PointCloudException(FailureCode.Unsupported, paths[0], -1,
                 "is no converted cloud, and no readers for other files are there: wanted a " + StoreFormat.FolderExtension +

@@ -6,8 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>A part of a cloud's hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk (pages 1 and
-    /// on). Its box is known before its nodes are. Blittable; owns its memory.</summary>
+    /// <summary>A part of a hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk. Its box is known
+    /// before its nodes are. Owns its memory.</summary>
     public unsafe struct HierarchyPage
     {
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
@@ -32,8 +32,7 @@ namespace FastPoints.Store
         /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
 
-        /// <summary>Consecutive failed reads of its file, the frame of the last failure, and the frame until which none is
-        /// tried.</summary>
+        /// <summary>Consecutive failed reads of its file, the last one's frame, and that until which none is tried.</summary>
         public int Failures;
         public uint LastFailureFrame;
         public uint RetryFrame;
@@ -44,8 +43,7 @@ namespace FastPoints.Store
 
         public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
 
-        /// <summary>Whether a node will never be loaded: it takes nothing of the budget, and what is below it is shown without
-        /// it.</summary>
+        /// <summary>A node that will never be loaded takes nothing of the budget; what is below it is shown.</summary>
         public bool IsHole(int node) =>
             States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
 
@@ -143,8 +141,7 @@ namespace FastPoints.Store
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
     public struct StreamNode
     {
-        /// <summary>Centre of the box around the points of the node and all below it, from the corner of the root cube, in CRS
-        /// units.</summary>
+        /// <summary>Of the box around all points from the node down, from the root's corner, in CRS units.</summary>
         public double3 Center;
         public float3 Half;
 
@@ -159,8 +156,7 @@ namespace FastPoints.Store
         public int FirstChunk;
         public int ChunkCount;
 
-        /// <summary>Points of the node and its inlined leaves; 0 for an inlined leaf, which is read, kept and drawn with its
-        /// parent.</summary>
+        /// <summary>With inlined leaves; 0 for an inlined leaf, which is read, kept and drawn with its parent.</summary>
         public int PointCount;
 
         /// <summary>Blocks in the node's planes.</summary>

@@ -88,11 +88,7 @@ namespace FastPoints.Store
             public double3 Min;
             public double3 Max;
 
-            public LocalBox(double3 min, double3 max)
-            {
-                Min = min;
-                Max = max;
-            }
+            public LocalBox(double3 min, double3 max) => (Min, Max) = (min, max);
         }
     }
 

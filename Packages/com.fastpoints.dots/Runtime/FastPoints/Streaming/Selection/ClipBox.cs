@@ -3,8 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A box in the world, freely rotated and sheared, that clouds are clipped by. Boxes that cut remove what is inside;
-    /// other boxes keep only what is inside at least one of them. Blittable.</summary>
+    /// <summary>A box in the world, freely rotated and sheared. Boxes that cut remove what is inside; other boxes keep only
+    /// what is inside at least one of them.</summary>
     public struct ClipBox
     {
         public double3 CenterWorld;

@@ -3,9 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Where a cloud stands in the world: world = <see cref="Linear"/> * local + <see cref="OriginWorld"/>, in double,
-    /// where local is in CRS units from the corner of the cloud's root cube. Any affine transform is allowed: moves, rotations,
-    /// mirrors, scales.</summary>
+    /// <summary>Where a cloud stands: world = Linear * local + OriginWorld, in double, where local is in CRS units from the
+    /// corner of the root cube. Any affine transform is allowed.</summary>
     public struct CloudPlacement
     {
         public double3x3 Linear;
