@@ -15,9 +15,7 @@ namespace FastPoints.Picture
     internal static class BlendedPixels
     {
         public const int WordsPerPixel = 2;
-
-        // Of a point in its middle; 1 at its rim.
-        public const int LargestWeight = 32;
+        public const int LargestWeight = 32; // Of a point in its middle; 1 at its rim.
 
         // 255 times it fits 32 bits. Points after the first half a million in a pixel are left out.
         const uint MaxWeights = (1u << 24) - 1024;

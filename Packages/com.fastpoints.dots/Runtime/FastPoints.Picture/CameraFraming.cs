@@ -116,8 +116,7 @@ namespace FastPoints.Picture
             return near.ToArray();
         }
 
-        // The distance from which a camera that looks from here shows a position; of an orthographic one, the height of its
-        // picture.
+        // How far a camera steps back to show a position; of an orthographic one, the height of its picture.
         static double NeededFor(in Camera camera, double3 position, double2 perTan)
         {
             var view = camera.ToView(position);
@@ -125,8 +124,7 @@ namespace FastPoints.Picture
         }
 
         // Moves a camera to the closest place on its line of sight from which the positions, except some outliers, are in the
-        // picture, and shifts the line until their extent is centred. Returns the distance, or the height of an orthographic
-        // picture.
+        // picture, and shifts the line until their extent is centred. Returns the distance, or the picture's height.
         static double Fit(ref Camera camera, ref double3 target, double3[] positions, int outliers, double2 perTan,
             (double MinDistance, int Rounds) limits)
         {

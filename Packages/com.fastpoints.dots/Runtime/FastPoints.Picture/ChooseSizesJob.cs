@@ -14,15 +14,9 @@ namespace FastPoints.Picture
         [ReadOnly] public NativeArray<ulong> Pixels;
         public int WidthPx;
         public int HeightPx;
-
-        // The final picture has this many times as many points.
-        public double PointsPerPointDrawn;
-
-        // Row by row from the top.
-        public NativeArray<float> SizeOfTile;
-
-        // Of the median tile among those with points.
-        public NativeReference<float> Typical;
+        public double PointsPerPointDrawn; // The final picture has this many times as many points.
+        public NativeArray<float> SizeOfTile; // Row by row from the top.
+        public NativeReference<float> Typical; // Of the median tile among those with points.
 
         public void Execute()
         {

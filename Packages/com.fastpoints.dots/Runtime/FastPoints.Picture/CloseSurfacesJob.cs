@@ -16,12 +16,8 @@ namespace FastPoints.Picture
 
         [ReadOnly] public NativeArray<SparseCell> Cells;
         public PointProjection Projection;
-
-        // Of the median tile.
-        public float TypicalPx;
-
-        // Row by row from the top; sizes never become smaller.
-        public NativeArray<float> SizeOfTile;
+        public float TypicalPx; // Of the median tile.
+        public NativeArray<float> SizeOfTile; // Row by row from the top; sizes never become smaller.
 
         public void Execute()
         {

@@ -29,8 +29,7 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Camera and colours follow from the manifest, without examining points: nothing occupies the main thread for
-        /// long. Degrees are drawn as they are; if the manifest does not say what to show, outliers make the rest
-        /// small.</summary>
+        /// long. Degrees are drawn as they are; without ranges to show, outliers make the rest small.</summary>
         public bool PlansByManifest { get; set; }
 
         /// <summary>Points that were drawn, including those outside the picture.</summary>

@@ -104,8 +104,7 @@ namespace FastPoints.Picture
             }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
         }
 
-        // From what was drawn with UseSize of 1, after all drawing. The final picture has pointsPerPointDrawn times as many
-        // points.
+        // From what was drawn with UseSize of 1, after all drawing. The final picture has so many points for each.
         public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
         {
             LargestPx = PointSizing.MaxPx;

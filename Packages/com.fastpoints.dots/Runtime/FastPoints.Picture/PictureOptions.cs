@@ -24,8 +24,7 @@ namespace FastPoints.Picture
         /// <summary>Replaces a standard view.</summary>
         public Camera? Camera;
 
-        /// <summary>Points of the outline that a standard view frames: all take ten milliseconds of an editor's main
-        /// thread.</summary>
+        /// <summary>Points of the outline that a standard view frames: all take ten milliseconds.</summary>
         public int OutlinePoints = int.MaxValue;
 
         public double FovDegrees = DefaultFovDegrees;

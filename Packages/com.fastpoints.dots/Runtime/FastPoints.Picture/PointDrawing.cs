@@ -27,12 +27,8 @@ namespace FastPoints.Picture
         public PositionColumns Positions;
         public PointProjection Projection;
         public ColorMapping Colors;
-
-        // A size of 1 is drawn faster.
-        public float LargestPx;
-
-        // Whatever the tiles' sizes are.
-        public bool HasOwnSize;
+        public float LargestPx; // A size of 1 is drawn faster.
+        public bool HasOwnSize; // Whatever the tiles' sizes are.
         public PointSize Size;
         public bool IsRound;
 
@@ -167,9 +163,7 @@ namespace FastPoints.Picture
         // At least 1: the edge of a point's square or the diameter of its disc. Pixels whose centres lie in it are drawn.
         public float* SizeOfTile;
         public ulong* Pixels;
-
-        // Of the points from the first on; null if no size is adaptive.
-        public float* Gaps;
+        public float* Gaps; // Of the points from the first on; null if no size is adaptive.
 
         // Null to draw; once all is drawn, the points are added up here (BlendedPixels).
         public ulong* Sums;

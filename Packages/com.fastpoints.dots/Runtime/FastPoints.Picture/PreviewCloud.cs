@@ -27,8 +27,7 @@ namespace FastPoints.Picture
             m_sampling = new PreviewSampling(reader, options);
         }
 
-        /// <summary>Raised when there is a sample to draw, coarse to fine, which belongs to the wave only until the next
-        /// step.</summary>
+        /// <summary>Raised when there is a sample to draw, coarse to fine, the wave's until the next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady
         {
             add => m_sampling.WaveReady += value;
@@ -42,16 +41,14 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges { get; private set; }
 
-        // With its error, as of the sample at that time; null before EstimateDensity, and for sources whose sample does not
-        // show it.
+        // With its error, as of the sample at that time; null before EstimateDensity, and where the sample does not show it.
         internal DensityEstimate Density { get; private set; }
         internal PicturePlan Plan { get; private set; }
 
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Coroutine, with the stages <c>sample</c>, FindBlocksStage, RefineStage and <c>draw</c>. Throws if it cannot
-        /// read.</summary>
+        /// <summary>Coroutine, with the stages <c>sample</c>, FindBlocksStage, RefineStage and <c>draw</c>.</summary>
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             yield return JobStep.Of(TakeSample(progress));

@@ -22,12 +22,8 @@ namespace FastPoints.Picture
         // See BlendedPixels; empty if points were not blended.
         [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
         public PointProjection Projection;
-
-        // Of pixels without a point: bytes red, green, blue, alpha from the lowest.
-        public uint Background;
-
-        // 0 turns eye-dome lighting off.
-        public float EdlStrength;
+        public uint Background; // Of pixels without a point: bytes red, green, blue, alpha from the lowest.
+        public float EdlStrength; // 0 turns eye-dome lighting off.
 
         // Fills a pixel without a point, most of whose neighbours have one, with their mean: a gap in a surface.
         public bool FillsHoles;

@@ -10,8 +10,7 @@ namespace FastPoints.Picture
 {
     static class SamplePicture
     {
-        // About 4 ms of managed code.
-        const int PointsPerSlice = 1 << 17;
+        const int PointsPerSlice = 1 << 17; // About 4 ms of managed code.
 
         // On top of what the canvas has. Then schedules what comes behind it, if anything.
         public static IEnumerator<JobStep> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
@@ -47,8 +46,7 @@ namespace FastPoints.Picture
             canvas.Clear();
         }
 
-        // Coroutine, after ChooseSize: enlarges points that leave a surface open. The share is that of the cloud's points that
-        // is drawn.
+        // Coroutine, after ChooseSize: enlarges points that leave a surface open. The share of the cloud's points is drawn.
         public static IEnumerator<JobStep> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
             PicturePlan plan)
         {

@@ -5,12 +5,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // Guesses the up axis of formats that do not say it: across the plane that most points lie in, which is the ground or a
-    // floor.
+    // Guesses the up axis of formats that do not say it: across the plane that most points lie in, the ground or a floor.
     static class UpGuess
     {
-        // Of the longest edge.
-        const double Thickness = 1.0 / 32;
+        const double Thickness = 1.0 / 32; // Of the longest edge.
 
         // So many times as many points lie in it as in the best plane across another axis.
         const double MinRatio = 1.5;

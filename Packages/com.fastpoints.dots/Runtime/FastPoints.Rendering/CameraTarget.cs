@@ -12,12 +12,8 @@ namespace FastPoints.Rendering
 
         /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
-
-        // Only the engine knows, when it draws.
-        internal bool MayBeScreen;
-
-        // The lower left part of a target that is larger.
-        internal bool IsPart;
+        internal bool MayBeScreen; // Only the engine knows, when it draws.
+        internal bool IsPart; // The lower left part of a target that is larger.
 
         /// <summary>Width of the picture; a pipeline may make it larger or smaller than the camera's.</summary>
         public int WidthPx;

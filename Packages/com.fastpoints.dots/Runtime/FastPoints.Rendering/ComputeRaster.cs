@@ -12,9 +12,7 @@ namespace FastPoints.Rendering
     sealed class ComputeRaster : IDisposable
     {
         const int BytesPerPixel = 8, ClearThreads = 64;
-
-        // Along one axis of a dispatch.
-        const int MaxGroups = 65535;
+        const int MaxGroups = 65535; // Along one axis of a dispatch.
 
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;

@@ -5,15 +5,13 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A pool in graphics memory: a buffer for each bank, which shaders read in place. A compute shader copies from
-    /// staging buffers.</summary>
+    /// <summary>A pool in graphics memory: a buffer for each bank, which shaders read in place. A compute shader copies into
+    /// it.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
-
-        // A bank and ListBuffer.
-        const int VertexBuffers = 2;
+        const int VertexBuffers = 2; // A bank and ListBuffer.
 
         readonly StagingRing m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();

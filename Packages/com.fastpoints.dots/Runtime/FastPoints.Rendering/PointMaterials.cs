@@ -25,8 +25,7 @@ namespace FastPoints.Rendering
 
         internal ComputeShader Raster { get; }
 
-        // Two triangles of four vertices for each point of a block: by an index buffer the GPU computes a vertex that both have
-        // once.
+        // Two triangles of four vertices for each point of a block: so the GPU computes shared vertices once.
         internal GraphicsBuffer SquareIndices
         {
             get

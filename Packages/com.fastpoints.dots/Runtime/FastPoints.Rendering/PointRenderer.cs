@@ -10,12 +10,10 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>Draws the resident nodes for one camera: Prepare after the stream's frame, then Record into any pipeline's
-    /// command buffer. It records one indirect draw for each bank of the pool; an instance is a block. Main thread, no
-    /// garbage.</summary>
+    /// command buffer. One indirect draw for each bank of the pool; an instance is a block. Main thread, no garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
-        // Of Points.shader.
-        const int BlendingPass = 1;
+        const int BlendingPass = 1; // Of Points.shader.
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;

@@ -14,9 +14,7 @@ namespace FastPoints.Rendering
     {
         // A camera that was not drawn for so many frames releases its buffers.
         const int FramesToForget = 120;
-
-        // Of a camera that a frame selects for.
-        const int MaxViews = 4;
+        const int MaxViews = 4; // Of a camera that a frame selects for.
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;

@@ -5,8 +5,7 @@ namespace FastPoints.Rendering
     // A variant of Points.shader: the keywords that a draw needs.
     internal readonly struct PointVariant
     {
-        // Range of Number; no draw needs all of them.
-        internal const int Count = Shapes << 5;
+        internal const int Count = Shapes << 5; // Range of Number; no draw needs all of them.
 
         const int Shapes = 1 + (int)PointShape.Paraboloid;
 
@@ -23,9 +22,7 @@ namespace FastPoints.Rendering
         };
 
         readonly int m_shape;
-
-        // Each bit is an index in s_options.
-        readonly int m_options;
+        readonly int m_options; // Each bit is an index in s_options.
 
         // Splats are drawn as discs, into a layer; styles with a layer draw both eyes one after the other.
         public PointVariant(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)

@@ -10,8 +10,7 @@ namespace FastPoints.Rendering
         /// (<see cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>). It does not contain the eye's own position.</summary>
         public Matrix4x4 ViewProjection;
 
-        /// <summary>From the eye that the draws were listed for, along the world's axes: from the left to the right
-        /// one.</summary>
+        /// <summary>From the eye that draws were listed for, the left one, along the world's axes.</summary>
         public Vector3 EyeOffset;
         public int WidthPx;
         public int HeightPx;
@@ -30,12 +29,8 @@ namespace FastPoints.Rendering
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
-
-        // The lower left part of a target that is larger.
-        internal bool IsPart;
-
-        // Rows of the screen run the other way from a texture's.
-        internal bool MayBeScreen;
+        internal bool IsPart; // The lower left part of a target that is larger.
+        internal bool MayBeScreen; // Rows of the screen run the other way from a texture's.
         public PointStyle Style;
 
         // Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.

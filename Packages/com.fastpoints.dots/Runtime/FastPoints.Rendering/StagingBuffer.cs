@@ -12,17 +12,14 @@ namespace FastPoints.Rendering
     // they go to. Mapped memory may be uncached: it is written front to back and never read.
     internal sealed unsafe class StagingBuffer : IDisposable
     {
-        // Of one dispatch on any GPU.
-        const int MaxGroups = 65535;
+        const int MaxGroups = 65535; // Of one dispatch on any GPU.
         const int PageEntryBytes = 2 * sizeof(uint);
         const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
 
         GraphicsBuffer m_bytes;
         GraphicsBuffer m_pages;
         NativeArray<uint> m_words;
-
-        // In the order in which the nodes lie here.
-        NativeList<PoolRange> m_runs;
+        NativeList<PoolRange> m_runs; // In the order in which the nodes lie here.
         int m_pageCount;
 
         public StagingBuffer(int pages)

@@ -7,8 +7,8 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    // Uploads through mapped buffers in turn, from which a compute shader copies. A buffer is reused only when the GPU has
-    // certainly read it.
+    // Uploads through mapped buffers in turn, from which a compute shader copies. One is reused when the GPU has certainly read
+    // it.
     internal sealed unsafe class StagingRing : IDisposable
     {
         // The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where the GPU

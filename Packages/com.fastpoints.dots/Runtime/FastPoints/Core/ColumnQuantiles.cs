@@ -14,9 +14,7 @@ namespace FastPoints.Core
         const int MaxSampledValues = 65536;
 
         public ColumnRange Range;
-
-        // Values of the column itself (nearest rank); NaN if it has no finite value.
-        public double Low;
+        public double Low; // Values of the column itself (nearest rank); NaN if it has no finite value.
         public double High;
         public double LowerQuartile;
         public double UpperQuartile;

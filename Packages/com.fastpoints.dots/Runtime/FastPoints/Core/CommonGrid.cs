@@ -45,8 +45,7 @@ namespace FastPoints.Core
             return finest;
         }
 
-        // grid = stored * factor + shift; false if the grid has no room. Loss is the farthest that 32-bit numbers move, in CRS
-        // units.
+        // grid = stored * factor + shift; false if the grid has no room. Loss: how far 32-bit numbers move, in CRS units.
         public static bool TryPlace(double scale, double offset, double step, double origin,
             out (long Factor, long Shift, double Loss) placed)
         {

@@ -17,9 +17,7 @@ namespace FastPoints.Core
         const string DeletedSuffix = ".deleted";
         const int DiskFull = unchecked((int)0x80070070);
         const int HandleDiskFull = unchecked((int)0x80070027);
-
-        // ENOSPC, of runtimes that pass on the errno.
-        const int NoSpaceErrno = 28;
+        const int NoSpaceErrno = 28; // ENOSPC, of runtimes that pass on the errno.
 
         static readonly List<Task> s_deletes = new List<Task>();
 

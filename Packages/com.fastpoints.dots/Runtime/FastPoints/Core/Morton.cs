@@ -17,9 +17,7 @@ namespace FastPoints.Core
     {
         public const int BitsPerAxis = 21;
         public const int ShortBits = 7;
-
-        // One bit for each of three numbers of 21 bits.
-        const ulong Lanes = 1 | 1UL << 21 | 1UL << 42;
+        const ulong Lanes = 1 | 1UL << 21 | 1UL << 42; // One bit for each of three numbers of 21 bits.
         public const uint MaxCoordinate = (1u << BitsPerAxis) - 1;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -14,27 +14,13 @@ namespace FastPoints.Core
         // Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its axes.
         public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
         {
-            var x = new double3(1, 0, 0);
-            var y = new double3(0, 1, 0);
-            var z = new double3(0, 0, 1);
-            switch ((UpAxis)axis.Index())
+            double3 x = new double3(1, 0, 0), y = new double3(0, 1, 0), z = new double3(0, 0, 1);
+            (east, north, up) = (UpAxis)axis.Index() switch
             {
-                case UpAxis.X:
-                    east = y;
-                    north = z;
-                    up = x;
-                    break;
-                case UpAxis.Y:
-                    east = x;
-                    north = -z;
-                    up = y;
-                    break;
-                default:
-                    east = x;
-                    north = y;
-                    up = z;
-                    break;
-            }
+                UpAxis.X => (y, z, x),
+                UpAxis.Y => (x, -z, y),
+                _ => (x, y, z),
+            };
             // Half a turn about the east.
             if (axis.IsNegative())
                 (north, up) = (-north, -up);

@@ -17,16 +17,10 @@ namespace FastPoints.Drawing
     {
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
         [ReadOnly] public NativeArray<SizeTreeCloud> Clouds;
-
-        // Scratch; the first entry stands for nothing.
-        public NativeList<SizeTreeLink> Links;
-
-        // Scratch: links in the order of their nodes.
-        public NativeList<int> Order;
+        public NativeList<SizeTreeLink> Links; // Scratch; the first entry stands for nothing.
+        public NativeList<int> Order; // Scratch: links in the order of their nodes.
         public NativeList<GpuSizeNode> Nodes;
-
-        // Holds the links while the job works.
-        public NativeList<int> NodeOfDrawn;
+        public NativeList<int> NodeOfDrawn; // Holds the links while the job works.
 
         public void Execute()
         {
@@ -119,8 +113,7 @@ namespace FastPoints.Drawing
         }
 
         // A node with others below it has one point in each cell. The last node at its place has all remaining points, most
-        // often on a surface or a line; the gap is then the larger of what the largest face and the longest edge of its box
-        // give.
+        // often on a surface or a line; its gap is the larger of what the box's largest face and longest edge give.
         static float GapOf(in StreamNode node)
         {
             if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)
@@ -136,21 +129,14 @@ namespace FastPoints.Drawing
     {
         public HierarchyPage* Pages;
         public NodeCubes Cubes;
-
-        // World units of one CRS unit along the axis that is stretched most.
-        public float WorldPerUnit;
+        public float WorldPerUnit; // World units of one CRS unit along the axis that is stretched most.
     }
 
     internal unsafe struct SizeTreeLink
     {
-        // For each octant; 0 for none, since no link is below the first.
-        public fixed int Children[8];
-
-        // World units.
-        public float Gap;
-
-        // Not only a level between two nodes that are drawn.
-        public bool IsDrawn;
+        public fixed int Children[8]; // For each octant; 0 for none, since no link is below the first.
+        public float Gap; // World units.
+        public bool IsDrawn; // Not only a level between two nodes that are drawn.
         public bool IsRoot;
         public int Node;
     }
@@ -161,8 +147,6 @@ namespace FastPoints.Drawing
     {
         // Bits 0-7: octants with a node of their own, X lowest; bits 8-31: the first of these nodes, in the octants' order.
         public uint Children;
-
-        // World units between points where no deeper node is drawn.
-        public float Gap;
+        public float Gap; // World units between points where no deeper node is drawn.
     }
 }

@@ -11,30 +11,18 @@ namespace FastPoints.Drawing
     {
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly SizeTree m_sizes;
-        NativeList<DrawListCloud> m_listed;
-        NativeList<GpuCloud> m_clouds;
-        NativeList<GpuClipBox> m_clipBoxes;
-        NativeList<GpuNode> m_nodes;
-        NativeList<uint> m_nodeOfInstance;
-        NativeList<BankDraw> m_draws;
-        NativeList<int> m_instanceOfBank;
-        NativeList<int> m_seen;
-        NativeReference<long> m_points;
+        NativeList<DrawListCloud> m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
+        NativeList<GpuCloud> m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
+        NativeList<GpuClipBox> m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
+        NativeList<GpuNode> m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
+        NativeList<uint> m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
+        NativeList<BankDraw> m_draws = new NativeList<BankDraw>(Allocator.Persistent);
+        NativeList<int> m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
+        NativeList<int> m_seen = new NativeList<int>(1024, Allocator.Persistent);
+        NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
 
         /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
-        public DrawList(SizeTree sizes)
-        {
-            m_sizes = sizes;
-            m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
-            m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
-            m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
-            m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
-            m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
-            m_draws = new NativeList<BankDraw>(Allocator.Persistent);
-            m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
-            m_seen = new NativeList<int>(1024, Allocator.Persistent);
-            m_points = new NativeReference<long>(Allocator.Persistent);
-        }
+        public DrawList(SizeTree sizes) => m_sizes = sizes;
 
         public bool IsCreated => m_nodes.IsCreated;
 

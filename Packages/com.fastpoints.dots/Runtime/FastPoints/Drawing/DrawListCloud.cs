@@ -9,9 +9,7 @@ namespace FastPoints.Drawing
     {
         public HierarchyPage* Pages;
         public CloudView View;
-
-        // A headset's right eye: nodes that it alone sees are drawn, too.
-        public CloudView RightView;
+        public CloudView RightView; // A headset's right eye: nodes that it alone sees are drawn, too.
         public bool HasBothEyes;
         public CloudPlacement Placement;
         public NodeCubes Cubes;

@@ -13,40 +13,21 @@ namespace FastPoints.Drawing
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuNode
     {
-        // Grid steps from the node's corner: the lower 32 bits.
-        public uint3 Anchor;
-
-        // First word of the position plane in its bank.
-        public uint PositionWord;
-
-        // The upper 32 bits: 0 except for wide nodes.
-        public uint3 AnchorHigh;
+        public uint3 Anchor; // Grid steps from the node's corner: the lower 32 bits.
+        public uint PositionWord; // First word of the position plane in its bank.
+        public uint3 AnchorHigh; // The upper 32 bits: 0 except for wide nodes.
         public uint ColorWord;
-
-        // From the camera to the anchor, along the world's axes.
-        public float3 AnchorView;
-
-        // In palette entries, if points are coloured by place.
-        public float AnchorValue;
-
-        // Of the node's first block; the others follow.
-        public uint FirstInstance;
+        public float3 AnchorView; // From the camera to the anchor, along the world's axes.
+        public float AnchorValue; // In palette entries, if points are coloured by place.
+        public uint FirstInstance; // Of the node's first block; the others follow.
         public uint Cloud;
-
-        // 1 if positions are 64-bit columns.
-        public uint IsWide;
+        public uint IsWide; // 1 if positions are 64-bit columns.
 
         // Multiplies the points' colours: sRGB, with red, green, blue from the lowest byte.
         public uint Tint;
-
-        // From 0 to 1 along each axis.
-        public float3 AnchorInCube;
-
-        // In the SizeTree, if sizes are adaptive.
-        public uint SizeNode;
-
-        // One grid step as a fraction of the cube's edge.
-        public float3 CubesPerStep;
+        public float3 AnchorInCube; // From 0 to 1 along each axis.
+        public uint SizeNode; // In the SizeTree, if sizes are adaptive.
+        public float3 CubesPerStep; // One grid step as a fraction of the cube's edge.
         public uint ClassWord;
     }
 
@@ -54,32 +35,21 @@ namespace FastPoints.Drawing
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuCloud
     {
-        // World vector of one grid step along the cloud's X.
-        public float3 StepX;
+        public float3 StepX; // World vector of one grid step along the cloud's X.
         public uint ColorSource;
         public float3 StepY;
 
         // Types of the colour plane's columns: bits 0-7, 8-15, 16-23; bits 24-31: number of the palette.
         public uint ColumnTypes;
         public float3 StepZ;
-
-        // Bits 0-7: columns of the colour plane; bit 8 + c: column c is of 64 bits.
-        public uint Columns;
-
-        // Palette entries for one grid step.
-        public float3 ValuePerStep;
-
-        // Added to the product of a value and its column's scale.
-        public float Bias;
+        public uint Columns; // Bits 0-7: columns of the colour plane; bit 8 + c: column c is of 64 bits.
+        public float3 ValuePerStep; // Palette entries for one grid step.
+        public float Bias; // Added to the product of a value and its column's scale.
 
         // For each column of the colour plane: palette entries, or 255ths of a channel, for one stored unit.
         public float3 Scale;
-
-        // Multiplies stored units to give classes.
-        public uint ClassDivisor;
-
-        // The ClassMask of points that are not drawn.
-        public uint4 HiddenLow;
+        public uint ClassDivisor; // Multiplies stored units to give classes.
+        public uint4 HiddenLow; // The ClassMask of points that are not drawn.
         public uint4 HiddenHigh;
     }
 
@@ -94,9 +64,7 @@ namespace FastPoints.Drawing
         public float4 RowZ;
 
         public uint3 Reserved;
-
-        // 1 if the box removes what lies inside it.
-        public uint Cuts;
+        public uint Cuts; // 1 if the box removes what lies inside it.
 
         public GpuClipBox(in ClipBox box, double3 eyeWorld)
         {

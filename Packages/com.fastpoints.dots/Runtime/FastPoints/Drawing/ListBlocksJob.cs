@@ -21,9 +21,7 @@ namespace FastPoints.Drawing
         public NativeList<GpuNode> Nodes;
         public NativeList<uint> NodeOfInstance;
         public NativeList<BankDraw> Draws;
-
-        // Scratch: by bank, then by visible node.
-        public NativeList<int> InstanceOfBank;
+        public NativeList<int> InstanceOfBank; // Scratch: by bank, then by visible node.
         public NativeList<int> Seen;
         public NativeReference<long> Points;
 
@@ -98,8 +96,6 @@ namespace FastPoints.Drawing
     {
         public int Bank;
         public int FirstInstance;
-
-        // Blocks of up to 128 points.
-        public int InstanceCount;
+        public int InstanceCount; // Blocks of up to 128 points.
     }
 }

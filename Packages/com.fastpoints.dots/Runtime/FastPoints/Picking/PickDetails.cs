@@ -21,8 +21,7 @@ namespace FastPoints.Picking
 
         sealed class Plane
         {
-            // Among the planes that are streamed or made.
-            public int Number;
+            public int Number; // Among the planes that are streamed or made.
             public StoreLayout.Plane Of;
             public StoreRead Read = new StoreRead();
             public NativeArray<ulong> Values;
@@ -147,17 +146,11 @@ namespace FastPoints.Picking
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
         public ulong Hash;
-
-        // Made in memory, so that there is no hash.
-        public bool IsTranscoded;
+        public bool IsTranscoded; // Made in memory, so that there is no hash.
         public int BlockCount;
         public int Block;
-
-        // In its block.
-        public int Index;
-
-        // Packed, of each column.
-        public NativeArray<ulong> Values;
+        public int Index; // In its block.
+        public NativeArray<ulong> Values; // Packed, of each column.
         public NativeReference<bool> IsDamaged;
 
         public void Execute()

@@ -26,15 +26,11 @@ namespace FastPoints.Picking
         public ulong ClassHash;
         public ClassMask Hidden;
         public int BlockCount;
-
-        // Made in memory, so that there are no hashes.
-        public bool IsTranscoded;
+        public bool IsTranscoded; // Made in memory, so that there are no hashes.
 
         public PickSpace Space;
         [ReadOnly] public NativeArray<LocalClip> Clips;
-
-        // CRS units.
-        public double3 Step;
+        public double3 Step; // CRS units.
         public Grid3 RootCorner;
         public NodeAddress Place;
         public int Page;
@@ -122,20 +118,13 @@ namespace FastPoints.Picking
 
     internal struct PickHit
     {
-        // World units along the ray; infinity if nothing was found.
-        public double Distance;
+        public double Distance; // World units along the ray; infinity if nothing was found.
         public double RayDistanceSq;
-
-        // On the cloud's grid.
-        public Grid3 Place;
+        public Grid3 Place; // On the cloud's grid.
         public int Page;
-
-        // Its planes hold the point.
-        public int Node;
+        public int Node; // Its planes hold the point.
         public int Block;
-
-        // In its block.
-        public int Index;
+        public int Index; // In its block.
 
         public static PickHit None => new PickHit { Distance = double.PositiveInfinity };
 

@@ -47,14 +47,10 @@ namespace FastPoints.Picking
     struct PickCandidate
     {
         public const int WholePage = -1;
-
-        // Along the ray: no hit in it or below it is nearer.
-        public double Distance;
+        public double Distance; // Along the ray: no hit in it or below it is nearer.
         public int Page;
         public int Node;
-
-        // Of the points above it, in CRS units.
-        public double SpacingAbove;
+        public double SpacingAbove; // Of the points above it, in CRS units.
 
         public readonly bool IsPage => Node == WholePage;
 

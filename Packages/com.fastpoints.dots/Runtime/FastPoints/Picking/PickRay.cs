@@ -3,8 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The ray of a pointer on a screen, in world space, with a width: it hits points no farther than RadiusAt from
-    /// it.</summary>
+    /// <summary>The ray of a pointer on a screen, in world space, with a width: it hits points within RadiusAt.</summary>
     public struct PickRay
     {
         public double3 OriginWorld;
@@ -23,8 +22,8 @@ namespace FastPoints.Picking
         public double To;
         internal ViewMask Mask;
 
-        /// <summary>Of a perspective camera. The radius is more than 0; the scale is pixels of one unit at a distance of
-        /// one.</summary>
+        /// <summary>Of a perspective camera. The radius is more than 0, the scale pixels of a unit at a distance of
+        /// 1.</summary>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = eyeWorld,

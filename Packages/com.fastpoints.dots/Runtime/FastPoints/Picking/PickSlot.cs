@@ -15,26 +15,17 @@ namespace FastPoints.Picking
         readonly StreamedCloud m_cloud;
         readonly StoreRead m_first = new StoreRead();
         readonly StoreRead m_classes = new StoreRead();
-        NativeReference<HierarchyPage> m_built;
-        NativeReference<TableProblem> m_problem;
-        NativeReference<PickHit> m_best;
-        NativeReference<bool> m_isDamaged;
+        NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
+        NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
+        NativeReference<PickHit> m_best = new NativeReference<PickHit>(Allocator.Persistent);
+        NativeReference<bool> m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
         PickCandidate m_candidate;
         NodeTranscoder m_transcoder;
         bool m_isTranscoding;
-
-        // Of the node that is being made.
-        PickNodeJob m_job;
+        PickNodeJob m_job; // Of the node that is being made.
         int m_classPlane;
 
-        public PickSlot(StreamedCloud cloud)
-        {
-            m_cloud = cloud;
-            m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
-            m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
-            m_best = new NativeReference<PickHit>(Allocator.Persistent);
-            m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
-        }
+        public PickSlot(StreamedCloud cloud) => m_cloud = cloud;
 
         // To await before the next call.
         public JobHandle Done { get; private set; }

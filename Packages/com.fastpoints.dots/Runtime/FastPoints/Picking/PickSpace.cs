@@ -11,9 +11,7 @@ namespace FastPoints.Picking
 
         PickRay m_ray;
         double3x3 m_linear;
-
-        // In the world, from the ray's origin to the corner of the cloud's root cube.
-        double3 m_fromOrigin;
+        double3 m_fromOrigin; // In the world, from the ray's origin to the corner of the cloud's root cube.
         double3 m_originLocal;
         double3 m_directionLocal;
 
@@ -48,8 +46,7 @@ namespace FastPoints.Picking
             return distance >= m_ray.From && distance <= m_ray.To && radius >= 0 && rayDistanceSq <= radius * radius;
         }
 
-        // It may be true for a box without hits; no hit in it is nearer than distance. CRS units from the corner of the root
-        // cube.
+        // It may be true for a box without hits; no hit in it is nearer than distance. CRS units from the root's corner.
         public bool IntersectsBox(double3 center, double3 half, out double distance)
         {
             var direction = m_ray.DirectionWorld;

@@ -14,8 +14,7 @@ namespace FastPoints.Picking
     // disposed or a search is broken off.
     internal sealed class PointPicker : IDisposable
     {
-        // Nodes and tables that are read at the same time.
-        const int SlotCount = 8;
+        const int SlotCount = 8; // Nodes and tables that are read at the same time.
 
         // Tables of chunks are kept between searches up to this size.
         const long MaxHierarchyBytes = 64 << 20;
@@ -25,12 +24,8 @@ namespace FastPoints.Picking
         readonly List<PickSlot> m_slots = new List<PickSlot>();
         readonly List<PickCandidate> m_taken = new List<PickCandidate>();
         readonly PickDetails m_details;
-
-        // Among the streamed planes; -1 if there are no classes.
-        readonly int m_classPlane = -1;
-
-        // State of the search in progress.
-        bool m_isSearching;
+        readonly int m_classPlane = -1; // Among the streamed planes; -1 if there are no classes.
+        bool m_isSearching; // State of the search in progress.
         PickRay m_ray;
         PickSpace m_space;
         double m_largestScale;
@@ -253,8 +248,7 @@ namespace FastPoints.Picking
 
     internal sealed class PickOptions
     {
-        // What is not shown is not hit.
-        public List<ClipBox> ClipBoxes = new List<ClipBox>();
+        public List<ClipBox> ClipBoxes = new List<ClipBox>(); // What is not shown is not hit.
         public ClassMask HiddenClasses;
 
         // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen

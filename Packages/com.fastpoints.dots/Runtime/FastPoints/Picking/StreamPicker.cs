@@ -15,9 +15,7 @@ namespace FastPoints.Picking
         struct Target
         {
             public int Cloud;
-
-            // May have been disposed since.
-            public NodeSource Source;
+            public NodeSource Source; // May have been disposed since.
             public CloudPlacement Placement;
             public ClassMask HiddenClasses;
         }

@@ -8,8 +8,7 @@ namespace FastPoints.Store
     /// (frame of reference). Any value can be read on its own. The layout is that of <see cref="PlaneShape"/>.</summary>
     internal static unsafe class BlockCodec
     {
-        // 32-bit values of a vector.
-        const int Lanes = 8;
+        const int Lanes = 8; // 32-bit values of a vector.
 
         /// <summary>Bits that a number needs: 0 for 0, 64 for the largest.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

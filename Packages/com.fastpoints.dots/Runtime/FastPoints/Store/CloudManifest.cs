@@ -260,14 +260,8 @@ namespace FastPoints.Store
     internal struct ShownRanges
     {
         public BoundsGeo BoundsGeo;
-
-        // Along Z, in CRS units.
-        public CloudManifest.Range Elevation;
-
-        // Stored values; both 0 where there is no intensity.
-        public CloudManifest.Range Intensity;
-
-        // More than outliers have it.
-        public bool HasColor;
+        public CloudManifest.Range Elevation; // Along Z, in CRS units.
+        public CloudManifest.Range Intensity; // Stored values; both 0 where there is no intensity.
+        public bool HasColor; // More than outliers have it.
     }
 }

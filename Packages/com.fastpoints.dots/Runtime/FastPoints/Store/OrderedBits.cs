@@ -4,8 +4,8 @@ using FastPoints.Core;
 namespace FastPoints.Store
 {
     // Any attribute type as unsigned numbers in the same order, so that neighbours differ by little: signed ones have their
-    // sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost, not even NaN payloads
-    // and negative zero.
+    // sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost, even of NaN and
+    // negative zero.
     internal static unsafe class OrderedBits
     {
         // At an address of any alignment.

@@ -34,8 +34,7 @@ namespace FastPoints.Store
             public int AverageOf = -1;
         }
 
-        /// <summary>All attributes except X, Y, Z, with a divisor each (null for 1). Averages of colour and intensity come
-        /// last.</summary>
+        /// <summary>All attributes except X, Y, Z, with a divisor each (null for 1). Averages come last.</summary>
         public StoreLayout(PointSchema attributes, int[] divisors = null, bool hasAverages = false)
         {
             Attributes = attributes;
@@ -146,8 +145,7 @@ namespace FastPoints.Store
     {
         public AttributeType Type;
 
-        /// <summary>Of all values of the cloud; quotients are packed. 256 or 257 where 8-bit colours fill 16-bit fields, else
-        /// 1.</summary>
+        /// <summary>Quotients are packed. 256 or 257 where 8-bit colours fill 16-bit fields, else 1.</summary>
         public int Divisor;
 
         /// <summary>Offset of the value in a record, which holds the values of all attributes one after the other.</summary>

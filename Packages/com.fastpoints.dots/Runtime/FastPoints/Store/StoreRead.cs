@@ -11,14 +11,12 @@ namespace FastPoints.Store
     internal sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.
-        NativeArray<ReadCommand> m_command;
+        NativeArray<ReadCommand> m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
         NativeArray<byte> m_bytes;
         ReadHandle m_read;
         bool m_isReading;
         string m_path;
         int m_count;
-
-        public StoreRead() => m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
 
         public NativeArray<byte> Bytes => m_bytes.GetSubArray(0, m_count);
 

@@ -7,21 +7,13 @@ namespace FastPoints.Store
     internal unsafe struct TableCheck
     {
         public NodeRecord* Nodes;
-
-        // By node times PlaneCount, plus plane.
-        public PlaneRange* Planes;
+        public PlaneRange* Planes; // By node times PlaneCount, plus plane.
         public int NodeCount;
         public int PlaneCount;
-
-        // The position's is that of nodes that are not wide.
-        public PlaneShape* Shapes;
+        public PlaneShape* Shapes; // The position's is that of nodes that are not wide.
         public GridCube Region;
-
-        // Planes lie between the header and this offset.
-        public long DataBytes;
-
-        // Several nodes may have no parent.
-        public bool IsChunk;
+        public long DataBytes; // Planes lie between the header and this offset.
+        public bool IsChunk; // Several nodes may have no parent.
 
         public TableProblem Find()
         {

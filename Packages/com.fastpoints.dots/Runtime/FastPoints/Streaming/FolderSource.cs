@@ -13,9 +13,7 @@ namespace FastPoints.Streaming
     {
         readonly CloudFolder m_folder;
         readonly HierarchyGrid m_grid;
-
-        // Made once: a new path for each read would be garbage.
-        readonly string[] m_pathOfPage;
+        readonly string[] m_pathOfPage; // Made once: a new path for each read would be garbage.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 

@@ -85,13 +85,12 @@ namespace FastPoints.Streaming
 
         public virtual void ReturnTranscoder(NodeTranscoder transcoder) { }
 
-        /// <summary>For sources that make nodes: a transcoder of every plane, which the caller disposes before the
-        /// source.</summary>
+        /// <summary>For sources that make nodes: a transcoder of every plane, to be disposed before the source.</summary>
         public virtual NodeTranscoder CreateFullTranscoder() => throw new NotSupportedException();
 
         /// <summary>Coroutine: opens the same cloud once more, on another thread, to examine single points: with positions and
         /// classes, and all other planes if they lie in files or <see cref="CreateFullTranscoder"/> makes them. The receiver
-        /// owns the source; there is none if the cloud was in memory alone and is disposed. Throws if the cloud is gone or
+        /// owns the source; there is none if the cloud was in memory alone and is disposed. Throws if it is gone or
         /// damaged.</summary>
         public abstract IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened);
 

@@ -23,10 +23,6 @@ namespace FastPoints.Streaming
             m_state = new StreamState(pool);
             Uploads = new NodeUploads(m_state);
             Reads = new NodeReads(m_state);
-            ClipBoxes = new NativeList<ClipBox>(Allocator.Persistent);
-            Drawn = new NativeList<DrawnNode>(1024, Allocator.Persistent);
-            DrawnOfSelected = new NativeList<int>(1024, Allocator.Persistent);
-            DrawnTotals = new NativeReference<DrawnTotals>(Allocator.Persistent);
         }
 
         public StreamSettings Settings => m_state.Settings;
@@ -37,20 +33,20 @@ namespace FastPoints.Streaming
         internal StreamFiles Files => m_state.Files;
         internal NodeUploads Uploads { get; }
         internal NativeArray<CloudPages> CloudPages => m_state.CloudPages;
-        internal NativeReference<DrawnTotals> DrawnTotals { get; }
+        internal NativeReference<DrawnTotals> DrawnTotals { get; } = new NativeReference<DrawnTotals>(Allocator.Persistent);
         internal CameraMotion Motion { get; } = new CameraMotion();
 
         // Indexed by number; null for a removed cloud.
         internal IReadOnlyList<StreamedCloud> Clouds => m_state.Clouds;
 
         /// <summary>Nothing outside is selected, loaded or drawn. They may change from frame to frame.</summary>
-        public NativeList<ClipBox> ClipBoxes { get; }
+        public NativeList<ClipBox> ClipBoxes { get; } = new NativeList<ClipBox>(Allocator.Persistent);
 
         /// <summary>What to draw after the last frame: parents before children.</summary>
-        public NativeList<DrawnNode> Drawn { get; }
+        public NativeList<DrawnNode> Drawn { get; } = new NativeList<DrawnNode>(1024, Allocator.Persistent);
 
         /// <summary>By selected node: its index in Drawn, or NotDrawn, or NotShown.</summary>
-        public NativeList<int> DrawnOfSelected { get; }
+        public NativeList<int> DrawnOfSelected { get; } = new NativeList<int>(1024, Allocator.Persistent);
 
         /// <summary>The node is a hole or hidden, but what is below it can be drawn.</summary>
         public const int NotDrawn = -1;

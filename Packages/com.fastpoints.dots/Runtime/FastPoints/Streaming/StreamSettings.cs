@@ -49,8 +49,8 @@ namespace FastPoints.Streaming
         /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
         public float SmallestNodePx;
 
-        /// <summary>Nodes chosen last time count as so many times as coarse, so that those at the edge of the budget do not
-        /// flicker.</summary>
+        /// <summary>Nodes chosen last time count as so many times as coarse, so that none flickers at the edge of the
+        /// budget.</summary>
         public float Hysteresis;
 
         public static LodSettings Default => new LodSettings

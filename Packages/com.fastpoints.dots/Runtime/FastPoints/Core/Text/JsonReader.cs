@@ -23,8 +23,7 @@ namespace FastPoints.Core
 
         JsonReader(string text, bool allowsTrailingCommas) => (m_text, m_allowsTrailingCommas) = (text, allowsTrailingCommas);
 
-        // Dictionary, List, string, bool, null, or a number for ToLong and ToDouble. A FormatException says where it is no
-        // JSON.
+        // Dictionary, List, string, bool, null, or a number for ToLong and ToDouble. A FormatException says where it is none.
         public static object Parse(string text, bool allowTrailingCommas = false)
         {
             var reader = new JsonReader(text, allowTrailingCommas);

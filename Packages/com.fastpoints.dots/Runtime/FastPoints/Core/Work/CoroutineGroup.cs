@@ -6,8 +6,7 @@ namespace FastPoints.Core
     internal static class CoroutineGroup
     {
         // Coroutine: steps in turn all that are ready, and awaits the oldest where none is, so that workers have the jobs of
-        // all of them. They begin in their order, when there is room, and are disposed when they end, which depends on their
-        // jobs.
+        // all of them. They begin in their order, when there is room, and end as their jobs do.
         public static IEnumerator<JobStep> Run(IEnumerable<IEnumerator<JobStep>> coroutines, int maxInFlight)
         {
             var running = new List<CoroutineStack>();

@@ -7,8 +7,7 @@ namespace FastPoints.Core
     // quick ones would take, then twice as many each time that they ran out of them. What is made never depends on it.
     internal sealed class InFlightLimit
     {
-        // After a shorter wait more in flight would not have been of use.
-        const double MinMs = 2;
+        const double MinMs = 2; // After a shorter wait more in flight would not have been of use.
 
         readonly Func<double> m_ms;
         long m_begun;
@@ -24,8 +23,7 @@ namespace FastPoints.Core
         public int Value { get; private set; }
         public int Max { get; }
 
-        // Pieces of at least pieceMs that so many chains do in a time, and at least those that a coroutine needs which awaits
-        // each.
+        // Pieces of at least pieceMs that so many chains do in a time, and at least what a coroutine needs.
         public static int ValueFor(int min, double ms, int chains, double pieceMs) =>
             (int)Math.Max(min, Math.Min(int.MaxValue, Math.Ceiling(ms * chains / pieceMs)));
 

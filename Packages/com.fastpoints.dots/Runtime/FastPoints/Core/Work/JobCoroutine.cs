@@ -91,8 +91,8 @@ namespace FastPoints.Core
 
     /// <summary>Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete
     /// before the next step, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; a
-    /// converter calls <see cref="RunToEnd"/>. Work owns what it allocates: its <c>finally</c> blocks, which also <see
-    /// cref="Cancel"/> runs, complete jobs in flight and free memory.</summary>
+    /// converter calls <see cref="RunToEnd"/>. Work owns what it allocates: its <c>finally</c> blocks, which also Cancel runs,
+    /// complete jobs in flight and free memory.</summary>
     public sealed class JobCoroutine
     {
         // How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after another, the
@@ -100,8 +100,7 @@ namespace FastPoints.Core
         const double SpinMs = 1;
         const int MaxFailedSpins = 4;
 
-        // A tick with more is no part of a smooth frame, but an editor's without focus: it waits for jobs as long as its
-        // budget.
+        // A tick with more is no part of a smooth frame, but an editor's without focus: it waits for jobs all along.
         const double MaxFrameMs = 16;
 
         static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);

@@ -5,8 +5,7 @@ using System.Threading.Tasks;
 
 namespace FastPoints.Core
 {
-    /// <summary>Examines files on threads of the pool. What is thrown there reaches the caller as a <see
-    /// cref="PointCloudException"/>.</summary>
+    /// <summary>Examines files on threads of the pool. What is thrown reaches the caller as a PointCloudException.</summary>
     public static class PoolTask
     {
         /// <summary>Begins work, which must not use anything that other code changes: it continues even when its result is no
@@ -14,8 +13,7 @@ namespace FastPoints.Core
         public static PoolTask<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
             new PoolTask<T>(path, work, unwanted);
 
-        /// <summary>The same as a coroutine, on whose thread done takes the result; on a thread of the pool it runs in
-        /// place.</summary>
+        /// <summary>The same as a coroutine, whose thread takes the result; on the pool it runs in place.</summary>
         public static IEnumerator<JobStep> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
         {
             if (Thread.CurrentThread.IsThreadPoolThread)

@@ -9,8 +9,7 @@ namespace FastPoints.Core
     // frame. Jobs that follow one another share one.
     internal struct SliceTimes : IDisposable
     {
-        // One bucket is 0.1 ms; the last one has all longer runs.
-        const int Buckets = 8192;
+        const int Buckets = 8192; // One bucket is 0.1 ms; the last one has all longer runs.
         const long NanosecondsPerBucket = 100000;
 
         NativeArray<int> m_runsOfBucket;

@@ -9,11 +9,8 @@ namespace FastPoints.Core
     // the coroutine would bring it on by one slice.
     internal static class Slices
     {
-        // A fraction of a millisecond of the main thread.
-        const int JobsPerStep = 16;
-
-        // About a second's work.
-        const int MaxStepsInFlight = 32;
+        const int JobsPerStep = 16; // A fraction of a millisecond of the main thread.
+        const int MaxStepsInFlight = 32; // About a second's work.
 
         // As all workers, and a thread that waits, can run side by side.
         public static int MaxChains => Math.Max(1, JobsUtility.JobWorkerCount) + 1;

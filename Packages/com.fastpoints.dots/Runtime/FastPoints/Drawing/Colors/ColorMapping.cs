@@ -6,22 +6,13 @@ namespace FastPoints.Drawing
     // Maps a point's stored values to its colour, for one batch layout.
     internal struct ColorMapping
     {
-        // Never Auto.
-        public ColorMode Mode;
-
-        // Three columns for RGB; modes of one attribute have the first alone.
-        public PointColumn First;
+        public ColorMode Mode; // Never Auto.
+        public PointColumn First; // Three columns for RGB; modes of one attribute have the first alone.
         public PointColumn Second;
         public PointColumn Third;
-
-        // Of its table in Palettes.CreateAll; meaningless for RGB.
-        public int FirstEntry;
-
-        // Entries beyond 255 count from 0 again.
-        public bool Wraps;
-
-        // Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.
-        public double Scale;
+        public int FirstEntry; // Of its table in Palettes.CreateAll; meaningless for RGB.
+        public bool Wraps; // Entries beyond 255 count from 0 again.
+        public double Scale; // Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.
         public double Bias;
 
         // For elevation: weights of the stored x, y and z in the value; otherwise 0.

@@ -12,8 +12,7 @@ namespace FastPoints.Drawing
     /// <summary>What a display needs to know of a cloud, found from all points of a sample.</summary>
     public sealed class DisplayRanges
     {
-        // Of the values, this share at either end is taken for outliers.
-        const double OutlierShare = 0.005;
+        const double OutlierShare = 0.005; // Of the values, this share at either end is taken for outliers.
         const double IntensityOutlierShare = 0.01;
 
         // Outliers apart, the bounds are widened by this share of their size on either side.
@@ -26,8 +25,8 @@ namespace FastPoints.Drawing
         // Bounds so many times as large as those that are framed are told of.
         const double FarBoundsFactor = 10;
 
-        // Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and metres
-        // is a thousand times.
+        // Within the degrees of the earth, so many times as high as they are wide: no object is; degrees and metres are, a
+        // thousand times.
         const double MaxHeightPerDegree = 200;
 
         const double MetresPerDegree = 111_320;
@@ -36,12 +35,8 @@ namespace FastPoints.Drawing
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
-
-        // A millisecond each.
-        const int SignalParts = 4;
-
-        // Less than a millisecond of managed code.
-        const int PointsPerSlice = 1 << 17;
+        const int SignalParts = 4; // A millisecond each.
+        const int PointsPerSlice = 1 << 17; // Less than a millisecond of managed code.
 
         // The position first.
         static readonly string[] s_columns =
@@ -73,8 +68,8 @@ namespace FastPoints.Drawing
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
         public double3[] Outline = new double3[0];
 
-        /// <summary>The farthest positions in many directions, except those far outside of Robust: a camera that shows them
-        /// cuts nothing off.</summary>
+        /// <summary>The farthest positions in many directions, but for those far out of Robust: what a camera is to
+        /// show.</summary>
         public double3[] Rim = new double3[0];
 
         /// <summary>Points with a position that is not finite: in no range.</summary>
@@ -397,8 +392,7 @@ namespace FastPoints.Drawing
                 + ": these are framed");
         }
 
-        // A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of the cloud
-        // gives the same.
+        // A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that any sample gives the same.
         void SetLengths()
         {
             LengthsPerUnit = new double3(1, 1, 1);
@@ -453,11 +447,7 @@ namespace FastPoints.Drawing
             var column = points.Column(at);
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
             for (long i = 0; i < points.Count; i += step)
-            {
-                double value;
-                ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, (int)i, 1, &value);
-                Classes.Add((int)value);
-            }
+                Classes.Add((int)ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, (int)i));
         }
 
         unsafe void AddSignal(SpatialSignal signal, PointBatch points, PositionTransform transform, int part)
@@ -468,9 +458,8 @@ namespace FastPoints.Drawing
             int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
             for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
             {
-                double value;
                 var position = columns.GeoAt(bytes, transform, (int)i);
-                ColumnValues.ToDoubles(bytes + intensity.OffsetBytes, intensity.Type, (int)i, 1, &value);
+                double value = ColumnValues.ToDouble(bytes + intensity.OffsetBytes, intensity.Type, (int)i);
                 if (Robust.Contains(position) && value - value == 0)
                     signal.Add(position, math.clamp(value, IntensityLow, IntensityHigh));
             }

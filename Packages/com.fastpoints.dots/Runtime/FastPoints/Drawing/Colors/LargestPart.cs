@@ -9,14 +9,11 @@ namespace FastPoints.Drawing
     {
         // The whole is at least this many times as long as the part: a few hundredths of a picture of all.
         const double FarInSizes = 25;
-
-        // As a share of the whole length.
-        const double MinGap = 1.0 / 16;
+        const double MinGap = 1.0 / 16; // As a share of the whole length.
         const int MinPoints = 100;
         const int MaxSplits = 16;
 
-        // Points are evenly chosen, in the file's order. Of equal parts the first in the file; all points if no parts are far
-        // apart.
+        // Points are evenly chosen, in the file's order. Of equal parts the first in the file; all points if none is far off.
         public static double3[] Of(double3[] points)
         {
             for (int split = 0; split < MaxSplits; split++)

@@ -23,9 +23,7 @@ namespace FastPoints.Drawing
         public PositionTransform Transform;
         public int First;
         public int Count;
-
-        // Points that are farther outside than its longest edge do not count.
-        public BoundsGeo Around;
+        public BoundsGeo Around; // Points that are farther outside than its longest edge do not count.
 
         // Position, and its squared distance from the middle, as a multiple of the box's half edges; 0 for none.
         public NativeArray<double4> Farthest;

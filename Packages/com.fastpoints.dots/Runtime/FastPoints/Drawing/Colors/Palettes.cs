@@ -7,9 +7,7 @@ namespace FastPoints.Drawing
     internal static class Palettes
     {
         public const int Length = 256;
-
-        // Three ramps, three of categories.
-        public const int Count = 6;
+        public const int Count = 6; // Three ramps, three of categories.
 
         // Where ramps start: darker values would be lost against a dark background.
         const double DarkestShare = 0.12, DarkestLight = 0.03;
@@ -123,8 +121,7 @@ namespace FastPoints.Drawing
 
         static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
 
-        // As viewers usually have them, by ASPRS class (LAS 1.4 R15, table 17); the last is for all that are reserved or the
-        // user's.
+        // As viewers usually have them, by ASPRS class (LAS 1.4 R15, table 17); the last is for all others.
         static readonly uint[] s_classes =
         {
             Pack(160, 160, 160), // 0 created, never classified

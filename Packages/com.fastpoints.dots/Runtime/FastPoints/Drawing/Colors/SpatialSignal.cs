@@ -10,16 +10,11 @@ namespace FastPoints.Drawing
     {
         // Of a sample, spread over it: a few milliseconds of managed code.
         public const int MaxPoints = 16_384;
+        const int Cubes = 24; // Along the longest edge.
 
-        // Along the longest edge.
-        const int Cubes = 24;
-
-        // Noise varies within cubes as much as throughout, give or take two hundredths; returns of a dense forest are hardly
-        // better.
+        // Noise varies within cubes as much as throughout, give or take two hundredths; a dense forest is hardly better.
         const double MaxVarianceWithin = 0.9;
-
-        // With more points of one value, what is left is outliers.
-        const double MaxShareAlike = 0.75;
+        const double MaxShareAlike = 0.75; // With more points of one value, what is left is outliers.
         const int MinPoints = 64;
 
         readonly BoundsGeo m_bounds;

@@ -8,8 +8,7 @@ using FastPoints.Streaming;
 namespace FastPoints.Drawing
 {
     /// <summary>The states of one cloud, each better than the one before, from a first preview to the whole cloud; those that
-    /// are taken become sources. It can be made on any thread; the rest is for the main thread, and only Dispose
-    /// waits.</summary>
+    /// are taken become sources. Made on any thread; the rest is for the main thread, and only Dispose waits.</summary>
     public abstract class CloudFeed : IDisposable
     {
         /// <summary>The newest state that nobody has taken; null for none.</summary>
@@ -18,8 +17,7 @@ namespace FastPoints.Drawing
         /// <summary>Whether nothing newer is expected.</summary>
         public abstract bool IsEnded { get; }
 
-        // Nothing is in flight and nothing waits to be taken: until it is time to look at a folder again, updates change
-        // nothing.
+        // Nothing is in flight or waits to be taken: until a folder is looked at again, updates change nothing.
         internal virtual bool IsIdle => IsEnded;
 
         /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
@@ -29,8 +27,7 @@ namespace FastPoints.Drawing
         /// cloud has them. Throws a <see cref="PointCloudException"/> if the state cannot be streamed.</summary>
         public abstract NodeSource Take(params string[] planes);
 
-        /// <summary>Works for about so long, once a frame. Throws if the cloud cannot be read; states already taken stay
-        /// valid.</summary>
+        /// <summary>Works for so long, once a frame. Throws if the cloud cannot be read; states taken stay valid.</summary>
         public abstract void Update(double budgetMs);
 
         /// <summary>Skips work that takes a pass over the whole source, because a build will offer better states.</summary>
@@ -66,13 +63,12 @@ namespace FastPoints.Drawing
         static readonly string[] s_none = new string[0];
         static Func<IReadOnlyList<string>, CloudFeed> s_openSource;
 
-        /// <summary>Registers what opens files, on any thread, that are not converted clouds. The last registration
-        /// wins.</summary>
+        /// <summary>Registers what opens other files than converted clouds, on any thread. The last one wins.</summary>
         public static void Register(Func<IReadOnlyList<string>, CloudFeed> openSource) => s_openSource = openSource;
 
         /// <summary>Opens a cloud and reads headers on the calling thread. The converted folder may not exist yet if the files
-        /// do that it is made of: they are shown until then. Without those the path may be any point cloud. Throws a <see
-        /// cref="PointCloudException"/> if neither exists, or what exists is damaged.</summary>
+        /// do that it is made of: they are shown until then. Without those the path may be any point cloud. Throws if neither
+        /// exists, or what exists is damaged.</summary>
         public static CloudFeed Open(string path, IReadOnlyList<string> sources = null)
         {
             sources ??= s_none;
@@ -90,8 +86,7 @@ namespace FastPoints.Drawing
             return new FileFeed(path, sources, folder.IsUnfinished ? TryOpenSource(sources) : null, converted, OpenSource);
         }
 
-        /// <summary>Opens files that are no converted cloud. Throws if they cannot be read, or no reader for such files is
-        /// registered.</summary>
+        /// <summary>Opens files that are no converted cloud. Throws if no registered reader can.</summary>
         public static CloudFeed OpenSource(IReadOnlyList<string> paths) => s_openSource != null ? s_openSource(paths)
             : throw new PointCloudException(FailureCode.Unsupported, paths[0], -1,
                 "is no converted cloud, and no readers for other files are there: wanted a " + StoreFormat.FolderExtension +

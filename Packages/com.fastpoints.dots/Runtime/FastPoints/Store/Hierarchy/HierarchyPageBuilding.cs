@@ -9,8 +9,7 @@ namespace FastPoints.Store
 {
     internal static unsafe class HierarchyPageBuilding
     {
-        // From a table without problems. The pages of all chunks, whose boxes are read, are null if no chunk is attached to the
-        // page.
+        // From a table without problems. The pages of all chunks, whose boxes are read, are null if it has no chunks.
         public static void Build(in TableCheck table, NativeArray<int> wanted, in HierarchyGrid grid, HierarchyPage* chunks,
             ref HierarchyPage page)
         {
@@ -96,8 +95,7 @@ namespace FastPoints.Store
     [BurstCompile]
     internal unsafe struct BuildHierarchyPageJob : IJob
     {
-        // Node records, then each node's plane ranges.
-        [ReadOnly] public NativeArray<byte> Table;
+        [ReadOnly] public NativeArray<byte> Table; // Node records, then each node's plane ranges.
         public ChunkRecord Chunk;
         public HierarchyGrid Grid;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;

@@ -7,9 +7,7 @@ namespace FastPoints.Streaming
     internal struct EvictionOrder : IDisposable
     {
         public NativeList<CachedNode> Slots;
-
-        // The least and the most useful slot, or NodeCache.None.
-        NativeReference<Ends> m_ends;
+        NativeReference<Ends> m_ends; // The least and the most useful slot, or NodeCache.None.
 
         struct Ends
         {
@@ -88,12 +86,8 @@ namespace FastPoints.Streaming
         // Frame of the last selection or prefetch that wanted it, and its rank there: 0 is the most needed.
         public uint UsedFrame;
         public int Rank;
-
-        // Not drawn even if it is loaded.
-        public bool IsHidden;
-
-        // Kept as long as there is any memory for it.
-        public bool IsPinned;
+        public bool IsHidden; // Not drawn even if it is loaded.
+        public bool IsPinned; // Kept as long as there is any memory for it.
 
         // Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte.
         public uint Tint;

@@ -45,9 +45,7 @@ namespace FastPoints.Streaming
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<SelectedNode> Nodes;
         public uint Frame;
-
-        // The parent of a listed node is its rank.
-        public NativeList<SelectedNode> Wanted;
+        public NativeList<SelectedNode> Wanted; // The parent of a listed node is its rank.
 
         public void Execute()
         {

@@ -9,16 +9,9 @@ namespace FastPoints.Streaming
     {
         public const int None = -1;
 
-        EvictionOrder m_order;
-        NativeList<int> m_free;
-        NativeList<int> m_pinned;
-
-        public NodeCache()
-        {
-            m_order = new EvictionOrder(Allocator.Persistent);
-            m_free = new NativeList<int>(1024, Allocator.Persistent);
-            m_pinned = new NativeList<int>(Allocator.Persistent);
-        }
+        EvictionOrder m_order = new EvictionOrder(Allocator.Persistent);
+        NativeList<int> m_free = new NativeList<int>(1024, Allocator.Persistent);
+        NativeList<int> m_pinned = new NativeList<int>(Allocator.Persistent);
 
         public int Count { get; private set; }
 

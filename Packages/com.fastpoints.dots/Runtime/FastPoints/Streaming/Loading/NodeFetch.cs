@@ -14,31 +14,21 @@ namespace FastPoints.Streaming
     {
         readonly StreamState m_state;
         NativeArray<byte> m_bytes;
-        NativeList<ReadCommand> m_commands;
-        NativeList<FetchPart> m_parts;
-        NativeList<FetchPart> m_sorted;
-        NativeList<FetchedNode> m_nodes;
+        NativeList<ReadCommand> m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
+        NativeList<FetchPart> m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
+        NativeList<FetchPart> m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
+        NativeList<FetchedNode> m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
 
         // Of each plane's bytes in what was read, by node times planes, plus plane.
-        NativeList<long> m_offsets;
-        NativeReference<HierarchyPage> m_built;
-        NativeReference<TableProblem> m_problem;
+        NativeList<long> m_offsets = new NativeList<long>(256, Allocator.Persistent);
+        NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
+        NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
         ReadHandle m_read;
         JobHandle m_building;
         NodeTranscoder m_transcoder;
         long m_readBytes;
 
-        public NodeFetch(StreamState state)
-        {
-            m_state = state;
-            m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
-            m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
-            m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
-            m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
-            m_offsets = new NativeList<long>(256, Allocator.Persistent);
-            m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
-            m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
-        }
+        public NodeFetch(StreamState state) => m_state = state;
 
         public FetchPhase Phase { get; private set; }
         public long Number { get; private set; }

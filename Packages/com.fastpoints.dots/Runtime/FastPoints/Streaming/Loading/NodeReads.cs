@@ -12,19 +12,14 @@ namespace FastPoints.Streaming
     // cancelled when their data is no longer wanted; failed ones are retried, then reported.
     internal sealed unsafe class NodeReads : IDisposable
     {
-        // Foreseen nodes rank behind all selected ones.
-        public const int FirstPrefetchRank = 1 << 30;
+        public const int FirstPrefetchRank = 1 << 30; // Foreseen nodes rank behind all selected ones.
 
         readonly StreamState m_state;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
-        NativeList<SelectedNode> m_wanted;
+        NativeList<SelectedNode> m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
         long m_count;
 
-        public NodeReads(StreamState state)
-        {
-            m_state = state;
-            m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
-        }
+        public NodeReads(StreamState state) => m_state = state;
 
         public List<NodeFetch> Fetches => m_fetches;
 

@@ -14,18 +14,12 @@ namespace FastPoints.Streaming
     {
         readonly StreamState m_state;
         readonly List<NodeFetch> m_copied = new List<NodeFetch>();
-        NativeList<int> m_slots;
-        NativeList<UploadPart> m_parts;
-        NativeList<bool> m_isDamaged;
+        NativeList<int> m_slots = new NativeList<int>(256, Allocator.Persistent);
+        NativeList<UploadPart> m_parts = new NativeList<UploadPart>(512, Allocator.Persistent);
+        NativeList<bool> m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
         JobHandle m_job;
 
-        public NodeUploads(StreamState state)
-        {
-            m_state = state;
-            m_slots = new NativeList<int>(256, Allocator.Persistent);
-            m_parts = new NativeList<UploadPart>(512, Allocator.Persistent);
-            m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
-        }
+        public NodeUploads(StreamState state) => m_state = state;
 
         public bool IsInFlight { get; private set; }
 

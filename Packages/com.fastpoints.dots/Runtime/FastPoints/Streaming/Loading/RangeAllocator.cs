@@ -21,9 +21,7 @@ namespace FastPoints.Streaming
         NativeArray<int> m_previous;
         NativeArray<int> m_firstOfBin;
         uint m_occupiedBins;
-
-        // No free range is as long as this; nothing was given back since it was found out.
-        int m_tooLong;
+        int m_tooLong; // No free range is as long as this; nothing was given back since it was found out.
 
         public RangeAllocator(int capacity, Allocator allocator)
         {

@@ -22,18 +22,14 @@ namespace FastPoints.Streaming
         static JobHandle s_closing;
 
         readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
-
-        // Reads of files that are not kept open.
-        JobHandle m_loose;
+        JobHandle m_loose; // Reads of files that are not kept open.
 
         struct OpenedFile
         {
             public StreamedCloud Cloud;
             public string Path;
             public FileHandle Handle;
-
-            // The file is closed after them.
-            public JobHandle Reads;
+            public JobHandle Reads; // The file is closed after them.
             public uint UsedFrame;
         }
 
@@ -86,8 +82,8 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        // Lets go of a folder that is about to be renamed or deleted, in all streams: its files are closed, and none is read
-        // until Reacquire.
+        // Lets go of a folder that is about to be renamed or deleted, in all streams: none of its files is read until
+        // Reacquire.
         public static void Release(string folder)
         {
             string below = Below(folder);

@@ -9,15 +9,9 @@ namespace FastPoints.Streaming
         // A step this many times as long as the one before is a cut, not a motion.
         const double MaxSpeedUp = 4;
 
-        NativeList<StreamView> m_last;
-        NativeList<StreamView> m_predicted;
+        NativeList<StreamView> m_last = new NativeList<StreamView>(Allocator.Persistent);
+        NativeList<StreamView> m_predicted = new NativeList<StreamView>(Allocator.Persistent);
         double m_lastStep;
-
-        public CameraMotion()
-        {
-            m_last = new NativeList<StreamView>(Allocator.Persistent);
-            m_predicted = new NativeList<StreamView>(Allocator.Persistent);
-        }
 
         public NativeArray<StreamView> Predicted => m_predicted.AsArray();
 

@@ -43,22 +43,16 @@ namespace FastPoints.Streaming
     // Which views see a cloud; by default all.
     internal struct CloudVisibility
     {
-        // A bit; 0 for one that no culling mask hides.
-        public uint Layer;
-
-        // The editor's scene culling mask; 0 for any scene.
-        public ulong Scenes;
-
-        // By the eye in the editor's hierarchy.
-        public bool IsHiddenInSceneViews;
+        public uint Layer; // A bit; 0 for one that no culling mask hides.
+        public ulong Scenes; // The editor's scene culling mask; 0 for any scene.
+        public bool IsHiddenInSceneViews; // By the eye in the editor's hierarchy.
 
         public bool IsHidden;
     }
 
     internal struct ViewMask
     {
-        // A bit for each layer that the camera's culling mask has not.
-        public uint HiddenLayers;
+        public uint HiddenLayers; // A bit for each layer that the camera's culling mask has not.
         public ulong Scenes;
 
         public bool IsSceneView;

@@ -8,33 +8,18 @@ namespace FastPoints.Streaming
     // The memory of selections from frame to frame. Main thread.
     internal sealed unsafe class LodSelector : IDisposable
     {
-        NativeList<SelectionCloud> m_clouds;
-        NativeList<CloudPlacement> m_placements;
-        NativeList<CloudView> m_views;
-        NativeList<LocalClip> m_clips;
+        NativeList<SelectionCloud> m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
+        NativeList<CloudPlacement> m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
+        NativeList<CloudView> m_views = new NativeList<CloudView>(Allocator.Persistent);
+        NativeList<LocalClip> m_clips = new NativeList<LocalClip>(Allocator.Persistent);
         NativeArray<ClipBox> m_clipBoxes;
-        NativeList<SelectedNode> m_selected;
-        NativeList<SelectedNode> m_prefetched;
-        NativeList<MissingHierarchyPage> m_missing;
-        NativeList<MissingHierarchyPage> m_missingOfPrefetch;
-        NativeReference<long> m_points;
-        NativeReference<long> m_pointsOfPrefetch;
-        SelectionHeap m_heap;
-
-        public LodSelector()
-        {
-            m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
-            m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
-            m_views = new NativeList<CloudView>(Allocator.Persistent);
-            m_clips = new NativeList<LocalClip>(Allocator.Persistent);
-            m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
-            m_prefetched = new NativeList<SelectedNode>(256, Allocator.Persistent);
-            m_missing = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
-            m_missingOfPrefetch = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
-            m_points = new NativeReference<long>(Allocator.Persistent);
-            m_pointsOfPrefetch = new NativeReference<long>(Allocator.Persistent);
-            m_heap = new SelectionHeap(Allocator.Persistent);
-        }
+        NativeList<SelectedNode> m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
+        NativeList<SelectedNode> m_prefetched = new NativeList<SelectedNode>(256, Allocator.Persistent);
+        NativeList<MissingHierarchyPage> m_missing = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
+        NativeList<MissingHierarchyPage> m_missingOfPrefetch = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
+        NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
+        NativeReference<long> m_pointsOfPrefetch = new NativeReference<long>(Allocator.Persistent);
+        SelectionHeap m_heap = new SelectionHeap(Allocator.Persistent);
 
         // Begins at 2, so that a node's initial 0 is neither this selection's frame nor the one before.
         public uint Frame { get; private set; } = 1;
@@ -59,7 +44,7 @@ namespace FastPoints.Streaming
             m_prefetched.Clear();
         }
 
-        // In rising order of clouds. The pages stay in place until the frame's last selection; a cloud without volume is left
+        // In rising order of clouds. The pages stay in place until the frame's last selection; clouds without volume are left
         // out.
         public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement)
         {

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The cubes that divide a cloud among its nodes: each level halves those above. In CRS units from the root's
+    /// <summary>The cubes that divide a cloud among its nodes: each level halves those above. CRS units from the root's
     /// corner.</summary>
     public unsafe struct NodeCubes
     {
@@ -11,8 +11,8 @@ namespace FastPoints.Streaming
         public double3 Corner;
         public double3 Size;
 
-        /// <summary>CRS units of a grid step if NodeAddress.Corner is the cube's; else 0, and the middle of a node's box is in
-        /// its cube.</summary>
+        /// <summary>Of the grid if NodeAddress.Corner is the cube's; else 0, and the middle of a node's box is in its
+        /// cube.</summary>
         public double3 Step;
 
         /// <summary>Some position in a node's cube.</summary>

@@ -56,9 +56,7 @@ namespace FastPoints.Streaming
         public float ScreenErrorPx;
         public int Cloud;
         public int Page;
-
-        // -1 for the page itself.
-        public int Node;
+        public int Node; // -1 for the page itself.
         public int Parent;
 
         // Ties are decided by position, so that a choice can be repeated.
