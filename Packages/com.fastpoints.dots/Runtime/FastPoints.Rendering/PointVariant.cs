@@ -32,12 +32,7 @@ namespace FastPoints.Rendering
                 (isStereo && !style.IsLayered ? 16 : 0);
         }
 
-        PointVariant(int shape, int options) => (m_shape, m_options) = (shape, options);
-
         internal int Number => m_shape + Shapes * m_options;
-
-        // For the pass that sums splats.
-        public PointVariant Blending => new PointVariant(0, m_options & ~2);
 
         public IEnumerable<string> Keywords
         {
@@ -50,9 +45,5 @@ namespace FastPoints.Rendering
                         yield return s_options[option];
             }
         }
-
-        // Of Compose.shader; null for its plain variant, and for styles that compose nothing.
-        public static string ComposeKeyword(in PointStyle style) => style.IsBlended ? ShaderNames.BlendedKeyword
-            : style.Shape == PointShape.Pixel && !style.IsLayered ? ShaderNames.FromPixelsKeyword : null;
     }
 }
