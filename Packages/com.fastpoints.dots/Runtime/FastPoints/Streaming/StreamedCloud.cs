@@ -26,9 +26,6 @@ namespace FastPoints.Streaming
         // It goes when its reads and uploads have ended.
         public bool IsRemoving { get; set; }
 
-        // Reads and uploads that still need the source.
-        public int Users { get; set; }
-
         public int PageCount => m_pages.Length;
         public long HierarchyBytes { get; private set; }
 

@@ -40,7 +40,6 @@ namespace FastPoints.Streaming
         }
 
         public bool IsCreated => m_length.IsCreated;
-        public int Capacity => m_length.Length;
         public int UsedSlots { get; private set; }
 
         // The first slot, or -1 if no free range is long enough.
